@@ -1,0 +1,20 @@
+"""Dry and lubricated three-body contact of rough surfaces, after Chen & Horng (2024)."""
+
+__all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve"]
+
+_HOMES = {
+    "Parameters": "parameters",
+    "Solution": "interface",
+    "grid": "dataset",
+    "load_parameters": "parameters",
+    "solve": "interface",
+}
+
+
+def __getattr__(name):
+    """Public names are imported when first used: an import of the package itself costs nothing."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module(f"thirdbody.{_HOMES[name]}"), name)

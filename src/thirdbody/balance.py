@@ -1,0 +1,162 @@
+"""Balance of forces on the interface: Eqs. 1, 2 and 4, dry and lubricated.
+
+All loads are dimensionless, F* = F/(A_n E_ss), and enter as logarithms, so that neither a tail of
+the summits nor a vanishing share of the fluid loses digits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.special import log_expit
+
+from thirdbody.film import Film
+from thirdbody.parameters import Parameters, Surface
+from thirdbody.particles import ParticleLayer
+from thirdbody.roots import decreasing_roots
+
+
+@dataclass(frozen=True)
+class RoughSurface:
+    """Summits of one roughness with the two functions of separation that stand for them.
+
+    ``log_load`` and ``log_area`` map t = (d - y_s)/sigma_s to (value, slope): either those of a
+    ``SummitPopulation`` or their tables.
+    """
+
+    surface: Surface
+    log_load: object
+    log_area: object
+
+    def summit_separation(self, separation):
+        """t [1] at ``separation`` d [m]."""
+        return (separation - self.surface.summit_offset) / self.surface.summit_deviation
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points on one rough surface: logarithm of the load, with or without particles and film."""
+
+    rough: RoughSurface
+    parameters: Parameters
+    log_load: np.ndarray  # ln F_t*
+    particles: ParticleLayer | None
+    film: Film | None
+
+    def take(self, chosen) -> Points:
+        """The points that an index or mask ``chosen`` picks."""
+        return replace(
+            self,
+            log_load=self.log_load[chosen],
+            particles=self.particles and self.particles.take(chosen),
+            film=self.film and self.film.take(chosen),
+        )
+
+    def log_solid_load(self, separation):
+        """ln F_s* and its slope [m-1] at ``separation`` d [m] (Eqs. 2 and 4)."""
+        value, slope = self.rough.log_load(self.rough.summit_separation(separation))
+        slope = slope / self.rough.surface.summit_deviation
+        if self.particles is None:
+            return value, slope
+        coverage, coverage_slope = self.particles.load_coverage(separation)
+        bare = np.maximum(1.0 - coverage, np.finfo(float).tiny)
+        value = value + np.log(bare)
+        slope = slope - coverage_slope / bare
+        area, area_slope = self.particles.area(separation)
+        pressure = self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
+        with np.errstate(divide="ignore"):
+            total = np.logaddexp(value, np.log(pressure * area))
+        particle_slope = area_slope / np.maximum(area, np.finfo(float).tiny)
+        summit_share = np.exp(value - total)
+        return total, summit_share * slope + (1.0 - summit_share) * particle_slope
+
+    def areas(self, separation):
+        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5)."""
+        log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
+        if self.particles is None:
+            return np.zeros_like(log_summits), log_summits
+        coverage, _ = self.particles.contact_coverage(separation)
+        bare = np.maximum(1.0 - coverage, np.finfo(float).tiny)
+        return self.particles.area(separation)[0], log_summits + np.log(bare)
+
+    def is_covered(self, separation):
+        """Whether particles cover the whole interface at ``separation`` d [m]: no summit is left."""
+        if self.particles is None:
+            return np.zeros(np.shape(separation), dtype=bool)
+        coverages = self.particles.load_coverage, self.particles.contact_coverage
+        return np.maximum(*(coverage(separation)[0] for coverage in coverages)) >= 1.0
+
+    def film_separation(self, log_fluid_fraction):
+        """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
+        thickness, slope = self.film.thickness(self.log_load_parameter(log_fluid_fraction))
+        return self.parameters.ball_radius * thickness, self.parameters.ball_radius * slope
+
+    def log_load_parameter(self, log_fluid_fraction):
+        """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""
+        area = self.parameters.apparent_area / self.parameters.ball_radius**2
+        return self.log_load + log_fluid_fraction + np.log(area)
+
+
+def dry_separation(points: Points, tolerance: float):
+    """Separation d [m] at which the solids alone bear the load: F_s(d) = F_t, nan if d < 0.
+
+    Solved for d/sigma; a load that the solids cannot bear at d = 0 has no solution.
+    """
+    scale = points.rough.surface.roughness
+
+    def residual(x, some):
+        value, slope = some.log_solid_load(x * scale)
+        return value - some.log_load, slope * scale
+
+    zero = np.zeros_like(points.log_load)
+    excess, _ = residual(zero, points)
+    roots = np.full_like(zero, np.nan)
+    bearable = np.flatnonzero(excess >= 0.0)
+    guess = np.sqrt(2.0 * excess[bearable])
+    low, high = zero[bearable], np.full(bearable.size, np.inf)
+    roots[bearable] = decreasing_roots(
+        residual, guess, low, high, tolerance, points.take(bearable)
+    )
+    return scale * roots
+
+
+def load_share(points: Points, tolerance: float):
+    """Logit of L_s and separation [m] where film and solids share the load (Eqs. 1, 2, 7).
+
+    The film bears the fluid load alone: d = R_x H_c(W(F_f)).  With y = ln(L_s/L_f), both L_f and
+    d are explicit and ln(F_s(d)/F_t) - ln L_s falls with y, so the root is unique and no digits
+    cancel however small L_s or L_f is.
+    """
+
+    def residual(y, some):
+        log_solid, log_fluid = log_expit(y), log_expit(-y)
+        separation, widening = some.film_separation(log_fluid)
+        value, slope = some.log_solid_load(separation)
+        solid, fluid = np.exp(log_solid), np.exp(log_fluid)
+        return value - some.log_load - log_solid, -solid * slope * widening - fluid
+
+    guess = points.log_solid_load(points.film_separation(0.0)[0])[0] - points.log_load
+    unbounded = np.full_like(guess, np.inf)
+    logit = decreasing_roots(residual, guess, -unbounded, unbounded, tolerance, points)
+    return logit, points.film_separation(log_expit(-logit))[0]
+
+
+def total_load_share(points: Points, tolerance: float):
+    """Logit of L_s and separation [m] with the printed reading, W of the total load (Eq. 8).
+
+    Where the film would be thinner than the dry separation, L_s would exceed 1: the solids then
+    bear everything at the dry separation.
+    """
+    film, _ = points.film_separation(0.0)
+    log_solid = points.log_solid_load(film)[0] - points.log_load
+    boundary = ~(log_solid < 0.0)
+    separation = film.copy()
+    separation[boundary] = dry_separation(points.take(boundary), tolerance)
+    with np.errstate(divide="ignore"):
+        logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
+    logit[boundary] = np.inf
+    return logit, separation
+
+
+LOAD_SHARES = {"fluid": load_share, "total": total_load_share}

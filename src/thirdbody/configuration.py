@@ -1,0 +1,191 @@
+"""Reading and judging configuration: one line that names the key, its value and what is allowed."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import yaml
+
+
+class _StrictLoader(yaml.SafeLoader):
+    """YAML without duplicate keys, anchors or tags: a configuration is plain data."""
+
+    def compose_node(self, parent, index):
+        if self.check_event(yaml.AliasEvent):
+            event = self.peek_event()
+            raise yaml.composer.ComposerError(
+                None, None, f"alias *{event.anchor}; allowed: plain values", event.start_mark
+            )
+        event = self.peek_event()
+        if getattr(event, "tag", None) not in (None, "!"):
+            raise yaml.composer.ComposerError(
+                None, None, f"tag {event.tag}; allowed: plain values", event.start_mark
+            )
+        return super().compose_node(parent, index)
+
+    def construct_mapping(self, node, deep=False):
+        seen = set()
+        for key_node, _ in node.value:
+            key = self.construct_object(key_node, deep=True)
+            if not isinstance(key, str):
+                raise yaml.constructor.ConstructorError(
+                    None, None, f"key {key!r}; allowed: words", key_node.start_mark
+                )
+            if key in seen:
+                raise yaml.constructor.ConstructorError(
+                    None, None, f"key {key!r} stands twice", key_node.start_mark
+                )
+            seen.add(key)
+        return super().construct_mapping(node, deep)
+
+
+def read_yaml(path) -> dict:
+    """The mapping in a YAML file; ``ValueError`` with one line that names the file and place."""
+    try:
+        text = Path(path).read_bytes().decode("utf-8")
+    except OSError as error:
+        raise ValueError(f"{path}: {error.strerror}; allowed: a readable YAML file") from None
+    except UnicodeDecodeError as error:
+        raise ValueError(f"{path}: byte {error.start} is not UTF-8") from None
+    try:
+        content = yaml.load(text, _StrictLoader)
+    except RecursionError:
+        raise ValueError(f"{path}: nested too deeply") from None
+    except (yaml.YAMLError, ValueError) as error:
+        raise ValueError(f"{path}: {_one_line(error)}") from None
+    if not isinstance(content, dict):
+        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: keys with values")
+    return content
+
+
+def _one_line(error) -> str:
+    """Message of a YAML error with its place, in one line."""
+    mark = getattr(error, "problem_mark", None)
+    place = f"line {mark.line + 1}: " if mark else ""
+    problem = getattr(error, "problem", None) or str(error)
+    return " ".join(f"{place}{problem}".split())
+
+
+def validate(config: dict, schema: dict) -> None:
+    """Raise ``ValueError`` with one line for the first key of ``config`` that breaks ``schema``."""
+    from jsonschema import Draft202012Validator
+
+    _require_finite(config, "")
+    errors = Draft202012Validator(schema).iter_errors(config)
+    first = min(errors, key=lambda error: (len(error.absolute_path), _key(error)), default=None)
+    if first is not None:
+        raise ValueError(_explained(first))
+
+
+def _require_finite(value, key) -> None:
+    """JSON Schema lets nan and infinities pass any bound."""
+    if isinstance(value, dict):
+        for name, item in value.items():
+            _require_finite(item, f"{key}.{name}".lstrip("."))
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            _require_finite(item, f"{key}[{index}]")
+    elif isinstance(value, float) and not math.isfinite(value):
+        raise ValueError(f"{key} is {value}; allowed: finite numbers")
+
+
+def _key(error) -> str:
+    key = ""
+    for part in error.absolute_path:
+        key += f"[{part}]" if isinstance(part, int) else f".{part}"
+    return key.lstrip(".")
+
+
+_ALLOWED = {
+    "type": lambda e: f"allowed: {_words(e.validator_value)}",
+    "enum": lambda e: f"allowed: {', '.join(map(str, e.validator_value))}",
+    "minimum": lambda e: f"allowed: at least {e.validator_value:g}",
+    "maximum": lambda e: f"allowed: at most {e.validator_value:g}",
+    "exclusiveMinimum": lambda e: f"allowed: above {e.validator_value:g}",
+    "exclusiveMaximum": lambda e: f"allowed: below {e.validator_value:g}",
+    "minItems": lambda e: f"allowed: at least {e.validator_value} values",
+    "maxItems": lambda e: f"allowed: at most {e.validator_value} values",
+    "uniqueItems": lambda e: "allowed: no value twice",
+    "minProperties": lambda e: f"allowed: at least {e.validator_value} keys",
+    "pattern": lambda e: f"allowed: {e.schema.get('description', e.validator_value)}",
+    "oneOf": lambda e: f"allowed: {e.schema.get('description', 'one of several forms')}",
+}
+
+
+def _words(kinds) -> str:
+    """JSON Schema's type names as a person says them."""
+    named = {"object": "keys with values", "array": "a list", "string": "a word", "null": "nothing"}
+    kinds = [kinds] if isinstance(kinds, str) else kinds
+    return " or ".join(named.get(kind, f"a{'n' * (kind[0] in 'aeiou')} {kind}") for kind in kinds)
+
+
+def _explained(error) -> str:
+    """One line for a schema error."""
+    key = _key(error) or "configuration"
+    if error.validator == "additionalProperties":
+        known = sorted(error.schema.get("properties", {}))
+        patterns = error.schema.get("patternProperties", {})
+        extra = next(
+            name for name in error.instance if name not in known and not _matches(name, patterns)
+        )
+        return f"{key}: unknown key {extra!r}; allowed: {', '.join(known) or ', '.join(patterns)}"
+    if error.validator == "required":
+        missing = next(name for name in error.validator_value if name not in error.instance)
+        return f"{key}: key {missing!r} is missing; allowed: it must be given"
+    allowed = _ALLOWED.get(error.validator, lambda e: e.message)(error)
+    return f"{key} is {_shown(error.instance)}; {allowed}"
+
+
+def _matches(name, patterns) -> bool:
+    import re
+
+    return any(re.search(pattern, name) for pattern in patterns)
+
+
+def _shown(value) -> str:
+    text = repr(value)
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+def read_inputs(base, *overlays) -> dict:
+    """Values of the inputs: those of the file ``base`` with each key of ``overlays`` in its place.
+
+    Raises ``ValueError`` for an unknown key, or a value out of the bounds that ``base`` states.
+    """
+    entries = read_yaml(base)
+    values = {name: entry["value"] for name, entry in entries.items()}
+    for path in (base, *overlays):
+        for name, given in _input_values(path).items():
+            try:
+                values[name] = _checked_input(name, given, entries)
+            except ValueError as error:
+                raise ValueError(f"{path}: {error}") from None
+    return values
+
+
+def _input_values(path) -> dict:
+    content = read_yaml(path)
+    return {
+        name: entry.get("value") if isinstance(entry, dict) else entry
+        for name, entry in content.items()
+    }
+
+
+def _checked_input(name, value, entries):
+    """``value`` of the input ``name`` in the type and bounds of its entry."""
+    if name not in entries:
+        raise ValueError(f"unknown key {name!r}; allowed: {', '.join(entries)}")
+    entry = entries[name]
+    if "allowed" in entry:
+        if value not in entry["allowed"] or type(value) is not type(entry["allowed"][0]):
+            allowed = ", ".join(map(str, entry["allowed"]))
+            raise ValueError(f"{name} is {_shown(value)}; allowed: {allowed}")
+        return value
+    low, high = entry["bounds"]
+    number = isinstance(value, (int, float)) and not isinstance(value, bool)
+    if not number or not low <= value <= high:
+        raise ValueError(
+            f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry['unit']}"
+        )
+    return float(value)

@@ -1,0 +1,213 @@
+"""Solved points as an archival dataset: one table of variables gives names, units and meaning."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from importlib.metadata import PackageNotFoundError, version
+
+import numpy as np
+import xarray as xr
+
+from thirdbody.interface import DEFAULT_RTOL, checked_axis, solve
+from thirdbody.parameters import Parameters, load_parameters
+from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.scene import DIMENSIONS, Scene
+
+SCHEMA_VERSION = "1.0"
+PAPER_DOI = "10.3389/fmech.2024.1390335"
+FILL_FLOAT = 9.969209968386869e36
+FILL_FLAG = np.int8(-127)
+
+COORDINATES = {
+    "load": ("1", "dimensionless mean normal load", "F_t*"),
+    "viscosity": ("m2 s-1", "kinematic viscosity of the lubricant, 0 when dry", "nu"),
+    "particle_diameter": ("m", "mean diameter of the third particles, 0 without them", "x_a"),
+    "roughness": ("m", "equivalent root mean square surface roughness", "sigma"),
+    "particle_density": ("m-2", "number of particles per unit area", "eta_a"),
+    "normal_load": ("N", "normal load", "F_t"),
+}
+# name: units, long name, symbol, equation of the paper
+QUANTITIES = {
+    "total_contact_area": ("1", "total real contact area over apparent area", "A_t*", "5"),
+    "particle_contact_area_ratio": (
+        "1",
+        "contact area of particles over total real contact area",
+        "A_sa,t*",
+        "10",
+    ),
+    "surface_contact_area_ratio": (
+        "1",
+        "contact area of summits over total real contact area",
+        "A_ss,t*",
+        "10",
+    ),
+    "solid_load_fraction": ("1", "share of the load borne by the solids", "L_s", "9"),
+    "fluid_load_fraction": ("1", "share of the load borne by the fluid", "L_f", "9"),
+    "separation": ("m", "mean separation of the two surfaces", "d", "4"),
+    "film_thickness": ("1", "central film thickness over ball radius", "H_c", "7"),
+}
+FLAGS = {
+    "lubrication_regime": ("lubrication regime", "L_s", "section 3.1", LUBRICATION_REGIMES),
+    "contact_mode": ("contact mode", "A_sa,t*", "section 3.2", CONTACT_MODES),
+    "solution_status": ("status of the solution", "", "1-8", SOLUTION_STATUSES),
+}
+
+
+def software_version() -> str:
+    """Version of this package, as installed."""
+    try:
+        return version("thirdbody")
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def grid(
+    load,
+    viscosity,
+    particle_diameter,
+    roughness,
+    particle_density,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+) -> xr.Dataset:
+    """Every combination of five 1-D axes, as a dataset with these five dimensions.
+
+    ``load`` F_t* [1], ``viscosity`` [m2/s], ``particle_diameter`` [m], ``roughness`` [m],
+    ``particle_density`` [m-2]; ``rtol`` is the relative error asked for in every variable.
+    Raises ``ValueError`` for an axis that is not 1-D, increasing and of physical meaning.
+    """
+    parameters = load_parameters() if parameters is None else parameters
+    given = (load, viscosity, particle_diameter, roughness, particle_density)
+    axes = {name: _checked_increasing(name, v) for name, v in zip(DIMENSIONS, given, strict=True)}
+    solution = solve(*np.ix_(*axes.values()), parameters=parameters, rtol=rtol)
+    values = {name: getattr(solution, name) for name in (*QUANTITIES, *FLAGS)}
+    request = {name: axis.tolist() for name, axis in axes.items()}
+    return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
+
+
+def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> xr.Dataset:
+    """The dataset of one figure; combinations that it does not show hold ``_FillValue``."""
+    axes = {name: scene.axis(name) for name in DIMENSIONS}
+    shape = tuple(axis.size for axis in axes.values())
+    values = {name: np.full(shape, FILL_FLOAT) for name in QUANTITIES}
+    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
+    for group in scene.groups:
+        place = scene.placed(group)
+        group_axes = [scene.load, *(getattr(group, name) for name in DIMENSIONS[1:])]
+        solution = solve(*np.ix_(*group_axes), parameters=parameters, rtol=rtol)
+        for name in values:
+            values[name][place] = getattr(solution, name)
+    request = {
+        "load": scene.load.tolist(),
+        "groups": [
+            {name: getattr(group, name).tolist() for name in DIMENSIONS[1:]}
+            for group in scene.groups
+        ],
+    }
+    dataset = _dataset(axes, values, parameters, rtol, scene.title, request)
+    for name in (*QUANTITIES, *FLAGS):
+        dataset[name].attrs["_FillValue"] = FILL_FLOAT if name in QUANTITIES else FILL_FLAG
+    return dataset
+
+
+def write_dataset(dataset: xr.Dataset, path) -> None:
+    """Write ``dataset`` as NetCDF-4: the same dataset gives the same bytes."""
+    compressed = {"zlib": True, "complevel": 4, "shuffle": True}
+    encoding = {name: {"_FillValue": None} for name in dataset.coords}
+    encoding |= {
+        name: compressed | {"chunksizes": dataset[name].shape} for name in dataset.data_vars
+    }
+    dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=encoding)
+
+
+def read_dataset(path) -> xr.Dataset:
+    """A dataset of ``write_dataset``, in memory; ``OSError`` names the file if it is damaged."""
+    try:
+        with xr.open_dataset(path, engine="netcdf4") as dataset:
+            return dataset.load()
+    except Exception as error:
+        raise OSError(
+            f"{path} cannot be read ({type(error).__name__}); "
+            f"remake it: snakemake -c2 --force {path}"
+        ) from None
+
+
+def _checked_increasing(name, values):
+    axis = np.atleast_1d(checked_axis(name, values))
+    if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+        raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
+    return axis
+
+
+def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
+    """Coordinates, variables and attributes of the data contract around solved ``values``."""
+    variables = {
+        name: (DIMENSIONS, values[name], _quantity_attributes(*row))
+        for name, row in QUANTITIES.items()
+    }
+    variables |= {
+        name: (DIMENSIONS, values[name], _flag_attributes(*row)) for name, row in FLAGS.items()
+    }
+    coordinates = {
+        name: (name, axis, _coordinate_attributes(name)) for name, axis in axes.items()
+    }
+    newtons = axes["load"] * parameters.newtons_per_load
+    coordinates["normal_load"] = ("load", newtons, _coordinate_attributes("normal_load"))
+    attributes = _global_attributes(title, parameters, axes["roughness"], rtol, request)
+    return xr.Dataset(variables, coordinates, attributes)
+
+
+def _coordinate_attributes(name):
+    units, long_name, symbol = COORDINATES[name]
+    return {"units": units, "long_name": long_name, "symbol": symbol}
+
+
+def _quantity_attributes(units, long_name, symbol, equation):
+    return {
+        "units": units,
+        "long_name": long_name,
+        "symbol": symbol,
+        "equation": equation,
+        "ancillary_variables": "solution_status",
+        "coverage_content_type": "modelResult",
+    }
+
+
+def _flag_attributes(long_name, symbol, equation, meanings):
+    return {
+        "units": "1",
+        "long_name": long_name,
+        "symbol": symbol or "none",
+        "equation": equation,
+        "flag_values": np.arange(len(meanings), dtype=np.int8),
+        "flag_meanings": " ".join(meanings),
+        "coverage_content_type": "qualityInformation",
+    }
+
+
+def _global_attributes(title, parameters, roughness, rtol, request) -> dict:
+    configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
+    canonical = json.dumps(configuration, sort_keys=True)
+    conventions = "CF-1.11, ACDD-1.3"
+    return {
+        "Conventions": conventions,
+        "conventions": conventions,
+        "title": title,
+        "summary": (
+            "Load and real contact area shared by summits, third particles and a lubricant film "
+            "between two rough surfaces, computed from the equations printed by Chen & Horng "
+            "(2024) with the parameters in model_parameters."
+        ),
+        "keywords": "tribology, three-body contact, mixed lubrication, real contact area",
+        "source": f"doi:{PAPER_DOI}",
+        "references": f"Chen & Horng (2024), Front. Mech. Eng. 10:1390335, doi:{PAPER_DOI}",
+        "license": "CC-BY-4.0",
+        "creator_name": "The thirdbody developers",
+        "standard_name_vocabulary": "CF Standard Name Table v93",
+        "schema_version": SCHEMA_VERSION,
+        "software_version": software_version(),
+        "configuration_sha256": hashlib.sha256(canonical.encode()).hexdigest(),
+        "rtol": rtol,
+        "model_parameters": parameters.as_attribute(roughness),
+    }

@@ -1,0 +1,194 @@
+"""The interface that a set of points describes: puts together what they need, and no more.
+
+Dry points get no film, two-body points no particles, and each roughness is prepared once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from scipy.special import expit, log_expit
+
+from thirdbody.asperity import SummitPopulation
+from thirdbody.balance import LOAD_SHARES, Points, RoughSurface, dry_separation
+from thirdbody.film import Film
+from thirdbody.parameters import Parameters, load_parameters
+from thirdbody.particles import ParticleLayer
+from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.tabulation import PiecewisePolynomial
+
+DEFAULT_RTOL = 1e-9
+CHUNK = 8192  # points solved together: their arrays stay in the processor's cache
+TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
+TABLE_START, TABLE_END, TABLE_PIECES = -5.0, 40.0, 180  # summit separations t [1]
+
+CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Solved points; every attribute has the broadcast shape of the five arguments.
+
+    Lengths in m, all else dimensionless; the last three are indices into the tuples of
+    ``thirdbody.regimes``.  Unsolved points hold nan, and ``solution_status`` says why.
+    """
+
+    total_contact_area: np.ndarray
+    particle_contact_area_ratio: np.ndarray
+    surface_contact_area_ratio: np.ndarray
+    solid_load_fraction: np.ndarray
+    fluid_load_fraction: np.ndarray
+    separation: np.ndarray
+    film_thickness: np.ndarray
+    lubrication_regime: np.ndarray
+    contact_mode: np.ndarray
+    solution_status: np.ndarray
+
+
+def solve(
+    load,
+    viscosity,
+    particle_diameter,
+    roughness,
+    particle_density,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+) -> Solution:
+    """Contact state of the interface at each point (Eqs. 1-10).
+
+    ``load`` F_t* = F_t/(A_n E_ss) [1], ``viscosity`` [m2/s] (0: dry), ``particle_diameter`` x_a
+    [m] and ``particle_density`` eta_a [m-2] (0 in either: two-body), ``roughness`` sigma [m]
+    broadcast against each other.  ``rtol`` in [1e-11, 1e-2] is the relative error asked for in
+    every returned variable.  Raises ``ValueError`` for a negative, non-finite or, where zero has
+    no meaning, zero argument; what cannot be solved is marked in ``solution_status`` instead.
+    """
+    parameters = load_parameters() if parameters is None else parameters
+    check_rtol(rtol)
+    given = {
+        "load": load,
+        "viscosity": viscosity,
+        "particle_diameter": particle_diameter,
+        "roughness": roughness,
+        "particle_density": particle_density,
+    }
+    columns = np.broadcast_arrays(*(checked_axis(name, value) for name, value in given.items()))
+    shape = columns[0].shape
+    columns = [np.ravel(column) for column in columns]
+    result = {
+        field.name: np.full(columns[0].size, *_EMPTY.get(field.name, (np.nan,)))
+        for field in fields(Solution)
+    }
+    for roughness_value in np.unique(columns[3]):
+        chosen = np.flatnonzero(columns[3] == roughness_value)
+        rough = prepare_surface(float(roughness_value), parameters, chosen.size >= TABLE_WORTH)
+        for lubricated, three_body, some in _kinds(columns, chosen):
+            for start in range(0, some.size, CHUNK):
+                part = some[start : start + CHUNK]
+                points = _points(rough, parameters, columns, part, lubricated, three_body)
+                for name, values in _solve_points(points, rtol).items():
+                    result[name][part] = values
+    return Solution(**{name: values.reshape(shape) for name, values in result.items()})
+
+
+_EMPTY = dict.fromkeys(
+    ("lubrication_regime", "contact_mode", "solution_status"), (NOT_CONVERGED, np.int8)
+)
+
+
+def check_rtol(rtol) -> None:
+    """Raises ``ValueError`` unless ``rtol`` is within what float64 and the tables can promise."""
+    if not 1e-11 <= rtol <= 1e-2:
+        raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
+
+
+def checked_axis(name: str, values):
+    """``values`` as float64, or a ``ValueError`` that names the argument and its first bad value."""
+    array = np.asarray(values)
+    if array.dtype.kind not in "iuf":
+        raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
+    array = array.astype(float)
+    zero_allowed = name not in ("load", "roughness")
+    good = np.isfinite(array) & ((array >= 0.0) if zero_allowed else (array > 0.0))
+    if not good.all():
+        bad = array[~good].flat[0]
+        sign = "zero or positive" if zero_allowed else "positive"
+        raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
+    return array
+
+
+def prepare_surface(roughness: float, parameters: Parameters, tabulate: bool) -> RoughSurface:
+    """Summits at ``roughness`` sigma [m], as tables if many points will ask for them."""
+    surface = parameters.surface(roughness)
+    population = SummitPopulation.of(surface, parameters)
+    functions = population.log_load, population.log_area
+    if tabulate:
+        functions = (
+            PiecewisePolynomial(function, TABLE_START, TABLE_END, TABLE_PIECES, degree=7)
+            for function in functions
+        )
+    return RoughSurface(surface, *functions)
+
+
+def _kinds(columns, chosen):
+    """The points ``chosen``, divided by whether film and particles take part."""
+    _, viscosity, diameter, _, density = (column[chosen] for column in columns)
+    lubricated = viscosity > 0.0
+    three_body = (diameter > 0.0) & (density > 0.0)
+    for film in (False, True):
+        for particles in (False, True):
+            some = chosen[(lubricated == film) & (three_body == particles)]
+            if some.size:
+                yield film, particles, some
+
+
+def _points(rough, parameters, columns, part, lubricated, three_body) -> Points:
+    load, viscosity, diameter, roughness, density = (column[part] for column in columns)
+    return Points(
+        rough,
+        parameters,
+        np.log(load),
+        ParticleLayer.of(diameter, roughness, density, parameters) if three_body else None,
+        Film.of(viscosity, roughness, parameters) if lubricated else None,
+    )
+
+
+def _solve_points(points: Points, rtol: float) -> dict:
+    """All variables of ``Solution`` for points of one kind."""
+    tolerance = 0.5 * rtol
+    if points.film is None:
+        separation = dry_separation(points, tolerance)
+        logit = np.where(np.isnan(separation), np.nan, np.inf)
+    else:
+        logit, separation = LOAD_SHARES[points.parameters.film_load](points, tolerance)
+    status = _status(points, logit, separation)
+    separation[status >= COVERAGE_EXCEEDED] = np.nan
+    logit[status >= COVERAGE_EXCEEDED] = np.nan
+    particle_area, log_summit_area = points.areas(separation)
+    with np.errstate(divide="ignore"):
+        odds = np.log(particle_area) - log_summit_area
+    solid = expit(logit)
+    return {
+        "total_contact_area": particle_area + np.exp(log_summit_area),
+        "particle_contact_area_ratio": expit(odds),
+        "surface_contact_area_ratio": expit(-odds),
+        "solid_load_fraction": solid,
+        "fluid_load_fraction": expit(-logit),
+        "separation": separation,
+        "film_thickness": separation / points.parameters.ball_radius,
+        "lubrication_regime": lubrication_regime(solid),
+        "contact_mode": contact_mode(expit(odds), points.particles is not None),
+        "solution_status": status,
+    }
+
+
+def _status(points: Points, logit, separation):
+    """Index into ``SOLUTION_STATUSES`` of each point; what voids a point outranks a warning."""
+    status = np.full(separation.shape, CONVERGED, dtype=np.int8)
+    if points.film is not None:
+        shared = 0.0 if points.parameters.film_load == "total" else log_expit(-logit)
+        meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
+        status[~meaningful] = OUTSIDE_FILM_FORMULA
+    status[points.is_covered(separation)] = COVERAGE_EXCEEDED
+    status[np.isnan(separation)] = NOT_CONVERGED
+    return status

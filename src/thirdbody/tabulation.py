@@ -1,0 +1,53 @@
+"""Piecewise polynomials that stand in for a smooth function of one variable."""
+
+from __future__ import annotations
+
+import numpy as np
+
+
+class PiecewisePolynomial:
+    """Value and slope of ``function`` from its interpolant on equal pieces of ``[start, end]``.
+
+    ``function(x)`` returns (value, slope) for a 1-D array; so does an instance, for arrays of any
+    shape.  Each piece interpolates at Chebyshev points.  Outside the interval, and for nan, the
+    function itself is evaluated, so that an instance is as widely valid as what it tabulates.
+    """
+
+    def __init__(self, function, start: float, end: float, pieces: int, degree: int):
+        self.function = function
+        self.start = start
+        self.end = end
+        self.pieces = pieces
+        self.scale = pieces / (end - start)
+        nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
+        centres = np.arange(pieces) + 0.5
+        x = start + (centres[:, None] + 0.5 * nodes) / self.scale
+        values = function(x.ravel())[0].reshape(x.shape)
+        powers = np.linalg.solve(np.vander(nodes, increasing=True), values.T)
+        # local variable 2(x - centre)/width in [-1, 1]; row k holds the k-th power of all pieces
+        self.coefficients = np.ascontiguousarray(powers)
+
+    def __call__(self, x):
+        """(value, slope) at ``x``, each of its shape."""
+        position = (x - self.start) * self.scale
+        inside = (position >= 0.0) & (position < self.pieces)
+        if inside.all():
+            return self._interpolate(position)
+        value = np.empty_like(position)
+        slope = np.empty_like(position)
+        value[inside], slope[inside] = self._interpolate(position[inside])
+        value[~inside], slope[~inside] = self.function(x[~inside])
+        return value, slope
+
+    def _interpolate(self, position):
+        piece = position.astype(np.intp)
+        local = 2.0 * (position - piece) - 1.0
+        value = self.coefficients[-1].take(piece)
+        slope = np.zeros_like(value)
+        for row in self.coefficients[-2::-1]:
+            slope *= local
+            slope += value
+            value *= local
+            value += row.take(piece)
+        slope *= 2.0 * self.scale
+        return value, slope
