@@ -6,7 +6,7 @@ _HOMES = {
     "Parameters": "parameters",
     "Solution": "interface",
     "grid": "dataset",
-    "load_parameters": "parameters",
+    "load_parameters": "configuration",
     "solve": "interface",
 }
 

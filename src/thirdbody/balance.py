@@ -80,6 +80,15 @@ class Points:
         bare = np.maximum(1.0 - coverage, np.finfo(float).tiny)
         return self.particles.area(separation)[0], log_summits + np.log(bare)
 
+    def odds_slope(self, separation):
+        """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
+        _, summit_slope = self.rough.log_area(self.rough.summit_separation(separation))
+        coverage, coverage_slope = self.particles.contact_coverage(separation)
+        area, area_slope = self.particles.area(separation)
+        bare_slope = -coverage_slope / np.maximum(1.0 - coverage, np.finfo(float).tiny)
+        summit_slope = summit_slope / self.rough.surface.summit_deviation + bare_slope
+        return np.where(area > 0.0, area_slope - area * summit_slope, -np.finfo(float).tiny)
+
     def is_covered(self, separation):
         """Whether particles cover the whole interface at ``separation`` d [m]: no summit is left."""
         if self.particles is None:

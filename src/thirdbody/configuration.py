@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import math
+from importlib.metadata import version
 from pathlib import Path
 
 import yaml
+
+from thirdbody.parameters import Parameters
 
 
 class _StrictLoader(yaml.SafeLoader):
@@ -189,3 +192,77 @@ def _checked_input(name, value, entries):
             f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry['unit']}"
         )
     return float(value)
+
+
+def config_directory() -> Path:
+    """Where the configuration lies: inside an installed package, else beside ``src/``."""
+    package = Path(__file__).resolve().parent
+    installed = package / "config"
+    return installed if installed.is_dir() else package.parents[1] / "config"
+
+
+def load_parameters(path=None) -> Parameters:
+    """Inputs of the model from a YAML file, by default the calibrated ones of ``config/``.
+
+    ``path`` names a file with the layout of ``config/inputs.yaml``, or one that gives only some
+    of its keys (the others keep their value there).  Raises ``ValueError`` with one line that
+    names the file, the key, its value and what is allowed.
+    """
+    directory = config_directory()
+    if path is None:
+        path = directory.parent / read_yaml(directory / "config.yaml")["inputs"]
+    return Parameters(**read_inputs(directory / "inputs.yaml", path))
+
+
+def read_plain(*paths) -> None:
+    """Refuse configuration files that hold anything but plain data, before Snakemake reads them."""
+    for path in paths:
+        if "__use_yte__" in read_yaml(path):
+            raise ValueError(f"{path}: key '__use_yte__' runs code; allowed: plain values")
+
+
+def workflow_settings(config: dict) -> dict:
+    """The configuration that the rules take their parameters from, checked as a whole.
+
+    Every scene carries its own load axis and ``rtol``, so that it depends on nothing else;
+    ``parameters`` are the inputs of the model and ``software`` the versions that compute.
+    Raises ``ValueError`` with one line that names the key, its value and what is allowed.
+    """
+    directory = config_directory()
+    validate(config, read_yaml(directory / "schema.yaml"))
+    shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
+    _check_increasing(config["load_axis"]["load_N"], "load_axis.load_N")
+    windows = config["windows"]
+    ratios = windows["particle_diameter_per_roughness"]
+    _check_increasing(ratios, "windows.particle_diameter_per_roughness")
+    for name, scene in config["scenes"].items():
+        _check_increasing(scene.get("load_axis", shared["load_axis"])["load_N"], f"scenes.{name}")
+        for index, group in enumerate(scene["curves"]):
+            _check_room(group, f"scenes.{name}.curves[{index}]")
+    inputs = read_inputs(directory / "inputs.yaml", config["inputs"])
+    return {
+        **config,
+        "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
+        "parameters": Parameters(**inputs).as_dict(),
+        "software": {name: version(name) for name in ("numpy", "scipy", "netCDF4", "xarray")},
+    }
+
+
+def _check_increasing(ends, key) -> None:
+    if not ends[0] < ends[1]:
+        raise ValueError(f"{key} is {ends}; allowed: a first value below the last")
+
+
+def _check_room(group: dict, key) -> None:
+    """Particles lie side by side: pi/4 x_a^2 eta_a cannot exceed 1."""
+    diameters = group.get("particle_diameter_nm") or [
+        ratio * sigma
+        for ratio in group["particle_diameter_per_roughness"]
+        for sigma in group["roughness_nm"]
+    ]
+    coverage = 0.25 * math.pi * (1e-9 * max(diameters)) ** 2 * max(group["particle_density_per_m2"])
+    if coverage > 1.0:
+        raise ValueError(
+            f"{key}: particles of {max(diameters):g} nm at {max(group['particle_density_per_m2']):g}"
+            f" m-2 cover {coverage:.3g} of the interface; allowed: at most 1"
+        )

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.interface import DEFAULT_RTOL, checked_axis, solve
-from thirdbody.parameters import Parameters, load_parameters
+from thirdbody.parameters import Parameters
 from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.scene import DIMENSIONS, Scene
 
@@ -68,7 +68,7 @@ def grid(
     particle_diameter,
     roughness,
     particle_density,
-    parameters: Parameters | None = None,
+    parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> xr.Dataset:
     """Every combination of five 1-D axes, as a dataset with these five dimensions.
@@ -77,7 +77,6 @@ def grid(
     ``particle_density`` [m-2]; ``rtol`` is the relative error asked for in every variable.
     Raises ``ValueError`` for an axis that is not 1-D, increasing and of physical meaning.
     """
-    parameters = load_parameters() if parameters is None else parameters
     given = (load, viscosity, particle_diameter, roughness, particle_density)
     axes = {name: _checked_increasing(name, v) for name, v in zip(DIMENSIONS, given, strict=True)}
     solution = solve(*np.ix_(*axes.values()), parameters=parameters, rtol=rtol)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from thirdbody.parameters import Parameters
+from thirdbody.roots import decreasing_roots
 
 SPEED_EXPONENT = 0.663
 ROUGHNESS_SPEED_EXPONENT = 0.884
@@ -72,6 +73,23 @@ class Film:
         rough = np.exp(self.rough + self.rough_exponent * log_load_parameter)
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
+    def log_load_parameter(self, thickness, tolerance):
+        """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``."""
+        target = np.log(thickness)
+        guess = np.minimum(
+            (target - self.smooth) / self.smooth_exponent,
+            (target - self.rough) / self.rough_exponent,
+        )
+        unbounded = np.full_like(target, np.inf)
+
+        def residual(log_parameter, points):
+            film, wanted = points.film, points.log_thickness
+            value, slope = film.thickness(log_parameter)
+            return np.log(value) - wanted, slope / value
+
+        points = _Inverse(self, target)
+        return decreasing_roots(residual, guess, -unbounded, unbounded, tolerance, points)
+
     def is_meaningful(self, log_load_parameter):
         """Whether H_c still rises with viscosity: the roughness term is below its turning point.
 
@@ -80,3 +98,14 @@ class Film:
         """
         excess = self.rough - self.smooth + ROUGHNESS_LOAD_EXPONENT * log_load_parameter
         return excess < np.log(self.turning_ratio)
+
+
+@dataclass(frozen=True)
+class _Inverse:
+    """Films and the logarithms of the thicknesses that they are to have."""
+
+    film: Film
+    log_thickness: np.ndarray
+
+    def take(self, chosen) -> _Inverse:
+        return _Inverse(self.film.take(chosen), self.log_thickness[chosen])

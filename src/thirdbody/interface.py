@@ -13,7 +13,7 @@ from scipy.special import expit, log_expit
 from thirdbody.asperity import SummitPopulation
 from thirdbody.balance import LOAD_SHARES, Points, RoughSurface, dry_separation
 from thirdbody.film import Film
-from thirdbody.parameters import Parameters, load_parameters
+from thirdbody.parameters import Parameters
 from thirdbody.particles import ParticleLayer
 from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 from thirdbody.tabulation import PiecewisePolynomial
@@ -52,7 +52,7 @@ def solve(
     particle_diameter,
     roughness,
     particle_density,
-    parameters: Parameters | None = None,
+    parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
@@ -63,7 +63,6 @@ def solve(
     every returned variable.  Raises ``ValueError`` for a negative, non-finite or, where zero has
     no meaning, zero argument; what cannot be solved is marked in ``solution_status`` instead.
     """
-    parameters = load_parameters() if parameters is None else parameters
     check_rtol(rtol)
     given = {
         "load": load,
@@ -82,10 +81,10 @@ def solve(
     for roughness_value in np.unique(columns[3]):
         chosen = np.flatnonzero(columns[3] == roughness_value)
         rough = prepare_surface(float(roughness_value), parameters, chosen.size >= TABLE_WORTH)
-        for lubricated, three_body, some in _kinds(columns, chosen):
+        for some in _kinds(columns, chosen):
             for start in range(0, some.size, CHUNK):
                 part = some[start : start + CHUNK]
-                points = _points(rough, parameters, columns, part, lubricated, three_body)
+                points = make_points(rough, parameters, *(column[part] for column in columns))
                 for name, values in _solve_points(points, rtol).items():
                     result[name][part] = values
     return Solution(**{name: values.reshape(shape) for name, values in result.items()})
@@ -139,18 +138,20 @@ def _kinds(columns, chosen):
         for particles in (False, True):
             some = chosen[(lubricated == film) & (three_body == particles)]
             if some.size:
-                yield film, particles, some
+                yield some
 
 
-def _points(rough, parameters, columns, part, lubricated, three_body) -> Points:
-    load, viscosity, diameter, roughness, density = (column[part] for column in columns)
-    return Points(
-        rough,
-        parameters,
-        np.log(load),
-        ParticleLayer.of(diameter, roughness, density, parameters) if three_body else None,
-        Film.of(viscosity, roughness, parameters) if lubricated else None,
-    )
+def make_points(
+    rough, parameters, load, viscosity, particle_diameter, roughness, particle_density
+) -> Points:
+    """Points of one kind on one surface: 1-D arrays that all have a film or all have none, and
+    all have particles or all have none."""
+    particles = film = None
+    if particle_diameter[0] > 0.0 and particle_density[0] > 0.0:
+        particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
+    if viscosity[0] > 0.0:
+        film = Film.of(viscosity, roughness, parameters)
+    return Points(rough, parameters, np.log(load), particles, film)
 
 
 def _solve_points(points: Points, rtol: float) -> dict:

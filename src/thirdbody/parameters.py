@@ -4,13 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from dataclasses import asdict, dataclass, fields
-from pathlib import Path
-
-SIZE_DISTRIBUTIONS = ("uncentred", "centred", "gap_convolved")
-ELASTIC_LIMITS = ("printed", "physical")
-COVERAGE_LIMITS = ("printed", "contacting")
-FILM_LOADS = ("fluid", "total")
+from dataclasses import asdict, dataclass
 
 # McCool (1986): distance of the summit plane and loss of summit variance, over 1/(eta_s R)
 SUMMIT_PLANE = 0.045944
@@ -138,27 +132,3 @@ class Parameters:
         """Plain mapping of all inputs."""
         return asdict(self)
 
-
-NAMES = tuple(field.name for field in fields(Parameters))
-
-
-def config_directory() -> Path:
-    """Where the configuration lies: inside an installed package, else beside ``src/``."""
-    package = Path(__file__).resolve().parent
-    installed = package / "config"
-    return installed if installed.is_dir() else package.parents[1] / "config"
-
-
-def load_parameters(path=None) -> Parameters:
-    """Inputs of the model from a YAML file, by default the calibrated ones of ``config/``.
-
-    ``path`` names a file with the layout of ``config/inputs.yaml``, or one that gives only some
-    of its keys (the others keep their value there).  Raises ``ValueError`` with one line that
-    names the file, the key, its value and what is allowed.
-    """
-    from thirdbody.configuration import read_inputs, read_yaml
-
-    directory = config_directory()
-    if path is None:
-        path = directory.parent / read_yaml(directory / "config.yaml")["inputs"]
-    return Parameters(**read_inputs(directory / "inputs.yaml", path))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -58,15 +59,20 @@ class Scene:
     groups: tuple[Curves, ...]
 
     @classmethod
-    def of(cls, name: str, scene: dict, load_axis: dict, newtons_per_load: float) -> Scene:
-        """The scene that a validated entry of ``config/scenes.yaml`` describes.
+    def of(cls, name: str, scene: dict, newtons_per_load: float) -> Scene:
+        """The scene that a validated entry of ``config/scenes.yaml`` with its load axis describes.
 
         ``newtons_per_load`` F_t/F_t* [N] turns the axis in newtons into F_t*.
         """
         groups = [curves for group in scene["curves"] for curves in Curves.of(group)]
-        axis = scene.get("load_axis", load_axis)
-        load = load_values(axis, scene.get("named_loads", []), newtons_per_load)
+        load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
         return cls(name, scene["title"], load, tuple(groups))
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        axes = (tuple(getattr(group, name).size for name in DIMENSIONS[1:]) for group in self.groups)
+        return self.load.size * sum(math.prod(sizes) for sizes in axes)
 
     def axis(self, name: str):
         """Values of the dimension ``name`` over all groups, increasing."""

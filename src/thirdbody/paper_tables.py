@@ -1,0 +1,80 @@
+"""Tables 1 and 2 of the paper as printed, each derived entry recomputed beside it."""
+
+from __future__ import annotations
+
+from thirdbody.parameters import Parameters
+
+# Table 1 prints Poisson's ratio; Young's modulus of the steel is not printed.
+POISSON_RATIO = 0.29
+STEEL_MODULUS = 205e9  # [Pa]
+LOADS = (0.04, 80.0)  # F_t [N], Table 2
+LOAD_PARAMETERS = (8.6e-9, 1.8e-5)  # W, Table 2
+ROUGHNESSES = (100e-9, 500e-9)  # sigma [m], Table 2
+VISCOSITIES = (0.0, 150e-6)  # nu [m2/s], Table 2
+
+
+def _hertz_modulus(inputs: Parameters):
+    modulus = STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2))
+    return [modulus / 1e9], "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)"
+
+
+def _normal_load(inputs: Parameters):
+    scale = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
+    remark = "W E_ss R_x^2 from the printed W; the row is called dimensionless but is in newtons"
+    return [parameter * scale for parameter in LOAD_PARAMETERS], remark
+
+
+def _load_parameter(inputs: Parameters):
+    scale = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
+    return [load / scale * 1e5 for load in LOADS], "F_t/(E_ss R_x^2)"
+
+
+def _speed_parameter(inputs: Parameters):
+    return [
+        inputs.speed_per_viscosity * viscosity * 1e10 for viscosity in VISCOSITIES
+    ], "proportional to the viscosity; 7.3e-10 at 150 cSt fixes mu_0 u/nu alone"
+
+
+def _roughness_parameter(inputs: Parameters):
+    return [roughness / inputs.ball_radius * 1e5 for roughness in ROUGHNESSES], "sigma/R_x"
+
+
+def _hardness_parameter(inputs: Parameters):
+    return [inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces], "H/E_ss of Table 1"
+
+
+RECOMPUTED = {
+    "hertz_modulus": _hertz_modulus,
+    "normal_load": _normal_load,
+    "load_parameter": _load_parameter,
+    "speed_parameter": _speed_parameter,
+    "roughness_parameter": _roughness_parameter,
+    "hardness_parameter": _hardness_parameter,
+}
+
+
+def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
+    """Rows of the table ``paper_table`` from the printed ``rows`` of config/paper_tables.yaml."""
+    return [_judged(row, inputs) for row in rows]
+
+
+def _judged(row: dict, inputs: Parameters) -> dict:
+    printed = row["printed"]
+    result = {name: row[name] for name in ("property", "symbol", "unit")}
+    result |= _ends("printed", printed)
+    if "recompute" not in row:
+        return result | _ends("recomputed", []) | {"verdict": "input", "remark": ""}
+    recomputed, remark = RECOMPUTED[row["recompute"]](inputs)
+    disagreements = [
+        f"printed {a:g} against {b:.{row['digits'] + 1}g}"
+        for a, b in zip(printed, recomputed, strict=True)
+        if float(f"{b:.{row['digits']}g}") != a
+    ]
+    verdict = "differs" if disagreements else "agrees"
+    remark = "; ".join([*disagreements, remark])
+    return result | _ends("recomputed", recomputed) | {"verdict": verdict, "remark": remark}
+
+
+def _ends(name: str, values: list) -> dict:
+    low, high = (*values, None, None)[:2]
+    return {f"{name}_low": low, f"{name}_high": high}

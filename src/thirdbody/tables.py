@@ -1,0 +1,128 @@
+"""Tidy tables: one description of columns makes the CSV, its Table Schema, Markdown and LaTeX."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Column:
+    """A column: its name carries the unit; ``kind`` is a Table Schema type."""
+
+    name: str
+    kind: str
+    unit: str
+    description: str
+
+    def parse(self, text: str):
+        """The value that the CSV field ``text`` stands for; None where it is empty."""
+        if text == "":
+            return None
+        return float(text) if self.kind == "number" else text
+
+    def format(self, value, digits: int) -> str:
+        """Text of ``value`` with ``digits`` significant digits."""
+        if value is None:
+            return ""
+        return f"{value:.{digits}g}" if self.kind == "number" else str(value)
+
+
+CONDITIONS = (
+    Column("figure", "string", "", "figure of the paper whose curves these are"),
+    Column("viscosity_m2_per_s", "number", "m2 s-1", "kinematic viscosity nu, 0 when dry"),
+    Column("particle_diameter_m", "number", "m", "mean particle diameter x_a, 0 without particles"),
+    Column("roughness_m", "number", "m", "equivalent root mean square roughness sigma"),
+    Column("particle_density_per_m2", "number", "m-2", "particles per unit area eta_a"),
+)
+TABLES = {
+    "tpca_loads": (
+        *CONDITIONS,
+        Column("load", "number", "1", "F_TPCA*, load of the turning point over A_n E_ss"),
+        Column("load_error", "number", "1", "bound on the numerical error of load"),
+        Column("peak_ratio", "number", "1", "A_sa,t* at the turning point"),
+        Column("solid_load_fraction", "number", "1", "L_s at the turning point"),
+        Column("separation_m", "number", "m", "mean separation d at the turning point"),
+    ),
+    "transitions": (
+        *CONDITIONS,
+        Column("quantity", "string", "", "solid_load_fraction or particle_contact_area_ratio"),
+        Column("level", "number", "1", "limit of the regime or mode that the quantity crosses"),
+        Column("direction", "string", "", "rising or falling with the load"),
+        Column("load", "number", "1", "F_t* of the crossing"),
+        Column("load_error", "number", "1", "bound on the numerical error of load"),
+    ),
+    "tpca_windows": (
+        Column("roughness_m", "number", "m", "equivalent root mean square roughness sigma"),
+        Column("particle_density_per_m2", "number", "m-2", "particles per unit area eta_a"),
+        Column("end", "string", "", "low or high end of the range of x_a/sigma"),
+        Column("diameter_over_roughness", "number", "1", "x_a/sigma at the end"),
+        Column("error", "number", "1", "bound on its numerical error"),
+    ),
+    "paper_table": (
+        Column("property", "string", "", "row of the paper's table"),
+        Column("symbol", "string", "", "the paper's symbol"),
+        Column("unit", "string", "", "unit of the four numbers"),
+        Column("printed_low", "number", "unit", "printed value, or low end of the printed range"),
+        Column("printed_high", "number", "unit", "high end of the printed range"),
+        Column("recomputed_low", "number", "unit", "the same from the other printed values"),
+        Column("recomputed_high", "number", "unit", "the same from the other printed values"),
+        Column("verdict", "string", "", "agrees, differs, or an input that nothing recomputes"),
+        Column("remark", "string", "", "how it is recomputed, what differs"),
+    ),
+    "solver_cost": (
+        Column("figure", "string", "", "figure whose dataset was solved"),
+        Column("points", "number", "1", "solved points"),
+        Column("rtol", "number", "1", "relative error asked for"),
+        Column("seconds", "number", "s", "processor time of the solver, tables included"),
+        Column("microseconds_per_point", "number", "us", "the same over the points"),
+    ),
+}
+
+
+def write_csv(path, rows, columns) -> None:
+    """Write ``rows`` (mappings) under the names of ``columns``."""
+    with open(path, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow([column.name for column in columns])
+        for row in rows:
+            writer.writerow([column.format(row[column.name], 10) for column in columns])
+
+
+def read_csv(path, columns) -> list[dict]:
+    """Rows of a file of ``write_csv``; ``OSError`` names a file with other columns."""
+    with open(path, encoding="utf-8", newline="") as stream:
+        reader = csv.DictReader(stream)
+        names = [column.name for column in columns]
+        if reader.fieldnames != names:
+            raise OSError(
+                f"{path} has the columns {reader.fieldnames}; "
+                f"remake it: snakemake -c2 --force {path}"
+            )
+        return [{column.name: column.parse(row[column.name]) for column in columns} for row in reader]
+
+
+def write_schema(path, columns) -> None:
+    """Write the Table Schema (Frictionless) of ``columns``."""
+    fields = [
+        {
+            "name": column.name,
+            "type": column.kind,
+            "description": column.description + (f" [{column.unit}]" if column.unit else ""),
+        }
+        for column in columns
+    ]
+    with open(path, "w", encoding="utf-8") as stream:
+        json.dump({"fields": fields, "missingValues": [""]}, stream, indent=2)
+        stream.write("\n")
+
+
+def write_text(path, rows, columns, style: str) -> None:
+    """Write ``rows`` for reading: ``style`` is ``github`` or ``latex_booktabs``."""
+    from tabulate import tabulate
+
+    cells = [[column.format(row[column.name], 6) for column in columns] for row in rows]
+    headers = [column.name for column in columns]
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(tabulate(cells, headers, tablefmt=style, disable_numparse=True) + "\n")

@@ -1,0 +1,68 @@
+# Extraction: turning points, transitions and windows, then the tables that gather them.
+
+
+rule extract_curves:
+    input:
+        dataset="results/datasets/{figure}.nc",
+        modules=import_closure("workflow/scripts/extract_curves.py"),
+    output:
+        tpca_loads="results/extracted/tpca_loads/{figure}.csv",
+        transitions="results/extracted/transitions/{figure}.csv",
+    log:
+        "logs/extract_curves/{figure}.log",
+    benchmark:
+        "benchmarks/extract_curves/{figure}.tsv"
+    params:
+        parameters=settings["parameters"],
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Extracting turning points and transitions of {wildcards.figure}"
+    script:
+        "../scripts/extract_curves.py"
+
+
+rule find_windows:
+    input:
+        modules=import_closure("workflow/scripts/find_windows.py"),
+    output:
+        windows="results/extracted/tpca_windows/all.csv",
+    log:
+        "logs/find_windows.log",
+    benchmark:
+        "benchmarks/find_windows.tsv"
+    params:
+        windows=settings["windows"],
+        load_axis=settings["load_axis"],
+        parameters=settings["parameters"],
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Searching the x_a/sigma windows of the turning point"
+    script:
+        "../scripts/find_windows.py"
+
+
+rule recompute_paper_table:
+    input:
+        printed="config/paper_tables.yaml",
+        modules=import_closure("workflow/scripts/recompute_paper_table.py"),
+    output:
+        rows="results/extracted/{table}/all.csv",
+    log:
+        "logs/recompute_paper_table/{table}.log",
+    benchmark:
+        "benchmarks/recompute_paper_table/{table}.tsv"
+    params:
+        parameters=settings["parameters"],
+    wildcard_constraints:
+        table="table[12]",
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Recomputing {wildcards.table} of the paper"
+    script:
+        "../scripts/recompute_paper_table.py"

@@ -1,0 +1,100 @@
+# Rendering: figures with the data drawn, tables in four formats.  Nothing is solved here.
+
+FIGURE_FORMATS = ["svg", "pdf", "png", "csv"]
+CURVE_FIGURES = sorted(name for name in settings["scenes"] if name.startswith("fig"))
+TABLE_PARTS = {
+    "tpca_loads": CURVE_FIGURES,
+    "transitions": CURVE_FIGURES,
+    "tpca_windows": ["all"],
+    "table1": ["all"],
+    "table2": ["all"],
+}
+
+
+rule render_figure:
+    input:
+        dataset="results/datasets/{figure}.nc",
+        turning_points="results/extracted/tpca_loads/{figure}.csv",
+        style="styles/paper.mplstyle",
+        modules=import_closure("workflow/scripts/render_figure.py"),
+    output:
+        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        "logs/render_figure/{figure}.log",
+    benchmark:
+        "benchmarks/render_figure/{figure}.tsv"
+    wildcard_constraints:
+        figure="fig0[3-9]|fig1[0-3]",
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Drawing {wildcards.figure}"
+    script:
+        "../scripts/render_figure.py"
+
+
+rule render_schematic:
+    input:
+        style="styles/paper.mplstyle",
+        modules=import_closure("workflow/scripts/render_schematic.py"),
+    output:
+        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        "logs/render_schematic/{figure}.log",
+    benchmark:
+        "benchmarks/render_schematic/{figure}.tsv"
+    params:
+        panels=lookup(dpath="schematics/{figure}", within=settings),
+        parameters=settings["parameters"],
+    wildcard_constraints:
+        figure="fig0[12]",
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Drawing {wildcards.figure}"
+    script:
+        "../scripts/render_schematic.py"
+
+
+rule write_table:
+    input:
+        parts=lambda wildcards: expand(
+            "results/extracted/{table}/{part}.csv",
+            table=wildcards.table,
+            part=TABLE_PARTS[wildcards.table],
+        ),
+        modules=import_closure("workflow/scripts/write_table.py"),
+    output:
+        multiext("results/tables/{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
+    log:
+        "logs/write_table/{table}.log",
+    benchmark:
+        "benchmarks/write_table/{table}.tsv"
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Writing table {wildcards.table}"
+    script:
+        "../scripts/write_table.py"
+
+
+rule write_solver_cost:
+    input:
+        parts=expand("results/accuracy/solver_cost/{figure}.csv", figure=CURVE_FIGURES),
+        modules=import_closure("workflow/scripts/write_solver_cost.py"),
+    output:
+        table="results/accuracy/solver_cost.csv",
+    log:
+        "logs/write_solver_cost.log",
+    benchmark:
+        "benchmarks/write_solver_cost.tsv"
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Gathering what solving cost"
+    script:
+        "../scripts/write_solver_cost.py"

@@ -1,0 +1,37 @@
+"""Ranges of x_a/sigma in which dry contact has a turning point."""
+
+import numpy as np
+
+from thirdbody.files import logged, whole
+from thirdbody.parameters import Parameters
+from thirdbody.tables import TABLES, write_csv
+from thirdbody.turning_point import turning_point_window
+
+
+def find(search, load_axis, parameters, windows):
+    """Write both ends of the window of each roughness that ``search`` names."""
+    inputs = Parameters(**parameters)
+    ratios = np.linspace(*search["particle_diameter_per_roughness"], search["count"])
+    loads = [newtons / inputs.newtons_per_load for newtons in load_axis["load_N"]]
+    density = search["particle_density_per_m2"]
+    rows = []
+    for roughness in (1e-9 * value for value in search["roughness_nm"]):
+        window = turning_point_window(ratios, roughness, density, loads, inputs)
+        same = {"roughness_m": roughness, "particle_density_per_m2": density}
+        for end, value, error in (
+            ("low", window.low, window.low_error),
+            ("high", window.high, window.high_error),
+        ):
+            rows.append(same | {"end": end, "diameter_over_roughness": value, "error": error})
+    with whole(windows) as part:
+        write_csv(part, rows, TABLES["tpca_windows"])
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        find(
+            snakemake.params.windows,
+            snakemake.params.load_axis,
+            snakemake.params.parameters,
+            snakemake.output.windows,
+        )

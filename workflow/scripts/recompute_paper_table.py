@@ -1,0 +1,24 @@
+"""One of the paper's own tables with each derived entry recomputed."""
+
+from thirdbody.configuration import read_yaml
+from thirdbody.files import logged, whole
+from thirdbody.paper_tables import paper_table
+from thirdbody.parameters import Parameters
+from thirdbody.tables import TABLES, write_csv
+
+
+def recompute(printed, table, parameters, rows):
+    """Write the rows of ``table`` from the file ``printed``."""
+    judged = paper_table(read_yaml(printed)[table], Parameters(**parameters))
+    with whole(rows) as part:
+        write_csv(part, judged, TABLES["paper_table"])
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        recompute(
+            snakemake.input.printed,
+            snakemake.wildcards.table,
+            snakemake.params.parameters,
+            snakemake.output.rows,
+        )
