@@ -136,7 +136,7 @@ class SummitPopulation:
 
 def _weight(t, w):
     """exp(-(t+w)^2/2) over exp(-max(t, 0)^2/2), without cancellation for t > 0."""
-    return np.exp(np.where(t > 0.0, -w * (t + 0.5 * w), -0.5 * (t + w) ** 2))
+    return np.exp(-w * (t + 0.5 * w) - 0.5 * np.minimum(t, 0.0) ** 2)
 
 
 def _gauss_legendre(count):

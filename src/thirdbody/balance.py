@@ -17,6 +17,9 @@ from thirdbody.particles import ParticleLayer
 from thirdbody.roots import decreasing_roots
 
 
+LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
+
+
 @dataclass(frozen=True)
 class RoughSurface:
     """Summits of one roughness with the two functions of separation that stand for them.
@@ -60,9 +63,9 @@ class Points:
         if self.particles is None:
             return value, slope
         coverage, coverage_slope = self.particles.load_coverage(separation)
-        bare = np.maximum(1.0 - coverage, np.finfo(float).tiny)
-        value = value + np.log(bare)
-        slope = slope - coverage_slope / bare
+        log_bare, bare_slope = _log_bare(coverage, coverage_slope)
+        value = value + log_bare
+        slope = slope + bare_slope
         area, area_slope = self.particles.area(separation)
         pressure = self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
         with np.errstate(divide="ignore"):
@@ -76,16 +79,14 @@ class Points:
         log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits
-        coverage, _ = self.particles.contact_coverage(separation)
-        bare = np.maximum(1.0 - coverage, np.finfo(float).tiny)
-        return self.particles.area(separation)[0], log_summits + np.log(bare)
+        log_bare, _ = _log_bare(*self.particles.contact_coverage(separation))
+        return self.particles.area(separation)[0], log_summits + log_bare
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
         _, summit_slope = self.rough.log_area(self.rough.summit_separation(separation))
-        coverage, coverage_slope = self.particles.contact_coverage(separation)
+        _, bare_slope = _log_bare(*self.particles.contact_coverage(separation))
         area, area_slope = self.particles.area(separation)
-        bare_slope = -coverage_slope / np.maximum(1.0 - coverage, np.finfo(float).tiny)
         summit_slope = summit_slope / self.rough.surface.summit_deviation + bare_slope
         return np.where(area > 0.0, area_slope - area * summit_slope, -np.finfo(float).tiny)
 
@@ -107,6 +108,14 @@ class Points:
         return self.log_load + log_fluid_fraction + np.log(area)
 
 
+def _log_bare(coverage, slope):
+    """ln(1 - coverage) and its slope; a full coverage leaves next to nothing, for good."""
+    bare = 1.0 - coverage
+    left = bare > np.finfo(float).eps
+    bare = np.where(left, bare, np.finfo(float).tiny)
+    return np.log(bare), np.where(left, -slope, 0.0) / bare
+
+
 def dry_separation(points: Points, tolerance: float):
     """Separation d [m] at which the solids alone bear the load: F_s(d) = F_t, nan if d < 0.
 
@@ -122,10 +131,14 @@ def dry_separation(points: Points, tolerance: float):
     excess, _ = residual(zero, points)
     roots = np.full_like(zero, np.nan)
     bearable = np.flatnonzero(excess >= 0.0)
+    some = points.take(bearable)
+    # ln F_ss falls by t^2/2 at least
     guess = np.sqrt(2.0 * excess[bearable])
-    low, high = zero[bearable], np.full(bearable.size, np.inf)
+    farthest = points.rough.surface.summit_offset / scale + guess
+    if some.particles is not None:
+        farthest = np.maximum(farthest, some.particles.reach / scale)
     roots[bearable] = decreasing_roots(
-        residual, guess, low, high, tolerance, points.take(bearable)
+        residual, guess, zero[bearable], farthest + 1.0, tolerance, some
     )
     return scale * roots
 
@@ -146,8 +159,9 @@ def load_share(points: Points, tolerance: float):
         return value - some.log_load - log_solid, -solid * slope * widening - fluid
 
     guess = points.log_solid_load(points.film_separation(0.0)[0])[0] - points.log_load
-    unbounded = np.full_like(guess, np.inf)
-    logit = decreasing_roots(residual, guess, -unbounded, unbounded, tolerance, points)
+    lower = 1.1 * np.minimum(guess, 0.0) - 50.0
+    upper = np.full_like(guess, LOGIT_LIMIT)
+    logit = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     return logit, points.film_separation(log_expit(-logit))[0]
 
 

@@ -76,11 +76,12 @@ class Film:
     def log_load_parameter(self, thickness, tolerance):
         """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``."""
         target = np.log(thickness)
-        guess = np.minimum(
+        guess = np.maximum(
             (target - self.smooth) / self.smooth_exponent,
             (target - self.rough) / self.rough_exponent,
         )
-        unbounded = np.full_like(target, np.inf)
+        # there one of the terms has the thickness by itself, and the other at most as much
+        upper = guess + np.log(2.0) / -self.smooth_exponent
 
         def residual(log_parameter, points):
             film, wanted = points.film, points.log_thickness
@@ -88,7 +89,7 @@ class Film:
             return np.log(value) - wanted, slope / value
 
         points = _Inverse(self, target)
-        return decreasing_roots(residual, guess, -unbounded, unbounded, tolerance, points)
+        return decreasing_roots(residual, guess, guess - 1.0, upper, tolerance, points)
 
     def is_meaningful(self, log_load_parameter):
         """Whether H_c still rises with viscosity: the roughness term is below its turning point.

@@ -85,7 +85,9 @@ def solve(
             for start in range(0, some.size, CHUNK):
                 part = some[start : start + CHUNK]
                 points = make_points(rough, parameters, *(column[part] for column in columns))
-                for name, values in _solve_points(points, rtol).items():
+                with np.errstate(all="ignore"):  # what cannot be computed gets a status
+                    solved = _solve_points(points, rtol)
+                for name, values in solved.items():
                     result[name][part] = values
     return Solution(**{name: values.reshape(shape) for name, values in result.items()})
 

@@ -99,6 +99,11 @@ class ParticleLayer:
         }
         return ParticleLayer(**columns, parameters=self.parameters)
 
+    @property
+    def reach(self):
+        """Separation [m] beyond which no particle touches: X_max + h_e."""
+        return self.mean + (self.parameters.truncation + self.depth) * self.spread
+
     def _moment(self, alpha):
         """T(alpha) and dT/dalpha [m2], with alpha held below the truncation."""
         below = alpha < self.parameters.truncation

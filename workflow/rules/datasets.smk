@@ -11,13 +11,13 @@ rule compute_dataset:
         "logs/compute_dataset/{figure}.log",
     benchmark:
         "benchmarks/compute_dataset/{figure}.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
     params:
         scene=lookup(dpath="scenes/{figure}", within=settings),
         parameters=settings["parameters"],
         software=settings["software"],
-    threads: 1
-    conda:
-        "../envs/thirdbody.yaml"
     message:
         "Solving {wildcards.figure}"
     script:

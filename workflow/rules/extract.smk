@@ -12,11 +12,11 @@ rule extract_curves:
         "logs/extract_curves/{figure}.log",
     benchmark:
         "benchmarks/extract_curves/{figure}.tsv"
-    params:
-        parameters=settings["parameters"],
-    threads: 1
     conda:
         "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        parameters=settings["parameters"],
     message:
         "Extracting turning points and transitions of {wildcards.figure}"
     script:
@@ -32,13 +32,13 @@ rule find_windows:
         "logs/find_windows.log",
     benchmark:
         "benchmarks/find_windows.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
     params:
         windows=settings["windows"],
         load_axis=settings["load_axis"],
         parameters=settings["parameters"],
-    threads: 1
-    conda:
-        "../envs/thirdbody.yaml"
     message:
         "Searching the x_a/sigma windows of the turning point"
     script:
@@ -55,13 +55,13 @@ rule recompute_paper_table:
         "logs/recompute_paper_table/{table}.log",
     benchmark:
         "benchmarks/recompute_paper_table/{table}.tsv"
-    params:
-        parameters=settings["parameters"],
     wildcard_constraints:
         table="table[12]",
-    threads: 1
     conda:
         "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        parameters=settings["parameters"],
     message:
         "Recomputing {wildcards.table} of the paper"
     script:

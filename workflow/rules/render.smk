@@ -25,9 +25,9 @@ rule render_figure:
         "benchmarks/render_figure/{figure}.tsv"
     wildcard_constraints:
         figure="fig0[3-9]|fig1[0-3]",
-    threads: 1
     conda:
         "../envs/thirdbody.yaml"
+    threads: 1
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -44,14 +44,14 @@ rule render_schematic:
         "logs/render_schematic/{figure}.log",
     benchmark:
         "benchmarks/render_schematic/{figure}.tsv"
+    wildcard_constraints:
+        figure="fig0[12]",
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
     params:
         panels=lookup(dpath="schematics/{figure}", within=settings),
         parameters=settings["parameters"],
-    wildcard_constraints:
-        figure="fig0[12]",
-    threads: 1
-    conda:
-        "../envs/thirdbody.yaml"
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -72,9 +72,9 @@ rule write_table:
         "logs/write_table/{table}.log",
     benchmark:
         "benchmarks/write_table/{table}.tsv"
-    threads: 1
     conda:
         "../envs/thirdbody.yaml"
+    threads: 1
     message:
         "Writing table {wildcards.table}"
     script:
@@ -91,9 +91,9 @@ rule write_solver_cost:
         "logs/write_solver_cost.log",
     benchmark:
         "benchmarks/write_solver_cost.tsv"
-    threads: 1
     conda:
         "../envs/thirdbody.yaml"
+    threads: 1
     message:
         "Gathering what solving cost"
     script:

@@ -1,0 +1,42 @@
+# make reproduce   every dataset, table and figure of the paper, from a fresh clone
+# make test        the tests, likewise from a fresh clone
+# make lock        renew the locked dependencies (needs uv)
+
+PYTHON ?= python3
+CORES ?= 2
+VENV := .venv
+BIN := $(VENV)/bin
+
+export PYTHONHASHSEED := 0
+
+.PHONY: reproduce test lock format clean
+
+reproduce: $(VENV)/workflow.done
+	$(BIN)/snakemake -c$(CORES)
+
+test: $(VENV)/test.done
+	$(BIN)/snakemake -c$(CORES)
+	$(BIN)/python -m pytest
+
+$(BIN)/python:
+	$(PYTHON) -c "import sys; sys.exit(0 if sys.version_info >= (3, 11) else 'Python 3.11 or newer is needed, this is ' + sys.version.split()[0])"
+	$(PYTHON) -m venv $(VENV)
+
+$(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/workflow.txt
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	touch $@
+
+$(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
+	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/test.txt
+	touch $@
+
+lock:
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
+
+format: $(VENV)/test.done
+	$(BIN)/snakefmt Snakefile workflow/rules
+
+clean:
+	rm -rf results logs benchmarks .snakemake
