@@ -13,11 +13,11 @@ from scipy.special import log_expit
 
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
-from thirdbody.particles import ParticleLayer
+from thirdbody.particles import ParticleLayer, separation_bearing
 from thirdbody.roots import decreasing_roots
 
-
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
+TINY = np.finfo(float).tiny
 
 
 @dataclass(frozen=True)
@@ -25,12 +25,18 @@ class RoughSurface:
     """Summits of one roughness with the two functions of separation that stand for them.
 
     ``log_load`` and ``log_area`` map t = (d - y_s)/sigma_s to (value, slope): either those of a
-    ``SummitPopulation`` or their tables.
+    ``SummitPopulation`` or their tables.  ``sampled`` are increasing values of ln F_ss*, and t
+    there.
     """
 
     surface: Surface
     log_load: object
     log_area: object
+    sampled: tuple
+
+    def first_separation(self, log_load):
+        """About the t [1] at which summits bear ``log_load`` ln F_t*."""
+        return np.interp(log_load, *self.sampled)
 
     def summit_separation(self, separation):
         """t [1] at ``separation`` d [m]."""
@@ -62,40 +68,40 @@ class Points:
         slope = slope / self.rough.surface.summit_deviation
         if self.particles is None:
             return value, slope
-        coverage, coverage_slope = self.particles.load_coverage(separation)
-        log_bare, bare_slope = _log_bare(coverage, coverage_slope)
+        area, area_slope, *coverage = self.particles.contact(separation)
+        log_bare, bare_slope = _log_bare(*self.particles.load_coverage(*coverage))
         value = value + log_bare
-        slope = slope + bare_slope
-        area, area_slope = self.particles.area(separation)
-        pressure = self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
-        with np.errstate(divide="ignore"):
-            total = np.logaddexp(value, np.log(pressure * area))
-        particle_slope = area_slope / np.maximum(area, np.finfo(float).tiny)
-        summit_share = np.exp(value - total)
-        return total, summit_share * slope + (1.0 - summit_share) * particle_slope
+        log_particles = np.log(area) + np.log(self.particle_pressure)
+        total = np.logaddexp(value, log_particles)
+        share = np.exp(value - total)
+        particle_slope = area_slope / np.maximum(area, TINY)
+        return total, share * (slope + bare_slope) + (1.0 - share) * particle_slope
+
+    @property
+    def particle_pressure(self) -> float:
+        """F_sa/(A_sa E_ss): particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
+        return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
 
     def areas(self, separation):
-        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5)."""
+        """A_sa/A_n, ln(A_ss/A_n) beside the particles, and whether they leave room for summits.
+
+        ``separation`` d [m]; Eq. 5.  No room is left where a coverage of Eqs. 4-5 reaches 1.
+        """
         log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
         if self.particles is None:
-            return np.zeros_like(log_summits), log_summits
-        log_bare, _ = _log_bare(*self.particles.contact_coverage(separation))
-        return self.particles.area(separation)[0], log_summits + log_bare
+            return np.zeros_like(log_summits), log_summits, np.ones(log_summits.shape, dtype=bool)
+        area, _, *coverage = self.particles.contact(separation)
+        total, _ = self.particles.load_coverage(*coverage)
+        log_bare, _ = _log_bare(*coverage)
+        return area, log_summits + log_bare, np.maximum(total, coverage[0]) < 1.0
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
         _, summit_slope = self.rough.log_area(self.rough.summit_separation(separation))
-        _, bare_slope = _log_bare(*self.particles.contact_coverage(separation))
-        area, area_slope = self.particles.area(separation)
+        area, area_slope, *coverage = self.particles.contact(separation)
+        _, bare_slope = _log_bare(*coverage)
         summit_slope = summit_slope / self.rough.surface.summit_deviation + bare_slope
-        return np.where(area > 0.0, area_slope - area * summit_slope, -np.finfo(float).tiny)
-
-    def is_covered(self, separation):
-        """Whether particles cover the whole interface at ``separation`` d [m]: no summit is left."""
-        if self.particles is None:
-            return np.zeros(np.shape(separation), dtype=bool)
-        coverages = self.particles.load_coverage, self.particles.contact_coverage
-        return np.maximum(*(coverage(separation)[0] for coverage in coverages)) >= 1.0
+        return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
 
     def film_separation(self, log_fluid_fraction):
         """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
@@ -112,8 +118,22 @@ def _log_bare(coverage, slope):
     """ln(1 - coverage) and its slope; a full coverage leaves next to nothing, for good."""
     bare = 1.0 - coverage
     left = bare > np.finfo(float).eps
-    bare = np.where(left, bare, np.finfo(float).tiny)
+    bare = np.where(left, bare, TINY)
     return np.log(bare), np.where(left, -slope, 0.0) / bare
+
+
+def first_separation(points: Points):
+    """About the separation d [m] at which the solids alone bear the load.
+
+    The larger of those that summits or particles alone would have: off by a factor of 2 in load.
+    """
+    surface = points.rough.surface
+    summits = points.rough.first_separation(points.log_load)
+    guess = surface.summit_offset + surface.summit_deviation * summits
+    if points.particles is not None:
+        area = np.exp(points.log_load) / points.particle_pressure
+        guess = np.maximum(guess, separation_bearing(area, points.particles))
+    return np.maximum(guess, 0.0)
 
 
 def dry_separation(points: Points, tolerance: float):
@@ -127,18 +147,9 @@ def dry_separation(points: Points, tolerance: float):
         value, slope = some.log_solid_load(x * scale)
         return value - some.log_load, slope * scale
 
-    zero = np.zeros_like(points.log_load)
-    excess, _ = residual(zero, points)
-    roots = np.full_like(zero, np.nan)
-    bearable = np.flatnonzero(excess >= 0.0)
-    some = points.take(bearable)
-    # ln F_ss falls by t^2/2 at least
-    guess = np.sqrt(2.0 * excess[bearable])
-    farthest = points.rough.surface.summit_offset / scale + guess
-    if some.particles is not None:
-        farthest = np.maximum(farthest, some.particles.reach / scale)
-    roots[bearable] = decreasing_roots(
-        residual, guess, zero[bearable], farthest + 1.0, tolerance, some
+    guess = first_separation(points) / scale
+    roots = decreasing_roots(
+        residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points
     )
     return scale * roots
 
@@ -152,17 +163,30 @@ def load_share(points: Points, tolerance: float):
     """
 
     def residual(y, some):
-        log_solid, log_fluid = log_expit(y), log_expit(-y)
+        odds = np.exp(-np.abs(y))
+        less = -np.log1p(odds)  # ln of the larger share
+        log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
         separation, widening = some.film_separation(log_fluid)
         value, slope = some.log_solid_load(separation)
-        solid, fluid = np.exp(log_solid), np.exp(log_fluid)
-        return value - some.log_load - log_solid, -solid * slope * widening - fluid
+        larger = 1.0 / (1.0 + odds)
+        solid = np.where(y > 0.0, larger, odds * larger)
+        return value - some.log_load - log_solid, -solid * slope * widening - (1.0 - solid)
 
-    guess = points.log_solid_load(points.film_separation(0.0)[0])[0] - points.log_load
+    guess = _first_logit(points)
     lower = 1.1 * np.minimum(guess, 0.0) - 50.0
     upper = np.full_like(guess, LOGIT_LIMIT)
     logit = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     return logit, points.film_separation(log_expit(-logit))[0]
+
+
+def _first_logit(points: Points):
+    """Logit of L_s from the loads of solids and film at the larger of their own separations."""
+    alone, _ = points.film_separation(0.0)
+    separation = np.maximum(alone, first_separation(points))
+    thickness = separation / points.parameters.ball_radius
+    log_parameter = points.film.load_parameter(thickness, steps=2)
+    log_fluid = log_parameter - points.log_load_parameter(0.0)
+    return points.log_solid_load(separation)[0] - points.log_load - np.minimum(log_fluid, 0.0)
 
 
 def total_load_share(points: Points, tolerance: float):
@@ -175,7 +199,8 @@ def total_load_share(points: Points, tolerance: float):
     log_solid = points.log_solid_load(film)[0] - points.log_load
     boundary = ~(log_solid < 0.0)
     separation = film.copy()
-    separation[boundary] = dry_separation(points.take(boundary), tolerance)
+    if boundary.any():
+        separation[boundary] = dry_separation(points.take(boundary), tolerance)
     with np.errstate(divide="ignore"):
         logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
     logit[boundary] = np.inf

@@ -10,11 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from thirdbody.parameters import Parameters
-from thirdbody.roots import decreasing_roots
 
 SPEED_EXPONENT = 0.663
 ROUGHNESS_SPEED_EXPONENT = 0.884
 ROUGHNESS_LOAD_EXPONENT = -0.133
+INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
 
 
 @dataclass(frozen=True)
@@ -73,23 +73,21 @@ class Film:
         rough = np.exp(self.rough + self.rough_exponent * log_load_parameter)
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
-    def log_load_parameter(self, thickness, tolerance):
-        """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``."""
+    def load_parameter(self, thickness, steps=INVERSE_STEPS):
+        """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``.
+
+        Newton's method on ln H_c, which is convex in ln W; it starts where one term of Eq. 7 has
+        the thickness by itself, so that it cannot overshoot.
+        """
         target = np.log(thickness)
-        guess = np.maximum(
+        log_parameter = np.maximum(
             (target - self.smooth) / self.smooth_exponent,
             (target - self.rough) / self.rough_exponent,
         )
-        # there one of the terms has the thickness by itself, and the other at most as much
-        upper = guess + np.log(2.0) / -self.smooth_exponent
-
-        def residual(log_parameter, points):
-            film, wanted = points.film, points.log_thickness
-            value, slope = film.thickness(log_parameter)
-            return np.log(value) - wanted, slope / value
-
-        points = _Inverse(self, target)
-        return decreasing_roots(residual, guess, guess - 1.0, upper, tolerance, points)
+        for _ in range(steps):
+            value, slope = self.thickness(log_parameter)
+            log_parameter = log_parameter - (np.log(value) - target) * value / slope
+        return log_parameter
 
     def is_meaningful(self, log_load_parameter):
         """Whether H_c still rises with viscosity: the roughness term is below its turning point.
@@ -99,14 +97,3 @@ class Film:
         """
         excess = self.rough - self.smooth + ROUGHNESS_LOAD_EXPONENT * log_load_parameter
         return excess < np.log(self.turning_ratio)
-
-
-@dataclass(frozen=True)
-class _Inverse:
-    """Films and the logarithms of the thicknesses that they are to have."""
-
-    film: Film
-    log_thickness: np.ndarray
-
-    def take(self, chosen) -> _Inverse:
-        return _Inverse(self.film.take(chosen), self.log_thickness[chosen])

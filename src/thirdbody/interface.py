@@ -21,6 +21,7 @@ from thirdbody.tabulation import PiecewisePolynomial
 DEFAULT_RTOL = 1e-9
 CHUNK = 8192  # points solved together: their arrays stay in the processor's cache
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
+FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END, TABLE_PIECES = -5.0, 40.0, 180  # summit separations t [1]
 
 CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
@@ -123,12 +124,14 @@ def prepare_surface(roughness: float, parameters: Parameters, tabulate: bool) ->
     surface = parameters.surface(roughness)
     population = SummitPopulation.of(surface, parameters)
     functions = population.log_load, population.log_area
+    samples = FIRST_SAMPLES
     if tabulate:
-        functions = (
+        functions = tuple(
             PiecewisePolynomial(function, TABLE_START, TABLE_END, TABLE_PIECES, degree=7)
             for function in functions
         )
-    return RoughSurface(surface, *functions)
+        samples = functions[0].centres
+    return RoughSurface(surface, *functions, (functions[0](samples)[0][::-1], samples[::-1]))
 
 
 def _kinds(columns, chosen):
@@ -164,12 +167,11 @@ def _solve_points(points: Points, rtol: float) -> dict:
         logit = np.where(np.isnan(separation), np.nan, np.inf)
     else:
         logit, separation = LOAD_SHARES[points.parameters.film_load](points, tolerance)
-    status = _status(points, logit, separation)
-    separation[status >= COVERAGE_EXCEEDED] = np.nan
-    logit[status >= COVERAGE_EXCEEDED] = np.nan
-    particle_area, log_summit_area = points.areas(separation)
-    with np.errstate(divide="ignore"):
-        odds = np.log(particle_area) - log_summit_area
+    particle_area, log_summit_area, has_room = points.areas(separation)
+    status = _status(points, logit, separation, has_room)
+    for values in (logit, separation, particle_area, log_summit_area):
+        values[status >= COVERAGE_EXCEEDED] = np.nan
+    odds = np.log(particle_area) - log_summit_area
     solid = expit(logit)
     return {
         "total_contact_area": particle_area + np.exp(log_summit_area),
@@ -185,13 +187,13 @@ def _solve_points(points: Points, rtol: float) -> dict:
     }
 
 
-def _status(points: Points, logit, separation):
+def _status(points: Points, logit, separation, has_room):
     """Index into ``SOLUTION_STATUSES`` of each point; what voids a point outranks a warning."""
     status = np.full(separation.shape, CONVERGED, dtype=np.int8)
     if points.film is not None:
         shared = 0.0 if points.parameters.film_load == "total" else log_expit(-logit)
         meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
         status[~meaningful] = OUTSIDE_FILM_FORMULA
-    status[points.is_covered(separation)] = COVERAGE_EXCEEDED
+    status[~has_room] = COVERAGE_EXCEEDED
     status[np.isnan(separation)] = NOT_CONVERGED
     return status

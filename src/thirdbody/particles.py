@@ -21,24 +21,39 @@ from thirdbody.parameters import Parameters
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 
 
-def _uncentred(diameter, roughness, parameters):
-    """Eq. 6 as printed: m = 0, S = sigma_a."""
+@dataclass(frozen=True)
+class SizeLaw:
+    """One reading of phi_a: m, S [m], c_1, c_2, c_3 [m2], and alpha of the smallest size."""
+
+    mean: np.ndarray
+    spread: np.ndarray
+    tail: np.ndarray
+    constant: np.ndarray
+    linear: np.ndarray
+    smallest: np.ndarray
+
+
+def _uncentred(diameter, roughness, parameters) -> SizeLaw:
+    """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
     spread = parameters.spread_ratio * diameter
-    return np.zeros_like(spread), spread, spread**2, np.zeros_like(spread), spread**2
+    zero = np.zeros_like(spread)
+    return SizeLaw(zero, spread, spread**2, zero, spread**2, zero)
 
 
-def _centred(diameter, roughness, parameters):
-    """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a."""
+def _centred(diameter, roughness, parameters) -> SizeLaw:
+    """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
     mean, spread = parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
-    return mean, spread, mean**2 + spread**2, 2.0 * mean * spread, spread**2
+    tail = mean**2 + spread**2
+    return SizeLaw(mean, spread, tail, 2.0 * mean * spread, spread**2, -mean / spread)
 
 
-def _gap_convolved(diameter, roughness, parameters):
+def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
     """Particles of all sizes meet the local gap: its spread joins that of the sizes."""
     mean = parameters.mean_ratio * diameter
     spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
     square = (1.0 + parameters.spread_ratio**2) * diameter**2
-    return mean, spread, square, np.zeros_like(spread), np.zeros_like(spread)
+    zero = np.zeros_like(spread)
+    return SizeLaw(mean, spread, square, zero, zero, np.full_like(spread, -np.inf))
 
 
 SIZE_DISTRIBUTIONS = {
@@ -46,26 +61,15 @@ SIZE_DISTRIBUTIONS = {
     "centred": _centred,
     "gap_convolved": _gap_convolved,
 }
-
-
-def _printed_limits(alpha, depth):
-    """Limits (d - h_e, d) of the elastic integral as printed."""
-    return alpha - depth, alpha
-
-
-def _physical_limits(alpha, depth):
-    """Limits (d, d + h_e): particles barely larger than the gap."""
-    return alpha, alpha + depth
-
-
-ELASTIC_LIMITS = {"printed": _printed_limits, "physical": _physical_limits}
+# Limits of the elastic integral as multiples of h_e about d: as printed, and physically.
+ELASTIC_LIMITS = {"printed": (-1.0, 0.0), "physical": (0.0, 1.0)}
 
 
 @dataclass(frozen=True)
 class ParticleLayer:
-    """Particles of given mean diameter and density on a surface; fields share one shape.
+    """Particles of given mean diameter and density on a surface; array fields share one shape.
 
-    ``factor`` pi eta_a p/(H_s1 + H_s2) [m-2 Pa-1] multiplies a second moment and a hardness.
+    ``factor`` times a hardness turns a second moment into a share of the interface.
     """
 
     mean: np.ndarray  # m [m]
@@ -74,7 +78,9 @@ class ParticleLayer:
     constant: np.ndarray  # c_2 [m2]
     linear: np.ndarray  # c_3 [m2]
     depth: np.ndarray  # h_e/S [1]
-    factor: np.ndarray
+    factor: np.ndarray  # pi eta_a p/(H_s1 + H_s2) [m-2 Pa-1]
+    largest: np.ndarray  # T at X_max [m2]
+    every: np.ndarray  # I(X_min, X_max) of Eq. 4 [m2]
     parameters: Parameters
 
     @classmethod
@@ -83,12 +89,17 @@ class ParticleLayer:
 
         Arrays of one shape, ``diameter`` and ``density`` positive.
         """
-        law = SIZE_DISTRIBUTIONS[parameters.size_distribution]
-        mean, spread, tail, constant, linear = law(diameter, roughness, parameters)
+        law = SIZE_DISTRIBUTIONS[parameters.size_distribution](diameter, roughness, parameters)
+        coefficients = law.tail, law.constant, law.linear
+        largest, _ = _moment(np.full_like(law.spread, parameters.truncation), *coefficients)
+        every = law.tail.copy()  # without a smallest or largest size
+        limited = np.isfinite(law.smallest)
+        smallest, _ = _moment(np.where(limited, law.smallest, 0.0), *coefficients)
+        every[limited] = (smallest - largest)[limited]
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * density * parameters.participation / hardness
-        depth = parameters.elastic_depth_ratio * diameter / spread
-        return cls(mean, spread, tail, constant, linear, depth, factor, parameters)
+        depth = parameters.elastic_depth_ratio * diameter / law.spread
+        return cls(law.mean, law.spread, *coefficients, depth, factor, largest, every, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""
@@ -104,48 +115,66 @@ class ParticleLayer:
         """Separation [m] beyond which no particle touches: X_max + h_e."""
         return self.mean + (self.parameters.truncation + self.depth) * self.spread
 
-    def _moment(self, alpha):
-        """T(alpha) and dT/dalpha [m2], with alpha held below the truncation."""
-        below = alpha < self.parameters.truncation
-        alpha = np.minimum(alpha, self.parameters.truncation)
-        phi = INV_SQRT_2PI * np.exp(-0.5 * alpha**2)
-        polynomial = self.constant + self.linear * alpha
-        value = self.tail * ndtr(-alpha) + polynomial * phi
-        slope = -phi * (self.tail - self.linear + polynomial * alpha)
-        return value, np.where(below, slope, 0.0)
+    def contact(self, separation):
+        """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-    def _largest(self):
-        """T at X_max [m2]."""
-        return self._moment(np.full_like(self.spread, self.parameters.truncation))[0]
-
-    def area(self, separation):
-        """A_sa/A_n [1] at ``separation`` d [m] and its slope d/dd [m-1] (Eq. 5)."""
+        Returns A_sa/A_n [1], its slope d/dd [m-1], the share of the interface under particles
+        larger than d [1] and its slope [m-1], each of the shape of ``separation``.
+        """
         alpha = (separation - self.mean) / self.spread
-        limits = ELASTIC_LIMITS[self.parameters.elastic_limits](alpha, self.depth)
-        (low, low_slope), (high, high_slope) = (self._moment(limit) for limit in limits)
-        beyond, beyond_slope = (low, low_slope) if limits[0] is alpha else (high, high_slope)
+        touching = self._truncated(alpha)
+        low, high = (
+            touching if limit == 0.0 else self._truncated(alpha + limit * self.depth)
+            for limit in ELASTIC_LIMITS[self.parameters.elastic_limits]
+        )
+        beyond = touching[0] - self.largest
         elastic = self.parameters.elastic_factor
-        factor = self.factor * self.parameters.hardness_surface_2
-        value = factor * (elastic * (low - high) + (beyond - self._largest()))
-        slope = factor * (elastic * (low_slope - high_slope) + beyond_slope) / self.spread
-        return value, slope
+        area_factor = self.factor * self.parameters.hardness_surface_2
+        load_factor = self.factor * self.parameters.hardness_surface_1
+        return (
+            area_factor * (elastic * (low[0] - high[0]) + beyond),
+            area_factor / self.spread * (elastic * (low[1] - high[1]) + touching[1]),
+            load_factor * beyond,
+            load_factor / self.spread * touching[1],
+        )
 
-    def contact_coverage(self, separation):
-        """Share of the interface under particles above ``separation`` [1], slope [m-1] (Eq. 5)."""
-        value, slope = self._moment((separation - self.mean) / self.spread)
-        factor = self.factor * self.parameters.hardness_surface_1
-        return factor * (value - self._largest()), factor * slope / self.spread
+    def load_coverage(self, coverage, slope):
+        """Coverage that Eq. 4 takes off the load of the summits, and its slope [m-1].
 
-    def total_coverage(self):
-        """Share of the interface under particles of all sizes, X_min = 0 to X_max [1] (Eq. 4)."""
-        factor = self.factor * self.parameters.hardness_surface_1
-        if self.parameters.size_distribution == "gap_convolved":
-            return factor * self.tail
-        return factor * (self._moment(-self.mean / self.spread)[0] - self._largest())
-
-    def load_coverage(self, separation):
-        """Coverage that Eq. 4 takes off the load of the summits, and its slope [m-1]."""
+        ``coverage`` and ``slope`` are those of ``contact``.
+        """
         if self.parameters.coverage_limits == "contacting":
-            return self.contact_coverage(separation)
-        total = self.total_coverage()
+            return coverage, slope
+        total = self.factor * self.parameters.hardness_surface_1 * self.every
         return total, np.zeros_like(total)
+
+    def _truncated(self, alpha):
+        """T and dT/dalpha [m2] with ``alpha`` held at the truncation."""
+        truncation = self.parameters.truncation
+        held = np.minimum(alpha, truncation)
+        value, slope = _moment(held, self.tail, self.constant, self.linear)
+        return value, np.where(alpha < truncation, slope, 0.0)
+
+
+def _moment(alpha, tail, constant, linear):
+    """T(alpha) and dT/dalpha [m2] for the coefficients c_1, c_2, c_3 [m2]."""
+    phi = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
+    polynomial = constant + linear * alpha
+    value = tail * ndtr(-alpha) + polynomial * phi
+    return value, -phi * (tail - linear + polynomial * alpha)
+
+
+def separation_bearing(area, layer: ParticleLayer):
+    """Separation d [m] at which particles alone have about ``area`` A_sa/A_n [1]; a first guess.
+
+    Read off one sampled curve, which all diameters and densities share but for the elastic depth.
+    """
+    one = layer.take(np.zeros(SHAPE_SAMPLES.size, dtype=int))
+    truncation = layer.parameters.truncation
+    alpha = truncation + one.depth - SHAPE_SAMPLES * (truncation + 2.0 * one.depth + 6.0)
+    sampled = one.contact(one.mean + alpha * one.spread)[0] / (one.factor * one.tail)
+    wanted = area / (layer.factor * layer.tail)
+    return layer.mean + layer.spread * np.interp(wanted, sampled, alpha)
+
+
+SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])

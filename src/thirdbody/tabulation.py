@@ -20,8 +20,8 @@ class PiecewisePolynomial:
         self.pieces = pieces
         self.scale = pieces / (end - start)
         nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
-        centres = np.arange(pieces) + 0.5
-        x = start + (centres[:, None] + 0.5 * nodes) / self.scale
+        self.centres = start + (np.arange(pieces) + 0.5) / self.scale
+        x = self.centres[:, None] + 0.5 * nodes / self.scale
         values = function(x.ravel())[0].reshape(x.shape)
         powers = np.linalg.solve(np.vander(nodes, increasing=True), values.T)
         # local variable 2(x - centre)/width in [-1, 1]; row k holds the k-th power of all pieces

@@ -107,19 +107,18 @@ def _state_at(points: Points, separation, width) -> dict:
     log_solid, slope = points.log_solid_load(separation)
     solid = np.exp(log_solid)
     fluid = np.zeros_like(solid)
+    steepest = np.abs(slope)
     if points.film is not None:
-        scale = points.parameters.apparent_area / points.parameters.ball_radius**2
-        thickness = separation / points.parameters.ball_radius
-        fluid = np.exp(points.film.log_load_parameter(thickness, 1e-14)) / scale
+        radius = points.parameters.ball_radius
+        log_parameter = points.film.load_parameter(separation / radius)
+        fluid = np.exp(log_parameter) * radius**2 / points.parameters.apparent_area
+        widening = radius * points.film.thickness(log_parameter)[1]
+        steepest = np.maximum(steepest, 1.0 / np.abs(widening))
     if points.parameters.film_load == "total":
         load = np.maximum(solid, fluid)
     else:
         load = solid + fluid
-    particle_area, log_summit_area = points.areas(separation)
-    steepest = np.abs(slope)
-    if points.film is not None:
-        _, widening = points.film.thickness(points.film.log_load_parameter(thickness, 1e-14))
-        steepest = np.maximum(steepest, 1.0 / np.abs(widening * points.parameters.ball_radius))
+    particle_area, log_summit_area, _ = points.areas(separation)
     return {
         "load": load,
         "load_error": load * steepest * (np.abs(width) + 1e-13 * separation),
