@@ -3,7 +3,7 @@
 import sys
 
 from thirdbody.closure import import_closure
-from thirdbody.configuration import read_plain, workflow_settings
+from thirdbody.configuration import read_plain, read_yaml, workflow_settings
 
 try:
     read_plain("config/config.yaml", "config/scenes.yaml", *workflow.overwrite_configfiles)
@@ -29,6 +29,7 @@ wildcard_constraints:
 include: "workflow/rules/datasets.smk"
 include: "workflow/rules/extract.smk"
 include: "workflow/rules/render.smk"
+include: "workflow/rules/calibrate.smk"
 
 
 rule all:

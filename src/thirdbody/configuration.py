@@ -169,6 +169,7 @@ def read_inputs(base, *overlays) -> dict:
 
 def _input_values(path) -> dict:
     content = read_yaml(path)
+    content = content.get("inputs", content)  # a calibrated file says more than its inputs
     return {
         name: entry.get("value") if isinstance(entry, dict) else entry
         for name, entry in content.items()
@@ -244,6 +245,7 @@ def workflow_settings(config: dict) -> dict:
         **config,
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
         "parameters": Parameters(**inputs).as_dict(),
+        "uncalibrated": Parameters(**read_inputs(directory / "inputs.yaml")).as_dict(),
         "software": {name: version(name) for name in ("numpy", "scipy", "netCDF4", "xarray")},
     }
 

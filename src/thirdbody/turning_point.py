@@ -11,12 +11,19 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 from scipy.optimize.elementwise import find_root
-from scipy.special import expit
+from scipy.special import expit, logit
 
 from thirdbody.balance import Points
-from thirdbody.interface import make_points, prepare_surface, solve
+from thirdbody.film import Film
+from thirdbody.interface import DEFAULT_RTOL, TABLE_WORTH, make_points, prepare_surface, solve
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
+
+
+FARTHEST = 20.0  # a logit beyond it is as good as infinite
+
+# d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
+SEPARATION_MARGIN = 1e-3
 
 
 @dataclass(frozen=True)
@@ -37,59 +44,60 @@ def turning_points(
     roughness,
     particle_density,
     parameters: Parameters,
-    tolerance: float = 1e-12,
+    rtol: float = DEFAULT_RTOL,
 ) -> TurningPoints:
     """Highest interior maximum of A_sa,t*(F_t*) on each curve, refined below the load spacing.
 
     ``separation`` [m] has shape (loads, curves) and belongs to increasing loads; the four
-    conditions (SI) have shape (curves,).  ``tolerance`` is relative, for the separation.  Two-body
+    conditions (SI) have shape (curves,).  ``rtol`` is the relative error asked for.  Two-body
     curves, and curves with unsolved points where the maximum would lie, have none.
     """
     conditions = np.stack([viscosity, particle_diameter, roughness, particle_density])
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
     three_body = (particle_diameter > 0.0) & (particle_density > 0.0)
-    for sigma in np.unique(roughness):
-        for lubricated in (False, True):
-            curves = np.flatnonzero(
-                (roughness == sigma) & three_body & ((viscosity > 0.0) == lubricated)
-            )
-            for name, values in _on_one_surface(
-                separation[:, curves], conditions[:, curves], parameters, tolerance
-            ).items():
-                found[name][curves] = values
+    for sigma in np.unique(roughness[three_body]):
+        curves = np.flatnonzero((roughness == sigma) & three_body)
+        for name, values in _on_one_surface(
+            separation[:, curves], conditions[:, curves], parameters, rtol
+        ).items():
+            found[name][curves] = values
     return TurningPoints(**found)
 
 
-def _on_one_surface(separation, conditions, parameters, tolerance) -> dict:
+def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     """The fields of ``TurningPoints`` for three-body curves of one roughness."""
-    count = separation.shape[1]
-    result = {field.name: np.full(count, np.nan) for field in fields(TurningPoints)}
-    if count == 0:
-        return result
-    rough = prepare_surface(float(conditions[2, 0]), parameters, tabulate=False)
+    result = {
+        field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)
+    }
+    table_rtol = rtol if separation.size >= TABLE_WORTH else None
+    rough = prepare_surface(float(conditions[2, 0]), parameters, table_rtol)
     step, curve = _rises_to_a_maximum(separation, conditions, rough, parameters)
     if curve.size == 0:
         return result
-    points = make_points(rough, parameters, np.ones(curve.size), *conditions[:, curve])
-    inner, outer = separation[step + 1, curve], separation[step, curve]
-    chosen = np.arange(curve.size)
+    solids = make_points(rough, parameters, np.ones(curve.size), *_dry(conditions[:, curve]))
     root = find_root(
-        lambda d, index: points.take(index.astype(int)).odds_slope(d),
-        (inner, outer),
-        args=(chosen,),
-        tolerances={"xatol": 0.0, "xrtol": tolerance},
+        lambda d, index: solids.take(index.astype(int)).odds_slope(d),
+        (separation[step + 1, curve], separation[step, curve]),
+        args=(np.arange(curve.size),),
+        tolerances={"xatol": 0.0, "xrtol": SEPARATION_MARGIN * rtol},
     )
-    refined = _state_at(points, root.x, root.bracket[1] - root.bracket[0])
+    width = root.bracket[1] - root.bracket[0]
+    refined = _state_at(solids, conditions[0, curve], root.x, width)
     best = _highest(curve, refined["peak_ratio"])
     for name, values in refined.items():
         result[name][curve[best]] = values[best]
     return result
 
 
+def _dry(conditions):
+    """The same conditions without lubricant: A_sa,t* depends on the separation alone."""
+    return np.concatenate([np.zeros_like(conditions[:1]), conditions[1:]])
+
+
 def _rises_to_a_maximum(separation, conditions, rough, parameters):
     """Load steps and curves between which A_sa,t* turns from rising to falling."""
     loads, count = separation.shape
-    every = np.broadcast_to(conditions[:, None, :], (4, loads, count)).reshape(4, -1)
+    every = np.broadcast_to(_dry(conditions)[:, None, :], (4, loads, count)).reshape(4, -1)
     points = make_points(rough, parameters, np.ones(loads * count), *every)
     falling = points.odds_slope(separation.ravel()).reshape(loads, count) > 0.0
     solved = np.isfinite(separation)
@@ -102,23 +110,18 @@ def _highest(curve, ratio):
     return order[np.unique(curve[order], return_index=True)[1]]
 
 
-def _state_at(points: Points, separation, width) -> dict:
+def _state_at(solids: Points, viscosity, separation, width) -> dict:
     """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``."""
-    log_solid, slope = points.log_solid_load(separation)
+    log_solid, slope = solids.log_solid_load(separation)
     solid = np.exp(log_solid)
     fluid = np.zeros_like(solid)
     steepest = np.abs(slope)
-    if points.film is not None:
-        radius = points.parameters.ball_radius
-        log_parameter = points.film.load_parameter(separation / radius)
-        fluid = np.exp(log_parameter) * radius**2 / points.parameters.apparent_area
-        widening = radius * points.film.thickness(log_parameter)[1]
-        steepest = np.maximum(steepest, 1.0 / np.abs(widening))
-    if points.parameters.film_load == "total":
-        load = np.maximum(solid, fluid)
-    else:
-        load = solid + fluid
-    particle_area, log_summit_area, _ = points.areas(separation)
+    wet = viscosity > 0.0
+    fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids)
+    steepest[wet] = np.maximum(steepest[wet], film_slope)
+    together = np.maximum if solids.parameters.film_load == "total" else np.add
+    load = together(solid, fluid)
+    particle_area, log_summit_area, _ = solids.areas(separation)
     return {
         "load": load,
         "load_error": load * steepest * (np.abs(width) + 1e-13 * separation),
@@ -126,6 +129,15 @@ def _state_at(points: Points, separation, width) -> dict:
         "solid_load_fraction": solid / load,
         "separation": separation,
     }
+
+
+def _fluid_load(viscosity, separation, solids: Points):
+    """F_f* [1] of films that are ``separation`` d [m] thick, and |d ln F_f/dd| [m-1] (Eq. 7)."""
+    inputs = solids.parameters
+    film = Film.of(viscosity, solids.rough.surface.roughness, inputs)
+    log_parameter = film.load_parameter(separation / inputs.ball_radius)
+    load = np.exp(log_parameter) * inputs.ball_radius**2 / inputs.apparent_area
+    return load, 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
 
 
 @dataclass(frozen=True)
@@ -142,47 +154,88 @@ class Window:
     high_error: float
 
 
-WINDOW_LOADS = 60
-WINDOW_HALVINGS = 30
+@dataclass(frozen=True)
+class WindowSearch:
+    """How finely a window is searched: ratios x_a/sigma of the sweep [1], increasing; loads a
+    curve; absolute error of the ends, infinite to interpolate in the sweep; relative error of
+    what is solved."""
+
+    ratios: np.ndarray
+    loads: int = 60
+    tolerance: float = 1e-9
+    rtol: float = DEFAULT_RTOL
 
 
-def turning_point_window(ratios, roughness, density, load_range, parameters: Parameters) -> Window:
+def turning_point_window(
+    search: WindowSearch, roughness, density, load_range, parameters: Parameters
+) -> Window:
     """Range of x_a/sigma in which dry contact has a turning point and stays in the hybrid mode.
 
-    ``ratios`` x_a/sigma [1], increasing, is the sweep that finds the range (its longest run);
-    both ends are then halved down.  ``roughness`` [m] and ``density`` [m-2] are scalars,
-    ``load_range`` the first and last F_t* [1].
+    The longest run of the sweep in which it does, its ends refined.  ``roughness`` [m] and
+    ``density`` [m-2] are scalars, ``load_range`` the first and last F_t* [1].
     """
-    loads = np.geomspace(*load_range, WINDOW_LOADS)
+    ratios = search.ratios
 
-    def occurs(some):
-        return _stays_hybrid(loads, some * roughness, roughness, density, parameters)
+    def margin(some):
+        return _margin(search, load_range, some * roughness, roughness, density, parameters)
 
-    inside = occurs(ratios)
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(int)))
-    if edges.size == 0:
+    margins = margin(ratios)
+    inside = np.concatenate([[False], margins > 0.0, [False]])
+    starts = np.flatnonzero(~inside[:-1] & inside[1:])
+    stops = np.flatnonzero(inside[:-1] & ~inside[1:]) - 1
+    if starts.size == 0:
         return Window(*(np.nan,) * 4)
-    starts, stops = edges[::2], edges[1::2]
     longest = np.argmax(stops - starts)
-    first, last = starts[longest], stops[longest] - 1
-    within = np.array([ratios[first], ratios[last]])
-    beyond = np.array([ratios[max(first - 1, 0)], ratios[min(last + 1, ratios.size - 1)]])
+    within = np.array([starts[longest], stops[longest]])
+    beyond = np.clip(within + np.array([-1, 1]), 0, ratios.size - 1)
+    ends, errors = _refined_ends(search, margin, margins, within, beyond)
+    return Window(ends[0], errors[0], ends[1], errors[1])
+
+
+def _refined_ends(search, margin, margins, within, beyond):
+    """Where the margin vanishes between neighbours of the sweep, and the errors of that."""
+    ratios = search.ratios
     enclosed = within != beyond
-    for _ in range(WINDOW_HALVINGS):
-        middle = 0.5 * (within + beyond)
-        hits = occurs(middle)
-        within, beyond = np.where(hits, middle, within), np.where(hits, beyond, middle)
-    error = np.where(enclosed, np.abs(beyond - within), np.inf)
-    return Window(within[0], error[0], within[1], error[1])
+    ends = ratios[within].copy()
+    errors = np.where(enclosed, np.abs(ratios[beyond] - ratios[within]), np.inf)
+    inner, outer = within[enclosed], beyond[enclosed]
+    if not np.isfinite(search.tolerance):
+        share = margins[inner] / (margins[inner] - margins[outer])
+        ends[enclosed] += share * (ratios[outer] - ratios[inner])
+    elif inner.size:
+        root = find_root(
+            margin,
+            (ratios[inner], ratios[outer]),
+            tolerances={"xatol": search.tolerance, "xrtol": 0.0},
+        )
+        ends[enclosed] = root.x
+        errors[enclosed] = np.abs(root.bracket[1] - root.bracket[0]) + search.tolerance
+    return ends, errors
 
 
-def _stays_hybrid(loads, diameter, roughness, density, parameters):
-    """Whether the turning point occurs in hybrid mode and no load brings the p-s mode."""
-    solution = solve(loads[:, None], 0.0, diameter, roughness, density, parameters)
+def _margin(search, load_range, diameter, roughness, density, parameters):
+    """Positive where the turning point occurs and all is hybrid, by how much; else negative.
+
+    The least of the logits by which the turning point is above the s-s mode, the whole curve
+    below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
+    """
+    loads = np.geomspace(*load_range, search.loads)
+    solution = solve(loads[:, None], 0.0, diameter, roughness, density, parameters, search.rtol)
     same = np.ones_like(diameter)
-    turning = turning_points(
-        solution.separation, 0.0 * same, diameter, roughness * same, density * same, parameters
-    )
-    hybrid = (turning.peak_ratio > SURFACE_LIMIT) & (turning.peak_ratio < PARTICLE_LIMIT)
+    conditions = 0.0 * same, diameter, roughness * same, density * same
+    turning = turning_points(solution.separation, *conditions, parameters, search.rtol)
     highest = solution.particle_contact_area_ratio.max(axis=0)
-    return hybrid & (highest < PARTICLE_LIMIT)
+    peak = np.where(np.isnan(turning.load), highest, turning.peak_ratio)
+    slope = _first_slope(loads, solution.particle_contact_area_ratio)
+    turns = np.where(np.isnan(turning.load), -np.abs(slope), np.maximum(slope, 0.0))
+    above = logit(peak) - logit(SURFACE_LIMIT)
+    below = logit(PARTICLE_LIMIT) - logit(highest)
+    return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
+
+
+def _first_slope(loads, ratio):
+    """d logit(A_sa,t*)/d ln F_t* at the first load of each curve, by a one-sided parabola;
+    steepest where no particle touches yet."""
+    odds = np.clip(logit(ratio[:3]), -FARTHEST, FARTHEST)
+    slope = (4.0 * odds[1] - 3.0 * odds[0] - odds[2]) / np.log(loads[2] / loads[0])
+    return np.where(odds[0] > -FARTHEST, slope, FARTHEST)

@@ -5,18 +5,19 @@ import numpy as np
 from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
 from thirdbody.tables import TABLES, write_csv
-from thirdbody.turning_point import turning_point_window
+from thirdbody.turning_point import WindowSearch, turning_point_window
 
 
 def find(search, load_axis, parameters, windows):
     """Write both ends of the window of each roughness that ``search`` names."""
     inputs = Parameters(**parameters)
     ratios = np.linspace(*search["particle_diameter_per_roughness"], search["count"])
+    sweep = WindowSearch(ratios)
     loads = [newtons / inputs.newtons_per_load for newtons in load_axis["load_N"]]
     density = search["particle_density_per_m2"]
     rows = []
     for roughness in (1e-9 * value for value in search["roughness_nm"]):
-        window = turning_point_window(ratios, roughness, density, loads, inputs)
+        window = turning_point_window(sweep, roughness, density, loads, inputs)
         same = {"roughness_m": roughness, "particle_density_per_m2": density}
         for end, value, error in (
             ("low", window.low, window.low_error),

@@ -1,0 +1,109 @@
+"""What claims are judged on: curves, turning points and windows solved for one set of inputs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from thirdbody.claims import Condition, Curve, TurningPoint
+from thirdbody.interface import COVERAGE_EXCEEDED, DEFAULT_RTOL, solve
+from thirdbody.parameters import Parameters
+from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
+
+WINDOW_DENSITY = 1e11  # eta_a [m-2] of the paper's windows
+
+
+@dataclass(frozen=True)
+class Effort:
+    """How finely evidence is gathered: loads a curve, the relative error of what is solved, and
+    the search for the windows."""
+
+    loads: int
+    rtol: float
+    window: WindowSearch
+
+
+FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
+# for the many evaluations of a calibration: its errors stay far below every tolerance
+QUICK_EFFORT = Effort(
+    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), loads=24, tolerance=np.inf, rtol=1e-4)
+)
+
+
+class SolvedEvidence:
+    """Evidence for claims (``thirdbody.claims.Evidence``) from the solved model.
+
+    ``asked`` is what ``thirdbody.claims.referenced_conditions`` returns; all its curves are
+    solved together over ``newtons``, the first and last normal load [N].
+    """
+
+    def __init__(self, parameters: Parameters, asked: dict, newtons, effort: Effort = FULL_EFFORT):
+        self.parameters = parameters
+        self.effort = effort
+        self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
+        self._asked = asked
+        self._windows: dict[float, tuple[float, float]] = {}
+
+    def curve(self, *condition) -> Curve:
+        """The curve over the whole load range at a ``Condition`` (SI)."""
+        return self._curves[Condition(*condition)]
+
+    def turning_point(self, *condition) -> TurningPoint:
+        """The turning point of that curve."""
+        return self._turning_points[Condition(*condition)]
+
+    def window(self, roughness) -> tuple[float, float]:
+        """Ends of the range of x_a/sigma [1] with a turning point, dry, at ``roughness`` [m]."""
+        if roughness not in self._windows:
+            found = turning_point_window(
+                self.effort.window, roughness, WINDOW_DENSITY, self.load_range, self.parameters
+            )
+            self._windows[roughness] = found.low, found.high
+        return self._windows[roughness]
+
+    @cached_property
+    def _conditions(self) -> list[Condition]:
+        return sorted(self._asked["curve"] | self._asked["turning_point"])
+
+    @cached_property
+    def _solution(self):
+        loads = np.geomspace(*self.load_range, self.effort.loads)
+        columns = np.array(self._conditions).T
+        return loads, solve(loads[:, None], *columns, self.parameters, self.effort.rtol)
+
+    @cached_property
+    def _curves(self) -> dict[Condition, Curve]:
+        loads, solution = self._solution
+        newtons = loads * self.parameters.newtons_per_load
+        solved = solution.solution_status < COVERAGE_EXCEEDED
+        return {
+            condition: Curve(
+                loads,
+                newtons,
+                solution.total_contact_area[:, index],
+                solution.particle_contact_area_ratio[:, index],
+                solution.solid_load_fraction[:, index],
+                solution.fluid_load_fraction[:, index],
+                solution.film_thickness[:, index],
+                solution.separation[:, index],
+                solved[:, index],
+            )
+            for index, condition in enumerate(self._conditions)
+        }
+
+    @cached_property
+    def _turning_points(self) -> dict[Condition, TurningPoint]:
+        _, solution = self._solution
+        wanted = sorted(self._asked["turning_point"])
+        chosen = [self._conditions.index(condition) for condition in wanted]
+        columns = np.array(wanted).T
+        found = turning_points(
+            solution.separation[:, chosen], *columns, self.parameters, self.effort.rtol
+        )
+        fields = found.load, found.peak_ratio, found.solid_load_fraction
+        return {
+            condition: TurningPoint(*map(float, row), exists=bool(np.isfinite(row[0])))
+            for condition, row in zip(wanted, np.array(fields).T, strict=True)
+        }

@@ -1,0 +1,76 @@
+# Calibration: `snakemake -c2 calibrate`, not part of the default run.  One search a reading and
+# seed, so that an interruption loses no finished search.  What it finds is then copied to
+# config/calibrated/, which is kept in git and read by the default run.
+
+CALIBRATION = read_yaml("config/calibration.yaml")
+
+
+def reading_settings(wildcards):
+    """The calibration settings with the other readings left out: each depends on its own only."""
+    readings = {wildcards.reading: CALIBRATION["readings"][wildcards.reading]}
+    return {**CALIBRATION, "readings": readings}
+
+
+rule search_reading:
+    input:
+        claims="config/claims.yaml",
+        modules=import_closure("workflow/scripts/search_reading.py"),
+    output:
+        evaluations="results/calibration/{reading}/seed{seed}.csv",
+    log:
+        "logs/search_reading/{reading}_{seed}.log",
+    benchmark:
+        "benchmarks/search_reading/{reading}_{seed}.tsv"
+    wildcard_constraints:
+        seed="[0-9]+",
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        settings=reading_settings,
+        parameters=settings["uncalibrated"],
+    message:
+        "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
+    script:
+        "../scripts/search_reading.py"
+
+
+rule summarise_reading:
+    input:
+        evaluations=expand(
+            "results/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
+        ),
+        modules=import_closure("workflow/scripts/summarise_reading.py"),
+    output:
+        calibrated="results/calibration/{reading}.yaml",
+    log:
+        "logs/summarise_reading/{reading}.log",
+    benchmark:
+        "benchmarks/summarise_reading/{reading}.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        settings=reading_settings,
+    message:
+        "Summarising the calibration of {wildcards.reading}"
+    script:
+        "../scripts/summarise_reading.py"
+
+
+rule calibrate:
+    input:
+        calibrated=expand("results/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+    output:
+        adopted="results/calibration/adopted.txt",
+    log:
+        "logs/calibrate.log",
+    benchmark:
+        "benchmarks/calibrate.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    message:
+        "Copying the calibrated inputs to config/calibrated"
+    script:
+        "../scripts/adopt_calibration.py"

@@ -1,0 +1,28 @@
+"""Search the unprinted inputs of one reading from one seed."""
+
+import numpy as np
+
+from thirdbody.calibration import Objective, Reading, search
+from thirdbody.claims import load_claims
+from thirdbody.files import logged, whole
+from thirdbody.parameters import Parameters
+
+
+def run(reading, seed, claims, settings, parameters, evaluations):
+    """Write every evaluation of the search of ``reading`` that starts from ``seed``."""
+    objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
+    rows = search(Reading.of(reading, settings), objective, settings["budget"], seed)
+    with whole(evaluations) as part:
+        np.savetxt(part, rows, fmt="%.10g", delimiter=",")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        run(
+            snakemake.wildcards.reading,
+            int(snakemake.wildcards.seed),
+            snakemake.input.claims,
+            snakemake.params.settings,
+            snakemake.params.parameters,
+            snakemake.output.evaluations,
+        )

@@ -1,0 +1,30 @@
+"""The calibrated inputs of one reading from its searches."""
+
+import numpy as np
+import yaml
+
+from thirdbody.calibration import Reading
+from thirdbody.files import logged, whole
+from thirdbody.posterior import summary
+
+HEADER = "# Calibrated inputs of one reading, made by `snakemake -c2 calibrate`; not edited by hand.\n"
+
+
+def summarise(reading, evaluations, settings, calibrated):
+    """Write the best inputs of ``reading``, their ensemble and what it identifies."""
+    searches = [np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations]
+    content = summary(Reading.of(reading, settings), searches, settings)
+    with whole(calibrated) as part:
+        with open(part, "w", encoding="utf-8") as stream:
+            stream.write(HEADER)
+            yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        summarise(
+            snakemake.wildcards.reading,
+            snakemake.input.evaluations,
+            snakemake.params.settings,
+            snakemake.output.calibrated,
+        )
