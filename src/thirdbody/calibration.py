@@ -11,14 +11,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import differential_evolution, minimize
+from scipy.optimize import differential_evolution, least_squares
 
-from thirdbody.claims import Claim, assign_roles, judge, referenced_conditions
+from thirdbody.claims import MISSING_SCORE, Claim, assign_roles, judge, referenced_conditions
 from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.parameters import Parameters
 
-IMPOSSIBLE = 1e3  # objective of inputs that describe no surface
 SLOPE_OF_LOSS = 0.1  # keeps a statement that fails badly worth improving
+LOCAL_POOL = 12  # of the best sets: local searches start from those farthest apart among them
+DIFFERENCE_STEP = 4e-3  # of a position: well above the error of what is solved
+EDGE = 1e-3
 WALK_STEP = 0.15  # of the spread of the acceptable sets found so far
 
 
@@ -102,24 +104,22 @@ class Objective:
         asked = referenced_conditions(fitted)
         return cls(fitted, asked, settings["weights"], tuple(settings["newtons"]), base)
 
-    def __call__(self, reading: Reading, positions) -> float:
-        """The objective at ``positions`` in the unit cube of the reading's unknowns."""
+    def misses(self, reading: Reading, positions) -> np.ndarray:
+        """Square roots of the terms of the objective at ``positions`` in the unit cube."""
         values = reading.values(positions)
-        penalty = sum(unknown.penalty(values[unknown.name]) for unknown in reading.unknowns)
+        penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
         try:
             evidence = SolvedEvidence(
                 replace(self.base, **reading.fixed, **values), self.asked, self.newtons, QUICK_EFFORT
             )
-            misses = sum(
-                self.weights.get(claim.kind, 1.0) * loss(judge(claim, evidence).score)
-                for claim in self.claims
-            )
+            scores = [judge(claim, evidence).score for claim in self.claims]
         except ValueError:  # no surface has these inputs
-            return IMPOSSIBLE
-        return penalty + misses
+            scores = [MISSING_SCORE] * len(self.claims)
+        weights = np.array([self.weights.get(claim.kind, 1.0) for claim in self.claims])
+        return np.sqrt(np.concatenate([penalties, weights * loss(np.array(scores))]))
 
 
-def loss(score: float) -> float:
+def loss(score):
     """Loss of one statement at its ``score`` in tolerances: 1/2 at the tolerance, about 1 far off."""
     return score**2 / (1.0 + score**2) + SLOPE_OF_LOSS * score
 
@@ -127,27 +127,26 @@ def loss(score: float) -> float:
 def search(reading: Reading, objective, budget: dict, seed: int, report=print) -> np.ndarray:
     """Every evaluation of a global, then local search and a walk over what is acceptable.
 
-    ``objective(reading, positions)`` is minimised; ``budget`` counts evaluations; the same ``seed``
-    gives the same result.  Returns rows (positions in the unit cube ..., objective).
+    ``objective.misses(reading, positions)`` is minimised in the sum of its squares; ``budget``
+    limits the work; the same ``seed`` gives the same result.  Returns rows (positions in the unit
+    cube ..., objective).
     """
     rows: list[np.ndarray] = []
 
     def recorded(positions):
-        value = objective(reading, positions)
-        rows.append(np.append(positions, value))
+        misses = objective.misses(reading, positions)
+        rows.append(np.append(positions, np.sum(misses**2)))
         if len(rows) % 50 == 0:
-            report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {_best(rows)[-1]:.3f}")
-        return value
+            least = min(row[-1] for row in rows)
+            report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {least:.3f}")
+        return misses
 
     rng = np.random.default_rng(seed)
     _global_search(reading, recorded, budget, rng)
-    _local_search(recorded, _best(rows)[:-1], budget["local"])
+    for row in spread_out(acceptable(np.array(rows), np.inf)[:LOCAL_POOL], budget["starts"]):
+        _local_search(recorded, row[:-1], budget["local"])
     _walk(recorded, np.array(rows), budget["walk"], rng)
     return np.array(rows)
-
-
-def _best(rows):
-    return min(rows, key=lambda row: row[-1])
 
 
 def _global_search(reading, recorded, budget, rng) -> None:
@@ -158,7 +157,7 @@ def _global_search(reading, recorded, budget, rng) -> None:
     population = np.where(np.arange(size[0])[:, None] % 3 == 0, rng.uniform(size=size), near)
     population[0] = start
     differential_evolution(
-        recorded,
+        lambda positions: np.sum(recorded(positions) ** 2),
         [(0.0, 1.0)] * start.size,
         init=np.clip(population, 0.0, 1.0),
         maxiter=budget["generations"],
@@ -170,15 +169,17 @@ def _global_search(reading, recorded, budget, rng) -> None:
     )
 
 
-def _local_search(recorded, start, evaluations) -> None:
-    """Nelder and Mead's simplex about the best set found so far."""
-    simplex = np.vstack([start, start + np.where(start < 0.5, 0.04, -0.04) * np.eye(start.size)])
-    minimize(
+def _local_search(recorded, start, steps) -> None:
+    """Least squares on the misses, at most ``steps`` Gauss-Newton steps from ``start``."""
+    least_squares(
         recorded,
-        start,
-        method="Nelder-Mead",
-        bounds=[(0.0, 1.0)] * start.size,
-        options={"maxfev": evaluations, "initial_simplex": simplex, "adaptive": True},
+        np.clip(start, EDGE, 1.0 - EDGE),
+        bounds=(0.0, 1.0),
+        diff_step=DIFFERENCE_STEP,
+        x_scale=0.1,
+        max_nfev=steps,
+        xtol=1e-4,
+        ftol=1e-4,
     )
 
 
@@ -189,7 +190,7 @@ def _walk(recorded, rows, evaluations, rng) -> None:
     position, value = best[0, :-1], best[0, -1]
     for _ in range(evaluations):
         trial = np.clip(position + steps * rng.normal(size=steps.size), 0.0, 1.0)
-        found = recorded(trial)
+        found = np.sum(recorded(trial) ** 2)
         if np.log(rng.uniform()) < value - found:
             position, value = trial, found
 

@@ -1,0 +1,74 @@
+"""The verdicts as a page that a reviewer reads: counts first, then each statement, then the misses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from tabulate import tabulate
+
+from thirdbody.verdicts import CONTRADICTED, FAILS, HOLDS, counts
+
+
+def claims_markdown(rows: Sequence[Mapping], why: Mapping[str, str], default: Mapping) -> str:
+    """Markdown of ``claims.md`` from the rows of ``claims.csv`` and the paragraphs on the misses.
+
+    ``default`` is the content of the calibrated file that the verdicts belong to.
+    """
+    parts = [
+        "# Verdict on every statement of the paper",
+        f"Inputs: the best of the reading `{default['reading']}` (objective "
+        f"{default['objective']:g}). A statement holds if it is met within its tolerance; the "
+        "statements, tolerances and their reasons are in `config/claims.yaml`, the inputs and "
+        "their ensemble in `config/calibrated/`.",
+        "## Counts by role",
+        _counted(rows, "role"),
+        "## Counts by figure",
+        _counted(rows, "figure"),
+        "## The statements",
+        _statements(rows),
+        "## What fails, and what would change it",
+        "Scores count tolerances up to 1 and their logarithm beyond. Each input was moved by "
+        "itself by 8 % of its bounds, and each reading was judged at its own best inputs.",
+        *(_miss(row, why[row["id"]]) for row in rows if row["verdict"] in (FAILS, CONTRADICTED)),
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def _counted(rows, by: str) -> str:
+    table = counts(rows, by)
+    judged = [dict(row, share=_share(row)) for row in table]
+    return tabulate(judged, headers="keys", tablefmt="github")
+
+
+def _share(row: Mapping) -> str:
+    """Share that holds of those with a verdict of our own."""
+    judged = row[HOLDS] + row[FAILS] + row[CONTRADICTED]
+    return f"{100 * row[HOLDS] / judged:.0f} %" if judged else ""
+
+
+def _statements(rows) -> str:
+    columns = ("id", "role", "published", "measured", "tolerance", "score", "verdict")
+    cells = [
+        [
+            *(_cell(row[column]) for column in columns),
+            f"{row['ensemble_agree']}/{row['ensemble_size']}",
+            f"{row['readings_agree']}/{row['readings_size']}",
+        ]
+        for row in rows
+    ]
+    headers = [*columns, "ensemble agrees", "readings agree"]
+    return tabulate(cells, headers, tablefmt="github", disable_numparse=True)
+
+
+def _cell(value) -> str:
+    if isinstance(value, float):
+        return "" if value != value else f"{value:.3g}"
+    return str(value).replace("|", "\\|")
+
+
+def _miss(row: Mapping, paragraph: str) -> str:
+    published = f" Published: {row['published']}." if row["published"] else ""
+    opposite = (
+        f" The paper also states the opposite: {row['contradicts']}." if row["contradicts"] else ""
+    )
+    return f"**{row['id']}** ({row['where']}). {row['statement']}{published} {paragraph}{opposite}"
