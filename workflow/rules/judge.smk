@@ -1,0 +1,26 @@
+# Judgement: the verdict on every statement of the paper under the calibrated inputs.
+
+
+rule judge_claims:
+    input:
+        claims="config/claims.yaml",
+        default=settings["inputs"],
+        calibrated=CALIBRATED,
+        modules=import_closure("workflow/scripts/judge_claims.py"),
+    output:
+        table="results/claims/claims.csv",
+        text="results/claims/claims.md",
+    log:
+        "logs/judge_claims.log",
+    benchmark:
+        "benchmarks/judge_claims.tsv"
+    params:
+        settings=CALIBRATION,
+        parameters=settings["uncalibrated"],
+    threads: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Judging every statement of the paper"
+    script:
+        "../scripts/judge_claims.py"
