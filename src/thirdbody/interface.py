@@ -6,6 +6,7 @@ Dry points get no film, two-body points no particles, and each roughness is prep
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
+from functools import lru_cache
 
 import numpy as np
 from scipy.special import expit, log_expit
@@ -22,7 +23,9 @@ DEFAULT_RTOL = 1e-9
 CHUNK = 8192  # points solved together: their arrays stay in the processor's cache
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
-TABLE_START, TABLE_END, TABLE_PIECES = -5.0, 40.0, 180  # summit separations t [1]
+TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
+# (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
+TABLE_SIZES = ((1e-4, 90, 3), (1e-9, 180, 5), (0.0, 180, 7))
 
 CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
 
@@ -81,7 +84,8 @@ def solve(
     }
     for roughness_value in np.unique(columns[3]):
         chosen = np.flatnonzero(columns[3] == roughness_value)
-        rough = prepare_surface(float(roughness_value), parameters, chosen.size >= TABLE_WORTH)
+        table_rtol = rtol if chosen.size >= TABLE_WORTH else None
+        rough = prepare_surface(float(roughness_value), parameters, table_rtol)
         for some in _kinds(columns, chosen):
             for start in range(0, some.size, CHUNK):
                 part = some[start : start + CHUNK]
@@ -119,15 +123,20 @@ def checked_axis(name: str, values):
     return array
 
 
-def prepare_surface(roughness: float, parameters: Parameters, tabulate: bool) -> RoughSurface:
-    """Summits at ``roughness`` sigma [m], as tables if many points will ask for them."""
+@lru_cache(maxsize=64)
+def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None) -> RoughSurface:
+    """Summits at ``roughness`` sigma [m], as tables good for ``rtol`` or, if None, by quadrature.
+
+    Prepared once for all that share it.
+    """
     surface = parameters.surface(roughness)
     population = SummitPopulation.of(surface, parameters)
     functions = population.log_load, population.log_area
     samples = FIRST_SAMPLES
-    if tabulate:
+    if rtol is not None:
+        pieces, degree = next(size for least, *size in TABLE_SIZES if rtol >= least)
         functions = tuple(
-            PiecewisePolynomial(function, TABLE_START, TABLE_END, TABLE_PIECES, degree=7)
+            PiecewisePolynomial(function, TABLE_START, TABLE_END, pieces, degree)
             for function in functions
         )
         samples = functions[0].centres
