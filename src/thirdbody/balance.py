@@ -13,7 +13,7 @@ from scipy.special import log_expit
 
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
-from thirdbody.particles import ParticleLayer, separation_bearing
+from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
 from thirdbody.roots import decreasing_roots
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
@@ -69,11 +69,13 @@ class Points:
         if self.particles is None:
             return value, slope
         area, area_slope, *coverage = self.particles.contact(separation)
-        log_bare, bare_slope = _log_bare(*self.particles.load_coverage(*coverage))
+        log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         value = value + log_bare
         log_particles = np.log(area) + np.log(self.particle_pressure)
-        total = np.logaddexp(value, log_particles)
-        share = np.exp(value - total)
+        excess = value - log_particles
+        odds = np.exp(-np.abs(excess))  # of the smaller load to the larger
+        share = np.where(excess > 0.0, 1.0, odds) / (1.0 + odds)
+        total = np.maximum(value, log_particles) + np.log1p(odds)
         particle_slope = area_slope / np.maximum(area, TINY)
         return total, share * (slope + bare_slope) + (1.0 - share) * particle_slope
 
@@ -91,15 +93,15 @@ class Points:
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits, np.ones(log_summits.shape, dtype=bool)
         area, _, *coverage = self.particles.contact(separation)
-        total, _ = self.particles.load_coverage(*coverage)
-        log_bare, _ = _log_bare(*coverage)
-        return area, log_summits + log_bare, np.maximum(total, coverage[0]) < 1.0
+        log_bare, _ = log_bare_share(*coverage)
+        has_room = (coverage[0] < 1.0) & (self.particles.log_bare_load(*coverage)[0] > FULL)
+        return area, log_summits + log_bare, has_room
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
         _, summit_slope = self.rough.log_area(self.rough.summit_separation(separation))
         area, area_slope, *coverage = self.particles.contact(separation)
-        _, bare_slope = _log_bare(*coverage)
+        _, bare_slope = log_bare_share(*coverage)
         summit_slope = summit_slope / self.rough.surface.summit_deviation + bare_slope
         return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
 
@@ -112,14 +114,6 @@ class Points:
         """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""
         area = self.parameters.apparent_area / self.parameters.ball_radius**2
         return self.log_load + log_fluid_fraction + np.log(area)
-
-
-def _log_bare(coverage, slope):
-    """ln(1 - coverage) and its slope; a full coverage leaves next to nothing, for good."""
-    bare = 1.0 - coverage
-    left = bare > np.finfo(float).eps
-    bare = np.where(left, bare, TINY)
-    return np.log(bare), np.where(left, -slope, 0.0) / bare
 
 
 def first_separation(points: Points):
@@ -180,13 +174,22 @@ def load_share(points: Points, tolerance: float):
 
 
 def _first_logit(points: Points):
-    """Logit of L_s from the loads of solids and film at the larger of their own separations."""
+    """Logit of L_s at the larger of the separations that solids and film alone would have.
+
+    From the film's load there where that is the smaller share, so that the separation stays on
+    its side of the largest particle; else from the loads of both.
+    """
     alone, _ = points.film_separation(0.0)
     separation = np.maximum(alone, first_separation(points))
     thickness = separation / points.parameters.ball_radius
     log_parameter = points.film.load_parameter(thickness, steps=2)
-    log_fluid = log_parameter - points.log_load_parameter(0.0)
-    return points.log_solid_load(separation)[0] - points.log_load - np.minimum(log_fluid, 0.0)
+    log_fluid = np.minimum(log_parameter - points.log_load_parameter(0.0), 0.0)
+    logit = np.log(-np.expm1(log_fluid)) - log_fluid
+    wet = np.flatnonzero(~(logit > 0.0))
+    some = points.take(wet)
+    log_solid, _ = some.log_solid_load(separation[wet])
+    logit[wet] = log_solid - some.log_load - log_fluid[wet]
+    return logit
 
 
 def total_load_share(points: Points, tolerance: float):

@@ -31,7 +31,7 @@ def whole(*paths):
 @contextmanager
 def logged(log):
     """Send what a script prints to the file ``log``; a foreseeable failure is one line, exit 1."""
-    with open(log, "w", encoding="utf-8") as stream:
+    with open(log, "w", encoding="utf-8", buffering=1) as stream:
         outer = sys.stdout, sys.stderr
         sys.stdout = sys.stderr = stream
         try:

@@ -20,7 +20,7 @@ from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regim
 from thirdbody.tabulation import PiecewisePolynomial
 
 DEFAULT_RTOL = 1e-9
-CHUNK = 8192  # points solved together: their arrays stay in the processor's cache
+CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]

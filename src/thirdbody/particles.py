@@ -18,6 +18,7 @@ from scipy.special import ndtr
 
 from thirdbody.parameters import Parameters
 
+FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 
 
@@ -81,6 +82,7 @@ class ParticleLayer:
     factor: np.ndarray  # pi eta_a p/(H_s1 + H_s2) [m-2 Pa-1]
     largest: np.ndarray  # T at X_max [m2]
     every: np.ndarray  # I(X_min, X_max) of Eq. 4 [m2]
+    log_bare: np.ndarray  # ln of the share that particles of all sizes leave bare [1]
     parameters: Parameters
 
     @classmethod
@@ -99,7 +101,9 @@ class ParticleLayer:
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * density * parameters.participation / hardness
         depth = parameters.elastic_depth_ratio * diameter / law.spread
-        return cls(law.mean, law.spread, *coefficients, depth, factor, largest, every, parameters)
+        log_bare, _ = log_bare_share(factor * parameters.hardness_surface_1 * every, 0.0)
+        columns = depth, factor, largest, every, log_bare
+        return cls(law.mean, law.spread, *coefficients, *columns, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""
@@ -138,15 +142,14 @@ class ParticleLayer:
             load_factor / self.spread * touching[1],
         )
 
-    def load_coverage(self, coverage, slope):
-        """Coverage that Eq. 4 takes off the load of the summits, and its slope [m-1].
+    def log_bare_load(self, coverage, slope):
+        """ln of the share of the summits' load that Eq. 4 leaves them, and its slope [m-1].
 
-        ``coverage`` and ``slope`` are those of ``contact``.
+        ``coverage`` and ``slope`` are those of ``contact``; Eq. 4 as printed takes all sizes.
         """
         if self.parameters.coverage_limits == "contacting":
-            return coverage, slope
-        total = self.factor * self.parameters.hardness_surface_1 * self.every
-        return total, np.zeros_like(total)
+            return log_bare_share(coverage, slope)
+        return self.log_bare, 0.0
 
     def _truncated(self, alpha):
         """T and dT/dalpha [m2] with ``alpha`` held at the truncation."""
@@ -162,6 +165,14 @@ def _moment(alpha, tail, constant, linear):
     polynomial = constant + linear * alpha
     value = tail * ndtr(-alpha) + polynomial * phi
     return value, -phi * (tail - linear + polynomial * alpha)
+
+
+def log_bare_share(coverage, slope):
+    """ln(1 - coverage) and its slope; below ``FULL`` where particles cover everything."""
+    bare = 1.0 - coverage
+    left = bare > np.finfo(float).eps
+    bare = np.where(left, bare, np.finfo(float).tiny)
+    return np.log(bare), np.where(left, -slope, 0.0) / bare
 
 
 def separation_bearing(area, layer: ParticleLayer):
