@@ -1,6 +1,7 @@
 """Every dataset, table and figure of Chen & Horng (2024), from the printed equations."""
 
 import sys
+from pathlib import Path
 
 from thirdbody.closure import import_closure
 from thirdbody.configuration import read_plain, read_yaml, workflow_settings
@@ -30,6 +31,7 @@ include: "workflow/rules/datasets.smk"
 include: "workflow/rules/extract.smk"
 include: "workflow/rules/render.smk"
 include: "workflow/rules/calibrate.smk"
+include: "workflow/rules/judge.smk"
 
 
 rule all:
@@ -64,4 +66,6 @@ rule all:
         "results/figures/fig11.png",
         "results/figures/fig12.png",
         "results/figures/fig13.png",
+        "results/claims/claims.csv",
+        "results/claims/claims.md",
         "results/accuracy/solver_cost.csv",

@@ -1,5 +1,7 @@
 # Judgement: the verdict on every statement of the paper under the calibrated inputs.
 
+CALIBRATED = sorted(str(path) for path in Path("config/calibrated").glob("*.yaml"))
+
 
 rule judge_claims:
     input:
@@ -14,12 +16,12 @@ rule judge_claims:
         "logs/judge_claims.log",
     benchmark:
         "benchmarks/judge_claims.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
     params:
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
-    threads: 1
-    conda:
-        "../envs/thirdbody.yaml"
     message:
         "Judging every statement of the paper"
     script:

@@ -1,0 +1,1 @@
+"""The figures of the paper: each function takes data and returns a matplotlib figure."""

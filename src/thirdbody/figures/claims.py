@@ -1,0 +1,183 @@
+"""The verdicts at a glance: one line a statement of the paper, grouped by where it stands."""
+
+from __future__ import annotations
+
+import math
+import re
+
+from matplotlib import rcParams
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from thirdbody.figures.panel import FURNITURE, POINTS_PER_INCH, Panel
+from thirdbody.places import part_of_paper
+
+COLUMNS = 2
+WIDTH = 7.0  # inches
+LINE_POINTS = 5.2  # height of a statement's line
+GAP = 1.4  # lines between two groups
+MARGINS = {"top": 0.3, "bottom": 0.95, "left": 0.78, "right": 0.08}  # inches
+NAME_SIZE = 4.6  # of the names of statements that do not hold, points
+LETTER_WIDTH = 0.55  # of the size of type
+NO_SCORE = -0.35  # where a statement without a score is put
+AGREEMENT = 0.75  # share of the ensemble from which a marker is filled
+# verdict: colour of its marker; dark and light, so that grey tells hit and miss apart
+COLOURS = {
+    "holds": "C5",
+    "fails": "C1",
+    "contradicted by the paper itself": "C4",
+    "value withheld": "0.45",
+}
+MARKERS = {"calibration": "o", "validation": "D", "withheld": "x"}
+# distance from the paper in tolerances; a score is that up to 1, and 1 + ln(distance) beyond
+DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)
+PREFIX = re.compile(r"fig0?(\d+)|conclusion|abstract-")  # of the statements' ids, before a panel
+
+
+def plot(rows) -> Figure:
+    """The score of each of ``rows`` of ``results/claims/claims.csv``.
+
+    Colour tells the verdict, the marker the role and, if hollow, that the ensemble of inputs is
+    divided; statements that do not hold are named.
+    """
+    columns = _halves(_groups(rows))
+    lines = max(sum(_height(group) for group in column.values()) for column in columns)
+    height = MARGINS["top"] + MARGINS["bottom"] + lines * LINE_POINTS / POINTS_PER_INCH
+    figure = Figure(figsize=(WIDTH, height))
+    for index, column in enumerate(columns):
+        panel = _panel(figure, index, lines)
+        _draw_groups(panel, column)
+        _frame(panel, lines)
+    _draw_key(figure, rows)
+    return figure
+
+
+def score_of(distance: float) -> float:
+    """The score of a ``distance`` in tolerances, as ``thirdbody.claims`` counts it."""
+    return distance if distance <= 1.0 else 1.0 + math.log(distance)
+
+
+LAST = score_of(DISTANCES[-1])  # scores beyond it, and missing evidence, are drawn here
+
+
+def _groups(rows) -> dict:
+    """Rows by the part of the paper that they belong to, in the order of the paper."""
+    groups: dict[str, list] = {}
+    for row in rows:
+        groups.setdefault(part_of_paper(row["where"]), []).append(row)
+    return groups
+
+
+def _height(group) -> float:
+    return len(group) + GAP
+
+
+def _halves(groups: dict) -> list[dict]:
+    """The groups in ``COLUMNS`` columns of about equal height, none divided."""
+    share = sum(map(_height, groups.values())) / COLUMNS
+    columns = [{} for _ in range(COLUMNS)]
+    passed = 0.0
+    for name, group in groups.items():
+        middle = passed + 0.5 * _height(group)
+        columns[min(int(middle / share), COLUMNS - 1)][name] = group
+        passed += _height(group)
+    return columns
+
+
+def _panel(figure, index, lines) -> Panel:
+    width, height = figure.get_size_inches()
+    column = width / COLUMNS
+    box = (
+        (index * column + MARGINS["left"]) / width,
+        MARGINS["bottom"] / height,
+        (column - MARGINS["left"] - MARGINS["right"]) / width,
+        lines * LINE_POINTS / POINTS_PER_INCH / height,
+    )
+    panel = Panel(figure, box, "AB"[index], "score", "line")
+    figure.add_axes(panel)
+    panel.set_xlim(2.0 * NO_SCORE, LAST - 2.0 * NO_SCORE)
+    panel.set_ylim(lines, 0.0)
+    return panel
+
+
+def _draw_groups(panel, groups):
+    """The statements of each group on lines of their own, beside the count of those that hold."""
+    line = 0.5 * GAP
+    for index, (name, group) in enumerate(groups.items()):
+        end = line + len(group)
+        if index % 2 == 0:
+            shade = {"color": "0.955", "linewidth": 0, "zorder": 0, "label": FURNITURE}
+            panel.axhspan(line - 0.5 * GAP, end + 0.5 * GAP, **shade)
+        judged = [row for row in group if row["verdict"] != "value withheld"]
+        held = sum(row["verdict"] == "holds" for row in judged)
+        text = f"{name}\n{held} of {len(judged)} hold"
+        style = {"ha": "right", "va": "center", "fontsize": 6.5, "linespacing": 1.25}
+        panel.text(-0.02, 0.5 * (line + end), text, transform=panel.get_yaxis_transform(), **style)
+        for place, row in enumerate(group):
+            _draw_statement(panel, line + place + 0.5, row)
+        line = end + GAP
+
+
+def _draw_statement(panel, line, row):
+    """A marker at the score of ``row``; a statement that does not hold is named beside it."""
+    colour = COLOURS[row["verdict"]]
+    withheld = row["score"] is None or math.isnan(row["score"])
+    score = NO_SCORE if withheld else min(row["score"], LAST)
+    panel.hlines(line, 0.0, max(score, 0.0), color=colour, linewidth=0.6, label=FURNITURE, zorder=1)
+    divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
+    marker = {"marker": MARKERS[row["role"]], "color": colour, "linestyle": "none"}
+    marker |= {"markerfacecolor": "white"} if divided else {}
+    size = {"markersize": 3.1, "markeredgewidth": 0.8, "zorder": 2}
+    panel.add_line(Line2D([score], [line], label=row["id"], **marker, **size))
+    if score > 1.0:
+        _write_name(panel, score, line, row)
+
+
+def _write_name(panel, score, line, row):
+    """The id of ``row`` without its figure, behind the marker or, where that is too near the edge,
+    before it."""
+    prefix = PREFIX.match(row["id"])
+    same = prefix and prefix[1] in (None, part_of_paper(row["where"]).split()[-1])
+    name = row["id"][prefix.end() :].lstrip("-") if same else row["id"]
+    left, right = panel.get_xlim()
+    room = panel.bbox.width / panel.figure.dpi * POINTS_PER_INCH * (right - score) / (right - left)
+    behind = len(name) * LETTER_WIDTH * NAME_SIZE < room or score < 0.5 * (left + right)
+    panel.annotate(
+        name,
+        (score, line),
+        (3.5 if behind else -3.5, -0.3),
+        textcoords="offset points",
+        ha="left" if behind else "right",
+        va="center",
+        fontsize=NAME_SIZE,
+        bbox=None if behind else {"facecolor": "white", "edgecolor": "none", "pad": 0.2},
+    )
+
+
+def _frame(panel, lines):
+    """The line up to which a statement holds, and ticks in tolerances."""
+    panel.axvline(1.0, color="black", linewidth=0.7, label=FURNITURE, zorder=1.5)
+    panel.xaxis.set_visible(True)
+    panel.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000\nor more"])
+    panel.tick_params(labelsize=6)
+    panel.set_xlabel("deviation in tolerances; logarithmic beyond 1", fontsize=7)
+    panel.write(0.0, 1.0, f"({panel.letter})", fontweight="bold", y_points=4, va="bottom")
+
+
+def _draw_key(figure, rows):
+    """Verdicts by colour and roles by marker, each with its number of statements."""
+    entries = [
+        Line2D([], [], color=colour, marker="s", label=f"{verdict} ({count})")
+        for verdict, colour in COLOURS.items()
+        if (count := sum(row["verdict"] == verdict for row in rows))
+    ]
+    entries += [
+        Line2D([], [], color="black", marker=marker, label=f"{role} ({count})")
+        for role, marker in MARKERS.items()
+        if (count := sum(row["role"] == role for row in rows))
+    ]
+    hollow = {"color": "black", "markerfacecolor": "white", "marker": "o"}
+    entries.append(Line2D([], [], label="ensemble divided", **hollow))
+    for entry in entries:
+        entry.set(linestyle="none", markersize=rcParams["lines.markersize"])
+    figure.legend(handles=entries, loc="lower center", ncols=4, borderpad=0.5, fontsize=7)

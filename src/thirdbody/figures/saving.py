@@ -1,0 +1,53 @@
+"""The one place that saves: three formats and the data drawn, with the same bytes every time."""
+
+from __future__ import annotations
+
+# the canvases that ``savefig`` takes for the formats below
+import matplotlib.backends.backend_agg  # noqa: F401
+import matplotlib.backends.backend_pdf  # noqa: F401
+import matplotlib.backends.backend_svg  # noqa: F401
+import numpy as np
+
+# what each format is saved with: no date or version, and PNG compressed where it costs little
+OPTIONS = {
+    "svg": {"metadata": {"Date": None}},
+    "pdf": {"metadata": {"CreationDate": None}},
+    "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
+}
+SUFFIXES = tuple(f".{kind}" for kind in (*OPTIONS, "csv"))
+COLUMNS = ("panel", "curve", "x_name", "x", "y_name", "y")
+
+
+def save(figure, stem) -> None:
+    """Write ``stem``.svg, .pdf, .png and, as .csv, the data that ``figure`` shows."""
+    for kind, options in OPTIONS.items():
+        figure.savefig(f"{stem}.{kind}", format=kind, **options)
+    write_drawn_data(figure, f"{stem}.csv")
+
+
+def write_drawn_data(figure, path) -> None:
+    """Write every drawn point as panel, curve, x_name, x, y_name, y; SI units."""
+    lines = [",".join(COLUMNS)]
+    for panel in figure.axes:
+        for label, points in drawn_points(panel):
+            before, between = f"{panel.letter},{label},{panel.x_name},", f",{panel.y_name},"
+            lines += [f"{before}{x:.10g}{between}{y:.10g}" for x, y in points]
+    with open(path, "w", encoding="utf-8", newline="\n") as stream:
+        stream.write("\n".join(lines) + "\n")
+
+
+def drawn_points(panel):
+    """Label and points (n, 2) of each artist of ``panel`` that stands for data.
+
+    As in matplotlib's legends, a label that starts with an underscore stands for none.
+    """
+    for line in panel.lines:
+        yield from _visible(line.get_label(), line.get_xydata())
+    for collection in panel.collections:
+        for path in collection.get_paths():
+            yield from _visible(collection.get_label(), path.vertices)
+
+
+def _visible(label, points):
+    if not label.startswith("_"):
+        yield label, points[np.isfinite(points).all(axis=1)].tolist()

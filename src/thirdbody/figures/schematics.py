@@ -1,0 +1,194 @@
+"""Figures 1 and 2: the three-body interface and its contact modes, drawn true to scale."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from thirdbody.figures.conditions import shared_texts
+from thirdbody.figures.panel import FURNITURE, Panel, draw_key, panel_figure
+from thirdbody.figures.section import section_through, solved_state
+from thirdbody.parameters import Parameters
+
+SEED = 20240507  # the day on which the paper appeared
+INTERFACE_LENGTH = 12e-6  # of the section in figure 1 [m]
+MODE_LENGTH = 8e-6  # of those in figure 2 [m]
+MODE_EDGES = {"left": 0.03, "right": 0.97, "bottom": 0.03, "top": 0.89}
+INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]
+INTERFACE_BOX = (0.02, 0.03, 0.96, 0.88)
+SCALE_BAR = 1e-6  # [m]
+MICROMETRE = 1e-6
+
+SURFACE_1, SURFACE_2, LUBRICANT, NO_LUBRICANT = "0.83", "0.70", "#D6ECF8", "white"
+FREE = {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7}
+BEARING = {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8}
+TOUCHING = {"color": "C1", "linewidth": 3.2, "solid_capstyle": "butt"}
+OUTLINE = {"color": "0.2", "linewidth": 0.8}
+MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "label": FURNITURE}
+LEADER = {"color": "0.2", "linewidth": 0.6, "label": FURNITURE}
+ARROW = {"color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+CENTRED = {"ha": "center", "va": "center"}
+NAME_ROOM = 0.8e-6  # half the width of a name in the gap [m]
+
+# the modes of figure 2 in the order of its panels
+MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
+
+
+def plot_interface(parameters: Parameters, panels, seed=SEED) -> Figure:
+    """Figure 1: the lubricated three-body interface at the conditions of the one panel.
+
+    Raises ``ValueError`` where there is no lubricant or there are no particles.
+    """
+    (conditions,) = panels
+    state = solved_state(conditions, parameters)
+    if state.is_dry or state.is_two_body:
+        raise ValueError(f"figure 1 shows particles in a lubricant, not {conditions}")
+    figure = Figure(figsize=INTERFACE_SIZE)
+    panel = figure.add_axes(Panel(figure, INTERFACE_BOX, "A", "position", "height"))
+    section = section_through(state, parameters, INTERFACE_LENGTH, seed)
+    draw_section(panel, section, state)
+    facts = f"d = {state.separation / MICROMETRE:.2f} µm, Lₛ = {state.solid_load_fraction:.0%}"
+    title = ", ".join((*state.texts(), facts))
+    panel.write(0.0, 1.0, title, y_points=4, va="bottom")
+    panel.write(1.0, 1.0, "lengths and heights to one scale", y_points=4, va="bottom", ha="right")
+    _name_parts(panel, section, state)
+    return figure
+
+
+def plot_modes(parameters: Parameters, panels, seed=SEED) -> Figure:
+    """Figure 2: the s-s, p-s and hybrid modes, each at the conditions of its panel.
+
+    Raises ``ValueError`` where the model finds another mode than the panel is to show.
+    """
+    states = [solved_state(conditions, parameters) for conditions in panels]
+    figure = panel_figure([("position", "height")] * len(MODES), MODE_EDGES)
+    common = shared_texts(states)
+    for panel, state, mode in zip(figure.axes, states, MODES, strict=True):
+        if state.mode != mode:
+            raise ValueError(
+                f"figure 2{panel.letter} shows the {mode} mode; at its conditions "
+                f"({state.label}) the model finds {state.mode}"
+            )
+        draw_section(panel, section_through(state, parameters, MODE_LENGTH, seed), state)
+        panel.add_title(", ".join((MODES[mode], *(t for t in state.texts() if t not in common))))
+        facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
+        facts += f"Aₛₐ,ₜ* = {state.particle_contact_area_ratio:.2f}"
+        panel.write(0.03, 0.96, facts, va="top")
+    draw_key(figure, "lengths and heights to one scale", ", ".join(common), _mode_key())
+    return figure
+
+
+def _mode_key():
+    round_mark = {"linestyle": "none", "marker": "o", "markersize": 9.0}
+    marks = [
+        round_mark
+        | {"markerfacecolor": style["facecolor"], "markeredgecolor": style["edgecolor"]}
+        | {"markeredgewidth": style["linewidth"]}
+        for style in (BEARING, FREE)
+    ]
+    square = {"linestyle": "none", "marker": "s", "markersize": 9.0, "markeredgecolor": "0.2"}
+    return [
+        ("surface 1", square | {"markerfacecolor": SURFACE_1}),
+        ("surface 2", square | {"markerfacecolor": SURFACE_2}),
+        ("contact of summits", TOUCHING),
+        ("particle that bears load", marks[0]),
+        ("free particle", marks[1]),
+    ]
+
+
+def draw_section(panel, section, state):
+    """Fill ``panel`` with the section, lengths and heights to one scale."""
+    length = section.position[-1]
+    width, height = panel.bbox.size
+    reach = 0.5 * length * height / width
+    bottom, top = 0.5 * state.separation - reach, 0.5 * state.separation + reach
+    panel.set(xlim=(0.0, length), ylim=(bottom, top))
+    panel.spines[:].set_visible(True)
+    panel.patch.set_facecolor(NO_LUBRICANT if state.is_dry else LUBRICANT)
+    _draw_body(panel, section.position, section.upper, top, "surface 1", SURFACE_1)
+    _draw_body(panel, section.position, section.lower, bottom, "surface 2", SURFACE_2)
+    _draw_particles(panel, section.particles)
+    if section.touches.any():
+        contact = np.where(section.touches, section.lower, np.nan)
+        panel.add_line(Line2D(section.position, contact, label="contact of summits", **TOUCHING))
+    _draw_scale_bar(panel, length, bottom, top)
+
+
+def _draw_body(panel, position, heights, end, name, colour):
+    """The solid between its surface at ``heights`` and the edge of the panel at ``end``."""
+    panel.fill_between(position, heights, end, color=colour, linewidth=0, label=FURNITURE)
+    panel.add_line(Line2D(position, heights, label=name, **OUTLINE))
+
+
+def _draw_particles(panel, particles):
+    """Undeformed particles, which dent the surfaces where they are held."""
+    angle = np.linspace(0.0, 2.0 * np.pi, 121)
+    circle = np.column_stack((np.cos(angle), np.sin(angle)))
+    for particle in particles:
+        outline = (particle.position, particle.height) + 0.5 * particle.diameter * circle
+        kind = "bears load" if particle.bears else "free"
+        panel.add_collection(
+            PolyCollection(
+                [outline],
+                label=f"particle of {particle.diameter:.4g} m; {kind}",
+                zorder=2.5,
+                **(BEARING if particle.bears else FREE),
+            ),
+            autolim=False,
+        )
+
+
+def _draw_scale_bar(panel, length, bottom, top):
+    end, height = 0.97 * length, bottom + 0.05 * (top - bottom)
+    start = end - SCALE_BAR
+    bar = {"color": "black", "linewidth": 2.0, "label": FURNITURE}
+    panel.add_line(Line2D([start, end], [height, height], **bar))
+    text = f"{SCALE_BAR / MICROMETRE:g} µm  "
+    panel.text(start, height, text, ha="right", va="center")
+
+
+def _name_parts(panel, section, state):
+    """Write what is what into figure 1."""
+    length, d = section.position[-1], state.separation
+    bottom, top = panel.get_ylim()
+    panel.text(0.04 * length, 0.55 * top + 0.45 * d, "surface 1", **CENTRED | {"ha": "left"})
+    panel.text(0.04 * length, 0.55 * bottom, "surface 2", **CENTRED | {"ha": "left"})
+    panel.text(*_open_place(section), "lubricant", **CENTRED)
+    below = 0.55 * bottom
+    name = 0.68 * length, below
+    near = sorted(section.particles, key=lambda particle: abs(particle.position - name[0]))[:2]
+    _point_out(panel, "particles", name, [(p.position, p.height) for p in near])
+    if section.touches.any():
+        middle = np.flatnonzero(section.touches).mean().astype(int)
+        contact = section.position[middle], section.lower[middle]
+        _point_out(panel, "contact of summits", (contact[0], below), [contact])
+    for height in (0.0, d):
+        panel.axhline(height, **MEAN_PLANE)
+    place = 0.03 * length
+    panel.annotate("", (place, 0.0), (place, d), arrowprops=ARROW | {"arrowstyle": "<|-|>"})
+    panel.text(place, 0.5 * d, "  d", style="italic", va="center")
+    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        arrow = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
+        panel.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=arrow)
+        panel.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
+
+
+def _open_place(section):
+    """Middle of the gap where it is widest and no particle is near."""
+    gap = section.upper - section.lower
+    for particle in section.particles:
+        near = np.abs(section.position - particle.position) < 0.5 * particle.diameter + NAME_ROOM
+        gap = np.where(near, 0.0, gap)
+    inner = section.position[-1] - NAME_ROOM
+    gap = np.where((section.position > 3.0 * NAME_ROOM) & (section.position < inner), gap, 0.0)
+    widest = int(gap.argmax())
+    return section.position[widest], 0.5 * (section.lower + section.upper)[widest]
+
+
+def _point_out(panel, name, place, targets):
+    """Write ``name`` at ``place`` with a thin line to each of ``targets``."""
+    for target in targets:
+        panel.add_line(Line2D(*zip(place, target, strict=True), zorder=2.7, **LEADER))
+    panel.text(*place, name, bbox={"facecolor": SURFACE_2, "linewidth": 0, "pad": 2}, **CENTRED)

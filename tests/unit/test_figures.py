@@ -1,0 +1,304 @@
+"""Figures: what each shows, that its file of data says the same, and that its bytes are stable."""
+
+import csv
+from pathlib import Path
+
+import matplotlib.style
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+from matplotlib.colors import to_rgb
+
+from thirdbody.dataset import scene_dataset
+from thirdbody.figures.curves import shown_curves
+from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
+from thirdbody.figures.saving import SUFFIXES, drawn_points, save
+from thirdbody.figures.section import section_through, solved_state
+from thirdbody.scene import DIMENSIONS, Scene
+
+ROOT = Path(__file__).parents[2]
+STYLE = ROOT / "styles" / "paper.mplstyle"
+LOAD_AXIS = {"load_N": [0.04, 80.0], "count": 25}
+RATIO, AREA, SOLID, FILM = (
+    "particle_contact_area_ratio",
+    "total_contact_area",
+    "solid_load_fraction",
+    "film_thickness",
+)
+GREY = (0.299, 0.587, 0.114)  # weights of the colours, ITU-R BT.601
+# x and y of panels A, B, ... as the text of the paper describes them
+PANELS = {
+    "fig03": [("load", RATIO), ("load", AREA)],
+    "fig04": [("load", RATIO), ("load", AREA), ("load", SOLID), ("load", FILM)],
+    "fig05": [("load", SOLID), ("load", SOLID)],
+    "fig06": [("load", AREA), ("load", SOLID), ("load", RATIO)],
+    "fig07": [("load", AREA), ("load", SOLID), ("load", RATIO)],
+    "fig08": [("load", AREA), ("load", SOLID), ("load", RATIO)],
+    "fig09": [("load", RATIO), ("load", AREA)],
+    "fig10": [("load", RATIO), ("load", RATIO)],
+    "fig11": [("load", RATIO), ("load", SOLID), (FILM, RATIO)],
+    "fig12": [("load", RATIO), ("load", SOLID), ("load", RATIO)],
+    "fig13": [("load", RATIO)] * 3,
+}
+# curves in each panel
+COUNTS = {
+    "fig03": [8, 8],
+    "fig04": [8] * 4,
+    "fig05": [8, 8],
+    "fig06": [22] * 3,
+    "fig07": [16] * 3,
+    "fig08": [10] * 3,
+    "fig09": [11, 11],
+    "fig10": [10, 10],
+    "fig11": [7] * 3,
+    "fig12": [5, 5, 7],
+    "fig13": [7] * 3,
+}
+MODES = [
+    {"load_N": 2.0, "viscosity_cSt": 0, "particle_diameter_nm": diameter, "roughness_nm": 300,
+     "particle_density_per_m2": 1e11}
+    for diameter in (100, 1000, 300)
+]  # fmt: skip
+INTERFACE = [
+    {"load_N": 50.0, "viscosity_cSt": 90, "particle_diameter_nm": 500, "roughness_nm": 300,
+     "particle_density_per_m2": 1e11}
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def datasets(parameters):
+    """The paper's scenes on a few loads."""
+    scenes = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"]
+    shown = [
+        Scene.of(name, scenes[name] | {"load_axis": LOAD_AXIS}, parameters.newtons_per_load)
+        for name in PANELS
+    ]
+    return {scene.name: xr.decode_cf(scene_dataset(scene, parameters, 1e-4)) for scene in shown}
+
+
+@pytest.fixture(autouse=True)
+def style():
+    with matplotlib.style.context(STYLE, after_reset=True):
+        yield
+
+
+@pytest.fixture(scope="module")
+def schematics(parameters):
+    with matplotlib.style.context(STYLE, after_reset=True):
+        return {
+            "fig01": SCHEMATICS["fig01"](parameters, INTERFACE),
+            "fig02": SCHEMATICS["fig02"](parameters, MODES),
+        }
+
+
+def turning_points_in(data):
+    """The highest point of each curve, where it lies within the loads."""
+    found = []
+    for curve in shown_curves(data):
+        ratio = curve.values(data, RATIO)
+        top = int(np.argmax(ratio))
+        if 0 < top < ratio.size - 1:
+            conditions = {name: getattr(curve, name) for name in DIMENSIONS[1:]}
+            load = float(data["load"].values[top])
+            found.append(conditions | {"load": load, "peak_ratio": float(ratio[top])})
+    return found
+
+
+def saved(figure, stem):
+    save(figure, stem)
+    return {suffix: Path(f"{stem}{suffix}").read_bytes() for suffix in SUFFIXES}
+
+
+def drawn_rows(path):
+    with open(path, encoding="utf-8", newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def data_lines(panel):
+    return [line for line in panel.lines if not line.get_label().startswith("_")]
+
+
+def test_every_figure_of_the_paper_is_drawn():
+    names = [f"fig{number:02d}" for number in range(1, 14)]
+    assert sorted(SCHEMATICS | CURVE_FIGURES) == names
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_panels_and_their_curves(name, datasets):
+    figure = CURVE_FIGURES[name](datasets[name])
+    assert [panel.letter for panel in figure.axes] == list("ABCD"[: len(PANELS[name])])
+    assert [(panel.x_name, panel.y_name) for panel in figure.axes] == PANELS[name]
+    assert [len(data_lines(panel)) for panel in figure.axes] == COUNTS[name]
+    for panel in figure.axes:
+        (left, right), (bottom, top) = panel.get_xlim(), panel.get_ylim()
+        for line in data_lines(panel):
+            x, y = line.get_data()
+            assert ((left < x) & (x < right) & (bottom < y) & (y < top)).all()
+        assert len({line.get_label() for line in data_lines(panel)}) == len(data_lines(panel))
+    assert len(figure.legends) == 1
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_nothing_leaves_the_sheet_or_covers_the_key(name, datasets):
+    figure = CURVE_FIGURES[name](datasets[name], turning_points_in(datasets[name]))
+    figure.draw_without_rendering()
+    key = figure.legends[0].get_window_extent()
+    sheet = figure.bbox
+    for extent in (key, *(text.get_window_extent() for p in figure.axes for text in p.texts)):
+        assert sheet.x0 <= extent.x0 and extent.x1 <= sheet.x1
+        assert sheet.y0 <= extent.y0 and extent.y1 <= sheet.y1
+    for panel in figure.axes:
+        assert not key.overlaps(panel.bbox)
+        assert not any(key.overlaps(text.get_window_extent()) for text in panel.texts)
+
+
+@pytest.mark.parametrize(("name", "limits"), [(RATIO, {0.05, 0.95}), (SOLID, {0.03, 0.9})])
+def test_limits_of_modes_and_regimes_are_drawn(name, limits, datasets):
+    panels = CURVE_FIGURES["fig06"](datasets["fig06"]).axes
+    (panel,) = (panel for panel in panels if panel.y_name == name)
+    thin = [line for line in panel.lines if line.get_linestyle() == ":"]
+    assert {line.get_ydata()[0] for line in thin} == limits
+
+
+def test_dry_is_dashed_in_the_colour_of_its_lubricated_counterpart(datasets):
+    panel = CURVE_FIGURES["fig06"](datasets["fig06"]).axes[0]
+    lines = {line.get_label(): line for line in data_lines(panel)}
+    for label, line in lines.items():
+        assert line.get_linestyle() == ("--" if "nu = 0 cSt" in label else "-")
+        if "nu = 0 cSt" in label:
+            lubricated = lines[label.replace("nu = 0 cSt", "nu = 90 cSt")]
+            assert line.get_color() == lubricated.get_color()
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_curves_are_told_apart_in_grey(name, datasets):
+    panel = CURVE_FIGURES[name](datasets[name]).axes[0]
+    looks = [
+        (line.get_linestyle(), line.get_marker(), round(np.dot(to_rgb(line.get_color()), GREY), 3))
+        for line in data_lines(panel)
+    ]
+    assert len(set(looks)) == len(looks)
+
+
+@pytest.mark.parametrize("name", ["fig04", "fig11", "fig13"])
+def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
+    data = datasets[name]
+    save(CURVE_FIGURES[name](data), tmp_path / name)
+    rows = drawn_rows(tmp_path / f"{name}.csv")
+    for letter, (x_name, y_name) in zip("ABCD", PANELS[name], strict=False):
+        panel = [row for row in rows if row["panel"] == letter]
+        assert {(row["x_name"], row["y_name"]) for row in panel} == {(x_name, y_name)}
+        for curve in shown_curves(data):
+            drawn = [(float(r["x"]), float(r["y"])) for r in panel if r["curve"] == curve.label]
+            if drawn:
+                expected = np.column_stack([curve.values(data, n) for n in (x_name, y_name)])
+                np.testing.assert_allclose(drawn, expected, rtol=1e-9)  # %.10g
+    assert {row["curve"] for row in rows} == {curve.label for curve in shown_curves(data)}
+
+
+def test_csv_format(datasets, tmp_path):
+    files = saved(CURVE_FIGURES["fig05"](datasets["fig05"]), tmp_path / "fig05")
+    lines = files[".csv"].splitlines()
+    assert lines[0] == b"panel,curve,x_name,x,y_name,y"
+    assert all(line.count(b",") == 5 for line in lines)
+
+
+@pytest.mark.parametrize("name", ["fig04", "fig09"])
+def test_same_bytes_every_time(name, datasets, tmp_path):
+    points = turning_points_in(datasets[name])
+    first, second = (
+        saved(CURVE_FIGURES[name](datasets[name], points), tmp_path / stem) for stem in "ab"
+    )
+    assert first == second
+
+
+def test_turning_points_are_marked_on_their_curves(datasets):
+    data = datasets["fig09"]
+    points = turning_points_in(data)
+    within = [point for point in points if point["peak_ratio"] < 0.95]
+    assert 0 < len(within) < len(points)
+    ratio, area = CURVE_FIGURES["fig09"](data, points).axes
+    (marks,) = (line for line in ratio.lines if line.get_label() == "turning points")
+    expected = sorted((point["load"], point["peak_ratio"]) for point in within)
+    np.testing.assert_allclose(sorted(marks.get_xydata().tolist()), expected, rtol=1e-12)
+    (locus,) = (line for line in area.lines if line.get_label().startswith("locus"))
+    diameters = [point["particle_diameter"] for point in within]
+    in_order = [within[i]["load"] for i in np.argsort(diameters)]
+    np.testing.assert_allclose(locus.get_xdata(), in_order, rtol=1e-12)
+
+
+def test_no_mark_in_the_key_without_one_in_a_panel(datasets):
+    figure = CURVE_FIGURES["fig05"](datasets["fig05"], turning_points_in(datasets["fig05"]))
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert not any("TPCA" in text for text in texts)
+
+
+def test_a_band_is_drawn(datasets, tmp_path):
+    data = datasets["fig05"]
+    band = xr.Dataset({f"{SOLID}_low": 0.9 * data[SOLID], f"{SOLID}_high": 1.1 * data[SOLID]})
+    figure = CURVE_FIGURES["fig05"](data, band=band)
+    assert [len(panel.collections) for panel in figure.axes] == COUNTS["fig05"]
+    plain = saved(CURVE_FIGURES["fig05"](data), tmp_path / "plain")
+    banded = saved(figure, tmp_path / "banded")
+    assert all(plain[suffix] != banded[suffix] for suffix in SUFFIXES)
+    rows = drawn_rows(tmp_path / "banded.csv")
+    highest = max(float(row["y"]) for row in rows if row["curve"].startswith("band; "))
+    assert highest == pytest.approx(1.1 * float(data[SOLID].max()))
+
+
+def test_schematics_show_surfaces_and_particles(schematics):
+    assert [panel.letter for panel in schematics["fig02"].axes] == list("ABC")
+    for figure in schematics.values():
+        for panel in figure.axes:
+            labels = [label for label, _ in drawn_points(panel)]
+            assert labels[:2] == ["surface 1", "surface 2"]
+            assert any(label.startswith("particle") for label in labels)
+            width, height = panel.bbox.size
+            (left, right), (bottom, top) = panel.get_xlim(), panel.get_ylim()
+            assert (right - left) / width == pytest.approx((top - bottom) / height)
+
+
+def test_modes_show_what_bears_the_load(schematics):
+    shown = [{label for label, _ in drawn_points(panel)} for panel in schematics["fig02"].axes]
+    touching = ["contact of summits" in labels for labels in shown]
+    bearing = [any("bears load" in label for label in labels) for labels in shown]
+    assert touching == [True, False, True]
+    assert bearing == [False, True, True]
+
+
+def test_a_condition_in_another_mode_is_refused(parameters):
+    with pytest.raises(ValueError, match="figure 2A shows the surface_surface mode"):
+        SCHEMATICS["fig02"](parameters, MODES[::-1])
+    with pytest.raises(ValueError, match="figure 1 shows particles in a lubricant"):
+        SCHEMATICS["fig01"](parameters, MODES[:1])
+
+
+def test_schematics_have_the_same_bytes_every_time(schematics, parameters, tmp_path):
+    again = SCHEMATICS["fig02"](parameters, MODES)
+    assert saved(schematics["fig02"], tmp_path / "a") == saved(again, tmp_path / "b")
+
+
+def test_section_has_the_statistics_of_the_model(parameters):
+    state = solved_state(MODES[1], parameters)
+    sections = [section_through(state, parameters, 8e-6, seed) for seed in range(60)]
+    gaps = np.array([section.upper - section.lower for section in sections])
+    # some 300 independent heights: the mean is known to sigma/17, sigma to 4 %; three times that
+    assert gaps.mean() == pytest.approx(state.separation, abs=3.0 * state.roughness / 17.0)
+    assert gaps.std() == pytest.approx(state.roughness, rel=0.12)
+    diameters = np.array([p.diameter for section in sections for p in section.particles])
+    largest = parameters.truncation * parameters.spread_ratio * state.particle_diameter
+    assert 0.0 < diameters.min() and diameters.max() < largest * (1 + 1e-12)
+
+
+def test_particles_rest_on_the_lower_surface_or_are_held(parameters):
+    section = section_through(solved_state(MODES[2], parameters), parameters, 8e-6, 1)
+    for particle in section.particles:
+        reach = np.hypot(section.position - particle.position, section.lower - particle.height)
+        dent = 0.5 * particle.diameter - reach.min()
+        assert particle.bears or abs(dent) < 0.02 * particle.diameter
+
+
+def test_figures_never_import_pyplot():
+    modules = (ROOT / "src" / "thirdbody" / "figures").glob("*.py")
+    assert not any("pyplot" in module.read_text(encoding="utf-8") for module in modules)

@@ -1,0 +1,33 @@
+"""Draw one figure from its dataset; nothing is solved here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.dataset import read_dataset
+from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.registry import CURVE_FIGURES
+from thirdbody.figures.saving import save
+from thirdbody.files import logged
+
+
+def render(figure, dataset, turning_points, style, stem, band=None):
+    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv."""
+    data = read_dataset(dataset)
+    points = read_turning_points(turning_points)
+    envelope = None if band is None else read_dataset(band)
+    with matplotlib.style.context(style, after_reset=True):
+        save(CURVE_FIGURES[figure](data, points, envelope), stem)
+    print(f"{figure}: drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.wildcards.figure,
+            snakemake.input.dataset,
+            snakemake.input.turning_points,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )
