@@ -6,14 +6,28 @@ from collections.abc import Mapping, Sequence
 
 from tabulate import tabulate
 
-from thirdbody.verdicts import CONTRADICTED, FAILS, HOLDS, counts
+from thirdbody.verdicts import (
+    CONTRADICTED,
+    FAILS,
+    HOLDS,
+    Trial,
+    counts,
+    explanations,
+    reading_rows,
+    verdict_rows,
+)
 
 
-def claims_markdown(rows: Sequence[Mapping], why: Mapping[str, str], default: Mapping) -> str:
-    """Markdown of ``claims.md`` from the rows of ``claims.csv`` and the paragraphs on the misses.
+def claims_markdown(
+    trial: Trial, default: Mapping, readings: Sequence[Mapping], headline: Sequence[str]
+) -> str:
+    """Markdown of ``claims.md``: counts, how near each reading comes, every verdict, the misses.
 
-    ``default`` is the content of the calibrated file that the verdicts belong to.
+    ``default`` and ``readings`` are contents of calibrated files; ``headline`` names the claims
+    that the readings are compared by.
     """
+    rows, why = verdict_rows(trial), explanations(trial)
+    compared = reading_rows(trial, readings, headline)
     parts = [
         "# Verdict on every statement of the paper",
         f"Inputs: the best of the reading `{default['reading']}` (objective "
@@ -24,6 +38,9 @@ def claims_markdown(rows: Sequence[Mapping], why: Mapping[str, str], default: Ma
         _counted(rows, "role"),
         "## Counts by figure",
         _counted(rows, "figure"),
+        "## How near each reading comes",
+        "At the best inputs of each; ✓ marks what is within the statement's tolerance.",
+        tabulate(compared, headers="keys", tablefmt="github", disable_numparse=True),
         "## The statements",
         _statements(rows),
         "## What fails, and what would change it",

@@ -15,6 +15,7 @@ from thirdbody.parameters import Parameters
 
 HOLDS, FAILS = "holds", "fails"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
+LEAST_GAIN = 0.01  # of a score that is worth telling
 NUDGE = 0.08  # of an input's bounds: how far one input alone is moved to see what it would change
 
 
@@ -46,19 +47,34 @@ class Court:
         return Judgement(name, tuple(judge(claim, evidence) for claim in self.claims))
 
 
-def verdict_rows(court: Court, default: Mapping, readings: Sequence[Mapping]) -> list[dict]:
-    """One row a claim: what is published and measured, the verdict, and how many agree.
+@dataclass(frozen=True)
+class Trial:
+    """The claims judged under the default inputs, their ensemble, single changes of theirs, and
+    the best inputs of every reading."""
 
-    ``default`` and ``readings`` are contents of calibrated files (``thirdbody.posterior``).
-    """
-    main = court.judge("default", default["inputs"], FULL_EFFORT)
-    ensemble = [
-        court.judge(f"member {index}", {**default["inputs"], **member}).held()
-        for index, member in enumerate(default["ensemble"])
-    ]
-    others = [court.judge(each["reading"], each["inputs"]).held() for each in readings]
-    held = dict(zip((claim.id for claim in court.claims), main.held(), strict=True))
-    roles = assign_roles(court.claims)
+    claims: tuple[Claim, ...]
+    main: Judgement
+    ensemble: tuple[Judgement, ...]
+    nudged: tuple[Judgement, ...]
+    readings: tuple[Judgement, ...]
+
+    @classmethod
+    def of(cls, court: Court, default: Mapping, reading: Reading, readings: Sequence[Mapping]):
+        """``default`` and ``readings`` are contents of calibrated files; ``reading`` is default's."""
+        inputs = default["inputs"]
+        return cls(
+            court.claims,
+            court.judge("default", inputs, FULL_EFFORT),
+            tuple(court.judge("member", {**inputs, **member}) for member in default["ensemble"]),
+            tuple(court.judge(name, changed) for name, changed in _nudges(reading, inputs)),
+            tuple(court.judge(each["reading"], each["inputs"]) for each in readings),
+        )
+
+
+def verdict_rows(trial: Trial) -> list[dict]:
+    """One row a claim: what is published and measured, the verdict, and how many agree."""
+    held = dict(zip((claim.id for claim in trial.claims), trial.main.held(), strict=True))
+    roles = assign_roles(trial.claims)
     return [
         {
             "id": claim.id,
@@ -73,14 +89,36 @@ def verdict_rows(court: Court, default: Mapping, readings: Sequence[Mapping]) ->
             "tolerance": claim.tolerance,
             "score": verdict.score,
             "verdict": _verdict(claim, verdict, held),
-            "ensemble_agree": int(sum(member[index] == verdict.holds for member in ensemble)),
-            "ensemble_size": len(ensemble),
-            "readings_agree": int(sum(other[index] == verdict.holds for other in others)),
-            "readings_size": len(others),
+            "ensemble_agree": _agreeing(trial.ensemble, index, verdict),
+            "ensemble_size": len(trial.ensemble),
+            "readings_agree": _agreeing(trial.readings, index, verdict),
+            "readings_size": len(trial.readings),
             "contradicts": " ".join(claim.contradicts),
         }
-        for index, (claim, verdict) in enumerate(zip(court.claims, main.verdicts, strict=True))
+        for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True))
     ]
+
+
+def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
+    """How many judgements of the claim at ``index`` come to the same as ``verdict``."""
+    return sum(bool(each.verdicts[index].holds) == bool(verdict.holds) for each in judgements)
+
+
+def reading_rows(trial: Trial, readings: Sequence[Mapping], headline: Sequence[str]) -> list[dict]:
+    """One row a reading: its objective, the shares that hold, and what it gives for the claims
+    whose ids ``headline`` names."""
+    roles = assign_roles(trial.claims)
+    rows = []
+    for judgement, content in zip(trial.readings, readings, strict=True):
+        row = {"reading": judgement.name, "objective": content["objective"]}
+        for role in ("calibration", "validation"):
+            chosen = np.array([roles[claim.id] == role for claim in trial.claims])
+            row[role] = f"{judgement.held()[chosen].sum()}/{chosen.sum()}"
+        for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True):
+            if claim.id in headline:
+                row[claim.id] = verdict.measured + (" ✓" if verdict.holds else "")
+        rows.append(row)
+    return sorted(rows, key=lambda row: row["objective"])
 
 
 def _published(claim: Claim) -> str:
@@ -100,24 +138,13 @@ def _verdict(claim: Claim, verdict: Verdict, held: Mapping) -> str:
     return CONTRADICTED if any(held[other] for other in claim.contradicts) else FAILS
 
 
-def explanations(
-    court: Court, default: Mapping, reading: Reading, readings: Sequence[Mapping]
-) -> dict[str, str]:
+def explanations(trial: Trial) -> dict[str, str]:
     """For each claim that fails, a paragraph: what the model gives, what would change it, and
     which statements forbid that.  By claim id."""
-    main = court.judge("default", default["inputs"])
-    nudged = [
-        court.judge(f"{name} {direction}", inputs)
-        for name, direction, inputs in _nudges(reading, default["inputs"])
-    ]
-    others = [court.judge(each["reading"], each["inputs"]) for each in readings]
-    failed = [
-        index
-        for index, (claim, verdict) in enumerate(zip(court.claims, main.verdicts, strict=True))
-        if not verdict.holds and not claim.is_withheld
-    ]
     return {
-        court.claims[index].id: _paragraph(court, index, main, nudged, others) for index in failed
+        claim.id: _paragraph(trial, index)
+        for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True))
+        if not verdict.holds and not claim.is_withheld
     }
 
 
@@ -126,49 +153,48 @@ def _nudges(reading: Reading, inputs: Mapping):
     for unknown in reading.unknowns:
         for direction, step in (("lower", -NUDGE), ("higher", NUDGE)):
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
-            yield unknown.name, direction, {**inputs, unknown.name: unknown.value(position)}
+            name = f"{direction} {unknown.name.replace('_', ' ')}"
+            yield name, {**inputs, unknown.name: unknown.value(position)}
 
 
-def _paragraph(court: Court, index: int, main: Judgement, nudged, others) -> str:
-    claim, verdict = court.claims[index], main.verdicts[index]
-    sentences = [f"The model gives {verdict.measured}, {verdict.score:.2g} tolerances off."]
-    best = min(nudged, key=lambda each: _order(each.verdicts[index].score))
-    gain = verdict.score - best.verdicts[index].score
-    if gain > 0.01:
-        result = "would hold" if best.verdicts[index].holds else "would come nearest, by "
-        if not best.verdicts[index].holds:
-            result += f"{gain:.2g} tolerances"
-        sentences.append(f"Of the inputs, a {_words(best.name)} {result}; {_price(court, main, best)}.")
-    else:
-        sentences.append("No single input, moved by itself, brings it nearer.")
-    better = [other for other in others if other.verdicts[index].holds]
-    if better:
-        kindest = max(better, key=lambda other: int(other.held().sum()))
-        names = ", ".join(other.name for other in better)
-        sentences.append(
-            f"It holds under {len(better)} of {len(others)} readings ({names}); under the best of "
-            f"them, {kindest.name}, {_price(court, main, kindest)}."
-        )
-    else:
-        sentences.append(f"It holds under none of the {len(others)} readings at their best inputs.")
-    return " ".join(sentences)
+def _paragraph(trial: Trial, index: int) -> str:
+    """What the model gives for the claim at ``index``, and what an input or a reading changes."""
+    verdict = trial.main.verdicts[index]
+    return " ".join(
+        [
+            f"The model gives {verdict.measured}, a score of {verdict.score:.2g}.",
+            _by_input(trial, index, verdict),
+            _by_reading(trial, index),
+        ]
+    )
 
 
-def _words(name: str) -> str:
-    """``summit_radius higher`` as ``higher summit radius``."""
-    unknown, direction = name.split()
-    return f"{direction} {unknown.replace('_', ' ')}"
+def _by_input(trial: Trial, index: int, verdict: Verdict) -> str:
+    best = min(trial.nudged, key=lambda each: each.verdicts[index].score)
+    found = best.verdicts[index]
+    if verdict.score - found.score <= LEAST_GAIN:
+        return "No single input, moved by itself, brings it nearer."
+    effect = "it would hold" if found.holds else f"its score would fall to {found.score:.2g}"
+    return f"With a {best.name} {effect}; {_price(trial, best)}."
 
 
-def _order(score: float) -> float:
-    return score if np.isfinite(score) else np.inf
+def _by_reading(trial: Trial, index: int) -> str:
+    better = [other for other in trial.readings if other.verdicts[index].holds]
+    if not better:
+        return f"It holds under none of the {len(trial.readings)} readings at their best inputs."
+    kindest = max(better, key=lambda other: int(other.held().sum()))
+    return (
+        f"It holds under {len(better)} of {len(trial.readings)} readings "
+        f"({', '.join(other.name for other in better)}); under the best of them, {kindest.name}, "
+        f"{_price(trial, kindest)}."
+    )
 
 
-def _price(court: Court, main: Judgement, other: Judgement) -> str:
+def _price(trial: Trial, other: Judgement) -> str:
     """Which statements that hold now forbid a change to ``other``."""
     lost = [
         claim.id
-        for claim, before, after in zip(court.claims, main.held(), other.held(), strict=True)
+        for claim, before, after in zip(trial.claims, trial.main.held(), other.held(), strict=True)
         if before and not after
     ]
     if not lost:

@@ -7,18 +7,18 @@ from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
 from thirdbody.tables import TABLES, write_csv
 from thirdbody.verdict_text import claims_markdown
-from thirdbody.verdicts import Court, explanations, verdict_rows
+from thirdbody.verdicts import Court, Trial, verdict_rows
 
 
 def judge_claims(claims, default, calibrated, settings, parameters, table, text):
     """Judge ``claims`` under the inputs of the file ``default`` and those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
     main, readings = read_yaml(default), [read_yaml(path) for path in calibrated]
-    rows = verdict_rows(court, main, readings)
-    why = explanations(court, main, Reading.of(main["reading"], settings), readings)
+    trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
+    page = claims_markdown(trial, main, readings, settings["headline"])
     with whole(table, text) as (table_part, text_part):
-        write_csv(table_part, rows, TABLES["claims"])
-        text_part.write_text(claims_markdown(rows, why, main), encoding="utf-8")
+        write_csv(table_part, verdict_rows(trial), TABLES["claims"])
+        text_part.write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":
