@@ -85,17 +85,17 @@ class Points:
         return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
 
     def areas(self, separation):
-        """A_sa/A_n, ln(A_ss/A_n) beside the particles, and whether they leave room for summits.
+        """A_sa/A_n, ln(A_ss/A_n) beside the particles, and whether they leave no room for summits.
 
         ``separation`` d [m]; Eq. 5.  No room is left where a coverage of Eqs. 4-5 reaches 1.
         """
         log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
         if self.particles is None:
-            return np.zeros_like(log_summits), log_summits, np.ones(log_summits.shape, dtype=bool)
+            return np.zeros_like(log_summits), log_summits, np.zeros(log_summits.shape, dtype=bool)
         area, _, *coverage = self.particles.contact(separation)
         log_bare, _ = log_bare_share(*coverage)
-        has_room = (coverage[0] < 1.0) & (self.particles.log_bare_load(*coverage)[0] > FULL)
-        return area, log_summits + log_bare, has_room
+        covered = (coverage[0] >= 1.0) | (self.particles.log_bare_load(*coverage)[0] < FULL)
+        return area, log_summits + log_bare, covered
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""

@@ -89,8 +89,8 @@ def solve(
         for some in _kinds(columns, chosen):
             for start in range(0, some.size, CHUNK):
                 part = some[start : start + CHUNK]
-                points = make_points(rough, parameters, *(column[part] for column in columns))
                 with np.errstate(all="ignore"):  # what cannot be computed gets a status
+                    points = make_points(rough, parameters, *(column[part] for column in columns))
                     solved = _solve_points(points, rtol)
                 for name, values in solved.items():
                     result[name][part] = values
@@ -147,12 +147,17 @@ def _kinds(columns, chosen):
     """The points ``chosen``, divided by whether film and particles take part."""
     _, viscosity, diameter, _, density = (column[chosen] for column in columns)
     lubricated = viscosity > 0.0
-    three_body = (diameter > 0.0) & (density > 0.0)
+    three_body = has_particles(diameter, density)
     for film in (False, True):
         for particles in (False, True):
             some = chosen[(lubricated == film) & (three_body == particles)]
             if some.size:
                 yield some
+
+
+def has_particles(diameter, density):
+    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
+    return diameter**2 * density > np.finfo(float).tiny
 
 
 def make_points(
@@ -161,7 +166,7 @@ def make_points(
     """Points of one kind on one surface: 1-D arrays that all have a film or all have none, and
     all have particles or all have none."""
     particles = film = None
-    if particle_diameter[0] > 0.0 and particle_density[0] > 0.0:
+    if has_particles(particle_diameter[0], particle_density[0]):
         particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
     if viscosity[0] > 0.0:
         film = Film.of(viscosity, roughness, parameters)
@@ -176,8 +181,8 @@ def _solve_points(points: Points, rtol: float) -> dict:
         logit = np.where(np.isnan(separation), np.nan, np.inf)
     else:
         logit, separation = LOAD_SHARES[points.parameters.film_load](points, tolerance)
-    particle_area, log_summit_area, has_room = points.areas(separation)
-    status = _status(points, logit, separation, has_room)
+    particle_area, log_summit_area, covered = points.areas(separation)
+    status = _status(points, logit, separation, covered)
     for values in (logit, separation, particle_area, log_summit_area):
         values[status >= COVERAGE_EXCEEDED] = np.nan
     odds = np.log(particle_area) - log_summit_area
@@ -196,13 +201,13 @@ def _solve_points(points: Points, rtol: float) -> dict:
     }
 
 
-def _status(points: Points, logit, separation, has_room):
+def _status(points: Points, logit, separation, covered):
     """Index into ``SOLUTION_STATUSES`` of each point; what voids a point outranks a warning."""
     status = np.full(separation.shape, CONVERGED, dtype=np.int8)
     if points.film is not None:
         shared = 0.0 if points.parameters.film_load == "total" else log_expit(-logit)
         meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
         status[~meaningful] = OUTSIDE_FILM_FORMULA
-    status[~has_room] = COVERAGE_EXCEEDED
     status[np.isnan(separation)] = NOT_CONVERGED
+    status[covered] = COVERAGE_EXCEEDED
     return status

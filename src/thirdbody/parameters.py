@@ -9,6 +9,8 @@ from dataclasses import asdict, dataclass
 # McCool (1986): distance of the summit plane and loss of summit variance, over 1/(eta_s R)
 SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4
+# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
+LEAST_SPREAD = 1e-6
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,13 @@ class Parameters:
     elastic_limits: str
     coverage_limits: str
     film_load: str
+
+    def __post_init__(self):
+        if self.spread_ratio < LEAST_SPREAD:
+            raise ValueError(
+                f"spread_ratio is {self.spread_ratio!r}; allowed: at least {LEAST_SPREAD:g}, "
+                "below which equal particles would bear any load at one separation"
+            )
 
     @property
     def elastic_factor(self) -> float:

@@ -180,10 +180,11 @@ def separation_bearing(area, layer: ParticleLayer):
 
     Read off one sampled curve, which all diameters and densities share but for the elastic depth.
     """
-    one = layer.take(np.zeros(SHAPE_SAMPLES.size, dtype=int))
+    same = np.ones_like(SHAPE_SAMPLES)
+    unit = ParticleLayer.of(same, same, same, layer.parameters)
     truncation = layer.parameters.truncation
-    alpha = truncation + one.depth - SHAPE_SAMPLES * (truncation + 2.0 * one.depth + 6.0)
-    sampled = one.contact(one.mean + alpha * one.spread)[0] / (one.factor * one.tail)
+    alpha = truncation + unit.depth - SHAPE_SAMPLES * (truncation + 2.0 * unit.depth + 6.0)
+    sampled = unit.contact(unit.mean + alpha * unit.spread)[0] / (unit.factor * unit.tail)
     wanted = area / (layer.factor * layer.tail)
     return layer.mean + layer.spread * np.interp(wanted, sampled, alpha)
 

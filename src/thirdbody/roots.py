@@ -6,7 +6,8 @@ import numpy as np
 
 MAX_ITERATIONS = 200
 CAUTION = 30.0  # the next step may be this much larger than the last two make it
-RESIDUAL_LIMIT = 0.1  # a larger residual beside its root jumps over zero
+NEAR = 0.1  # a larger residual is not yet where steps shrink quadratically
+ROUNDING = 4.0 * np.finfo(float).eps  # a bracket this narrow holds a jump, or nothing
 
 
 def decreasing_roots(residual, guess, lower, upper, tolerance, points):
@@ -14,8 +15,8 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
 
     ``residual(x, points)`` returns (value, slope) for a 1-D array x and the points it belongs
     to; ``points`` has ``take(chosen)``; a nan value counts as one beyond the root.  ``guess`` and
-    the finite bounds have one shape.  An element is finished once the next step, and what the
-    residual changes over it, would be below ``tolerance``: steps shrink quadratically, and how
+    the finite bounds have one shape.  An element is finished once its next Newton step, and what
+    the residual changes over it, would be below ``tolerance``: steps shrink quadratically, and how
     fast shows in the last two.  Finished elements drop out.  Returns the roots, nan where the
     residual does not vanish between the bounds.
     """
@@ -26,15 +27,18 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     for _ in range(MAX_ITERATIONS):
         value, slope = residual(x, points)
         low, high = np.where(value > 0.0, x, low), np.where(value > 0.0, high, x)
-        new = x - value / np.where(np.isfinite(slope), slope, -0.0)
+        new = x - value / slope
         newton = (new >= low) & (new <= high) & (np.abs(new - x) <= 0.5 * last)
         new = np.where(newton, new, 0.5 * (low + high))
         step = np.abs(new - x)
-        shrinking = np.where(newton & quadratic, CAUTION * (step / last) ** 2, 1.0)
-        coming = np.minimum(shrinking, 1.0) * step
-        finished = ~(coming * np.maximum(np.abs(slope), 1.0) > tolerance)
-        vanished = finished & (np.abs(value) <= RESIDUAL_LIMIT)
-        roots[active[vanished]] = new[vanished]
+        shrinking = np.where(quadratic, CAUTION * (step / last) ** 2, 1.0)
+        coming = np.minimum(shrinking, 1.0) * step * np.maximum(np.abs(slope), 1.0)
+        settled = newton & (coming <= tolerance) & (np.abs(value) <= NEAR)
+        spacing = ROUNDING * (1.0 + np.abs(x))
+        finished = settled | ~(high - low > spacing)
+        steepest = np.maximum(tolerance, 2.0 * spacing * np.abs(slope))
+        found = settled | finished & (np.abs(value) <= steepest)
+        roots[active[found]] = new[found]
         left = np.flatnonzero(~finished)
         if not left.size:
             break

@@ -15,7 +15,14 @@ from scipy.special import expit, logit
 
 from thirdbody.balance import Points
 from thirdbody.film import Film
-from thirdbody.interface import DEFAULT_RTOL, TABLE_WORTH, make_points, prepare_surface, solve
+from thirdbody.interface import (
+    DEFAULT_RTOL,
+    TABLE_WORTH,
+    has_particles,
+    make_points,
+    prepare_surface,
+    solve,
+)
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 
@@ -54,7 +61,7 @@ def turning_points(
     """
     conditions = np.stack([viscosity, particle_diameter, roughness, particle_density])
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    three_body = (particle_diameter > 0.0) & (particle_density > 0.0)
+    three_body = has_particles(particle_diameter, particle_density)
     for sigma in np.unique(roughness[three_body]):
         curves = np.flatnonzero((roughness == sigma) & three_body)
         for name, values in _on_one_surface(
