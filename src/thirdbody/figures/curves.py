@@ -9,8 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.conditions import PARAMETERS, Conditions, shared_texts
+from thirdbody.figures.key import draw_key
 from thirdbody.figures.marks import mark_entries, mark_turning_points, turning_points_of
-from thirdbody.figures.panel import QUANTITIES, draw_key, panel_figure
+from thirdbody.figures.panel import QUANTITIES, panel_figure
 from thirdbody.figures.styles import Styles
 from thirdbody.scene import DIMENSIONS
 
@@ -73,8 +74,8 @@ def plot_curves(data, parameter, contents, turning_points=(), band=None) -> Figu
             draw_curve(panel, data, curve, styles, band)
         _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
         panel.frame()
-    entries = styles.key(curves) + mark_entries(figure)
-    draw_key(figure, PARAMETERS[parameter][0], ", ".join(common), entries)
+    title = PARAMETERS[parameter][0]
+    draw_key(figure, title, ", ".join(common), styles.key(curves), mark_entries(figure))
     return figure
 
 

@@ -16,16 +16,17 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.markers import TICKRIGHT, TICKUP
+from matplotlib.patches import PathPatch
 from matplotlib.ticker import MaxNLocator
+from matplotlib.transforms import Affine2D
 
+from thirdbody.figures.symbols import Symbol, outline
 from thirdbody.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 FURNITURE = "_furniture"  # label of artists that carry no data
 POINTS_PER_INCH = 72.0
 COLUMNS = 2
 KEY_INCHES = 0.75  # strip below the panels that holds the key if they leave no cell free
-KEY_COLUMNS = 6  # in that strip
-KEY_ROWS = 9  # in a free cell
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -38,7 +39,7 @@ class Quantity:
     """
 
     name: str
-    label: str
+    symbol: Symbol
     logarithmic: bool = False
     unit: float = 1.0
     share: bool = False
@@ -47,24 +48,24 @@ class Quantity:
 
 
 QUANTITIES = {
-    "load": Quantity("Dimensionless normal load", "$F_t^*$", logarithmic=True),
-    "total_contact_area": Quantity("Real contact area", "$A_t^*$", logarithmic=True),
+    "load": Quantity("Dimensionless normal load", Symbol("F", "t", starred=True), logarithmic=True),
+    "total_contact_area": Quantity("Real contact area", Symbol("A", "t", starred=True), logarithmic=True),
     "particle_contact_area_ratio": Quantity(
         "Contact area ratio of particles",
-        "$A_{sa,t}^*$",
+        Symbol("A", "sa,t", starred=True),
         share=True,
         limits=(SURFACE_LIMIT, PARTICLE_LIMIT),
         zones=("s-s", "hybrid", "p-s"),
     ),
     "solid_load_fraction": Quantity(
         "Load percentage of solid",
-        "$L_s$ (%)",
+        Symbol("L", "s", unit="%"),
         unit=0.01,
         share=True,
         limits=(FULL_FILM_LIMIT, BOUNDARY_LIMIT),
         zones=("F.L.", "M.L.", "B.L."),
     ),
-    "film_thickness": Quantity("Film thickness", "$H_c$ (10⁻⁴)", unit=1e-4),
+    "film_thickness": Quantity("Film thickness", Symbol("H", "c", unit="10⁻⁴"), unit=1e-4),
 }
 
 
@@ -99,10 +100,19 @@ class Panel(Axes):
             low, high = getattr(self, f"get_{side}lim")()
             ticks = _decades(low, high) if quantity.logarithmic else _steps(low, high, quantity)
             self._draw_ticks(side, *ticks)
-        self.write(0.5, 0.0, x.label, y_points=-16, ha="center", va="top", **_label_style())
-        self.write(
-            0.0, 0.5, y.label, x_points=-33, ha="center", va="center", rotation=90, **_label_style()
-        )
+        self._write_symbol(x.symbol, 0.5, 0.0, y_points=-22)
+        self._write_symbol(y.symbol, 0.0, 0.5, x_points=-33, angle=90)
+
+    def _write_symbol(self, symbol, x, y, x_points=0.0, y_points=0.0, angle=0.0):
+        """``symbol`` centred at ``x``, ``y`` as fractions of the axes, moved by so many points."""
+        path = outline(symbol, rcParams["axes.labelsize"])
+        middle = path.get_extents().get_points().mean(axis=0)
+        place = (self.bbox.min + self.bbox.size * (x, y)) / self.figure.dpi * POINTS_PER_INCH
+        points = Affine2D().translate(*-middle).rotate_deg(angle)
+        points.translate(*(place + (x_points, y_points))).scale(1.0 / POINTS_PER_INCH)
+        patch = PathPatch(path, facecolor=rcParams["axes.labelcolor"], linewidth=0)
+        patch.set(transform=points + self.figure.dpi_scale_trans, clip_on=False)
+        self.add_artist(patch)
 
     def _set_limits(self, x, y):
         (left, bottom), (right, top) = self.dataLim.get_points()
@@ -160,7 +170,7 @@ def panel_figure(contents, edges=None) -> Figure:
 
     ``edges`` of the axes are shares of the panel's cell, by default those of the style.
     Panels stand two abreast; the key takes the cell that an odd number leaves free, or a strip
-    below them: see ``draw_key``.
+    below them.
     """
     rows = math.ceil(len(contents) / COLUMNS)
     cell_width, cell_height = rcParams["figure.figsize"]
@@ -181,32 +191,11 @@ def panel_figure(contents, edges=None) -> Figure:
     return figure
 
 
-def draw_key(figure, title, conditions, entries):
-    """Explain the lines: ``entries`` are (text, style of the line), in order."""
-    handles = [Line2D([], [], label=text, **style) for text, style in entries]
-    count = len(figure.axes)
-    if count % COLUMNS:
-        rows = math.ceil(count / COLUMNS)
-        place = {"loc": "center", "bbox_to_anchor": (0.75, 0.5 / rows)}
-        columns, separator = math.ceil(len(handles) / KEY_ROWS), "\n"
-    else:
-        middle = 0.5 * KEY_INCHES / figure.get_figheight()
-        place = {"loc": "center", "bbox_to_anchor": (0.5, middle)}
-        columns, separator = min(len(handles), KEY_COLUMNS), ";  "
-    title = separator.join(text for text in (title, conditions) if text)
-    key = figure.legend(handles=handles, title=title, ncols=columns, borderpad=0, **place)
-    key.get_title().set_multialignment("center")
-
-
 def power_text(value) -> str:
     """``value`` as 5×10¹⁰ or 10¹¹."""
     mantissa, exponent = f"{value:.3e}".split("e")
     power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
-
-
-def _label_style():
-    return {"fontsize": rcParams["axes.labelsize"], "color": rcParams["axes.labelcolor"]}
 
 
 def _limits(low, high, quantity):

@@ -8,7 +8,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.conditions import shared_texts
-from thirdbody.figures.panel import FURNITURE, Panel, draw_key, panel_figure
+from thirdbody.figures.key import draw_key
+from thirdbody.figures.panel import FURNITURE, Panel, panel_figure
 from thirdbody.figures.section import section_through, solved_state
 from thirdbody.parameters import Parameters
 
@@ -172,7 +173,7 @@ def _name_parts(panel, section, state):
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         arrow = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
         panel.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=arrow)
-        panel.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
+        panel.text(0.5 * length, 0.5 * (start + end), "   Fₜ", style="italic", va="center")
 
 
 def _open_place(section):

@@ -1,0 +1,70 @@
+"""The key of a figure: which line stands for what.
+
+It is set here and not by matplotlib's legend, whose boxes take longer to arrange than the lines
+of a panel take to draw.
+"""
+
+from __future__ import annotations
+
+import math
+
+from matplotlib import rcParams
+from matplotlib.lines import Line2D
+from matplotlib.transforms import Affine2D
+
+from thirdbody.figures.panel import COLUMNS, KEY_INCHES, POINTS_PER_INCH
+
+COLUMNS_BELOW = 5  # of curves in a strip below the panels
+ROWS_BESIDE = 9  # in the free cell beside the last panel
+LETTER_WIDTH = 0.6  # mean over the size of type
+
+
+def draw_key(figure, title, conditions, curves, marks=()):
+    """Explain the lines of ``figure`` where its panels leave room.
+
+    ``curves`` and ``marks`` are (text, style of the line), in order down the columns.
+    """
+    width, height = figure.get_size_inches() * POINTS_PER_INCH
+    panels = len(figure.axes)
+    if panels % COLUMNS:
+        centre = 0.75 * width, 0.5 * height / math.ceil(panels / COLUMNS)
+        entries, separator, lines = [*curves, *marks], "\n", 2
+        rows = math.ceil(len(entries) / math.ceil(len(entries) / ROWS_BESIDE))
+        columns = _columns(entries, rows)
+    else:
+        centre = 0.5 * width, 0.5 * KEY_INCHES * POINTS_PER_INCH
+        separator, lines, rows = ";  ", 1, math.ceil(len(curves) / COLUMNS_BELOW)
+        columns = _columns(curves, rows) + _columns(marks, rows)
+    line = rcParams["legend.fontsize"] * (1.0 + rcParams["legend.labelspacing"])
+    top = centre[1] + 0.5 * line * (rows + lines)
+    points = Affine2D().scale(1.0 / POINTS_PER_INCH) + figure.dpi_scale_trans
+    style = {"ha": "center", "va": "top", "fontsize": rcParams["legend.title_fontsize"]}
+    text = separator.join(text for text in (title, conditions) if text)
+    figure.text(centre[0], top, text, transform=points, **style)
+    _draw_columns(figure, columns, (centre[0], top - line * (lines + 0.5)), line, points)
+
+
+def _columns(entries, rows):
+    return [entries[first : first + rows] for first in range(0, len(entries), rows)]
+
+
+def _draw_columns(figure, columns, start, line, points):
+    """Columns of entries, centred about the x and down from the y of ``start``."""
+    size = rcParams["legend.fontsize"]
+    handle, pad, space = (
+        size * rcParams[f"legend.{name}"]
+        for name in ("handlelength", "handletextpad", "columnspacing")
+    )
+    widths = [
+        handle + pad + LETTER_WIDTH * size * max(len(text) for text, _ in column)
+        for column in columns
+    ]
+    x = start[0] - 0.5 * (sum(widths) + space * (len(columns) - 1))
+    style = {"va": "center_baseline", "fontsize": size, "transform": points}
+    for column, width in zip(columns, widths, strict=True):
+        for row, (text, look) in enumerate(column):
+            y = start[1] - row * line
+            ends = [x, x + 0.5 * handle, x + handle]
+            figure.add_artist(Line2D(ends, [y] * 3, markevery=[1], transform=points, **look))
+            figure.text(x + handle + pad, y, text, **style)
+        x += width + space

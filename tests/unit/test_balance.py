@@ -1,0 +1,201 @@
+"""Balance of forces, dry and lubricated, against equations written a second time (Eqs. 1-7)."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.regimes import SOLUTION_STATUSES
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+RTOL = 1e-9
+DIAMETER, ROUGHNESS, DENSITY = 500e-9, 300e-9, 1e11
+CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
+
+
+def solve(load, viscosity, parameters, diameter=DIAMETER, rtol=RTOL):
+    return tb.solve(load, viscosity, diameter, ROUGHNESS, DENSITY, parameters, rtol)
+
+
+@pytest.fixture(scope="module")
+def written_again(equations):
+    """Makes the second writing of the equations for ``count`` points of these conditions."""
+
+    def make(parameters, count, diameter=DIAMETER):
+        model = parameters.as_attribute(np.array([ROUGHNESS]))
+        points = np.full(count, diameter), np.full(count, DENSITY)
+        return equations(model, 0, ROUGHNESS, *points)
+
+    return make
+
+
+def allowed(function, d, value):
+    """What an error of RTOL in ``d`` and in the value itself leaves between both sides."""
+    return RTOL * np.abs(value) + np.abs(function(d * (1.0 + RTOL)) - function(d * (1.0 - RTOL)))
+
+
+@pytest.fixture(scope="module")
+def zero_load(written_again):
+    """The load F_s*(0) that closes the gap when dry."""
+    return lambda parameters: written_again(parameters, 1).solid_load(np.zeros(1))[0]
+
+
+@pytest.mark.parametrize("diameter", [0.0, DIAMETER], ids=["two-body", "three-body"])
+def test_dry_solids_bear_the_whole_load(reading, loads, written_again, diameter):
+    solution = solve(loads, 0.0, reading, diameter)
+    again = written_again(reading, loads.size, diameter)
+    d = solution.separation
+    assert (np.abs(again.solid_load(d) - loads) <= allowed(again.solid_load, d, loads)).all()
+    assert (solution.solid_load_fraction == 1.0).all()
+    assert (solution.fluid_load_fraction == 0.0).all()
+
+
+@pytest.mark.parametrize("viscosity", [10e-6, 90e-6, 150e-6])
+def test_solids_and_fluid_bear_the_load_together(reading, loads, written_again, viscosity):
+    solution = solve(loads, viscosity, reading)
+    again = written_again(reading, loads.size)
+    d = solution.separation
+    solid = solution.solid_load_fraction * loads
+    assert (np.abs(again.solid_load(d) - solid) <= allowed(again.solid_load, d, solid)).all()
+    total = solution.solid_load_fraction + solution.fluid_load_fraction
+    assert_allclose(total, 1.0, rtol=4e-16)
+
+
+@pytest.mark.parametrize("viscosity", [10e-6, 90e-6, 150e-6])
+def test_the_film_under_its_own_load_is_as_thick_as_the_gap(
+    parameters, loads, written_again, viscosity
+):
+    solution = solve(loads, viscosity, parameters)
+    again = written_again(parameters, loads.size)
+    thickness, _ = again.film(solution.fluid_load_fraction * loads, viscosity)
+    # H_c falls at most with the power 0.2 of the load
+    assert_allclose(solution.film_thickness, thickness, rtol=1.2 * RTOL)
+
+
+@pytest.mark.parametrize("roughness", [1e-9, 1e-8])
+def test_the_share_of_the_fluid_keeps_its_digits_where_it_vanishes(
+    parameters, equations, roughness
+):
+    # large particles hold smooth surfaces apart: a film so thick bears next to nothing
+    viscosity = np.geomspace(5e-7, 1e-5, 12)
+    load, diameter, density = np.full((3, 12), [[1e-5], [1e-6], [DENSITY]])
+    solution = tb.solve(load, viscosity, diameter, roughness, density, parameters)
+    assert solution.fluid_load_fraction.max() < 1e-17
+    assert solution.fluid_load_fraction.min() > 0.0
+    model = parameters.as_attribute(np.array([roughness]))
+    again = equations(model, 0, roughness, diameter, density)
+    thickness, _ = again.film(solution.fluid_load_fraction * load, viscosity)
+    # both sides in error by RTOL, the load by a power of at most 0.2
+    assert_allclose(solution.film_thickness, thickness, rtol=1.2 * RTOL)
+
+
+def test_the_film_of_the_total_load_carries_what_the_solids_leave(parameters, loads, written_again):
+    inputs = replace(parameters, film_load="total")
+    for viscosity in (25e-6, 90e-6, 150e-6):
+        solution = solve(loads, viscosity, inputs)
+        again = written_again(inputs, loads.size)
+        film = inputs.ball_radius * again.film(loads, viscosity)[0]
+        dry = solve(loads, 0.0, inputs).separation
+        expected = np.maximum(film, dry)
+        assert_allclose(solution.separation, expected, rtol=2.0 * RTOL)
+        assert np.array_equal(solution.solid_load_fraction == 1.0, film <= dry)
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 1e-6, 90e-6])
+def test_one_separation_alone_balances_the_load(sizes, written_again, viscosity):
+    # F_t rises along a scan from touching surfaces to where the solids bear nothing
+    count = 1000
+    again = written_again(sizes, count)
+    d = np.linspace(1e-9, 4e-6, count)
+    solid = again.solid_load(d)
+    if viscosity == 0.0:
+        assert (np.diff(solid) < 0.0).all()
+        return
+    fluid = np.geomspace(1e-30, 1e-2, count)
+    d = sizes.ball_radius * again.film(fluid, viscosity)[0]
+    assert (np.diff(d) < 0.0).all()
+    assert (np.diff(fluid + again.solid_load(d)) > 0.0).all()
+
+
+def test_the_dry_gap_closes_at_the_load_of_touching_mean_planes(reading, zero_load):
+    greatest = zero_load(reading)
+    solution = solve(greatest * np.array([0.5, 1.0 - 1e-6]), 0.0, reading)
+    assert (solution.solution_status == CONVERGED).all()
+    assert 0.0 < solution.separation[1] < 1e-5 * ROUGHNESS
+    assert solution.separation[1] < solution.separation[0]
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6, 1e-9, 1e-11])
+@pytest.mark.parametrize("excess", [0.04, 0.5, 1e3])
+def test_a_dry_load_beyond_zero_separation_is_not_solved(parameters, zero_load, rtol, excess):
+    load = zero_load(parameters) * np.array([0.9, 1.0 + excess])
+    solution = solve(load, 0.0, parameters, rtol=rtol)
+    assert solution.solution_status.tolist() == [CONVERGED, FAILED]
+    assert np.isnan(solution.separation[1])
+
+
+def test_a_film_bears_any_load(reading, zero_load):
+    load = zero_load(reading) * np.array([0.9, 1.1, 10.0, 1e4])
+    solution = solve(load, 90e-6, reading)
+    assert (solution.solution_status == CONVERGED).all()
+    assert (np.diff(solution.separation) < 0.0).all()
+    assert (solution.separation > 0.0).all()
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-4, 1e-6])
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+@pytest.mark.parametrize("limits", ["printed", "physical"])
+def test_what_a_tight_request_solves_a_loose_one_solves_too(parameters, rtol, viscosity, limits):
+    # a few particles far larger than the roughness carry the lightest loads
+    inputs = replace(parameters, elastic_limits=limits)
+    load = np.geomspace(1e-11, 1e-5, 200)
+    tight, loose = (
+        tb.solve(load, viscosity, 1e-6, 1e-7, DENSITY, inputs, asked) for asked in (1e-9, rtol)
+    )
+    assert (tight.solution_status == CONVERGED).all()
+    assert (loose.solution_status == CONVERGED).all()
+    assert_allclose(loose.separation, tight.separation, rtol=rtol)
+    assert_allclose(loose.solid_load_fraction, tight.solid_load_fraction, rtol=rtol)
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+def test_separation_falls_with_the_load(reading, loads, viscosity):
+    assert (np.diff(solve(loads, viscosity, reading).separation) < 0.0).all()
+
+
+def test_viscosity_parts_the_surfaces_and_relieves_the_solids(parameters, loads):
+    # provable where H_c rises with viscosity: a smaller gap would load both solids and film more
+    viscosity = np.array([20.0, 50.0, 90.0, 150.0, 1e3])[:, None] * 1e-6
+    solution = solve(loads, viscosity, parameters)
+    assert (solution.solution_status == CONVERGED).all()
+    assert (np.diff(solution.separation, axis=0) > 0.0).all()
+    # shares that differ by less than rounding are equal
+    assert (np.diff(solution.solid_load_fraction, axis=0) <= 0.0).all()
+    assert (np.diff(solution.fluid_load_fraction, axis=0) > 0.0).all()
+
+
+def test_dry_contact_is_the_limit_of_a_vanishing_fluid_share(parameters, loads):
+    film = solve(loads, 10e-6, parameters)
+    share = film.fluid_load_fraction
+    limit = (film.solution_status == CONVERGED) & (share < 1e-4)
+    assert limit.sum() > 10
+    # the solids bear 1 - L_f of the load: d rises by L_f/|d ln F_s/d ln d|, a slope above 1
+    excess = film.separation / solve(loads, 0.0, parameters).separation - 1.0
+    assert (excess[limit] >= -2.0 * RTOL).all()
+    assert (excess[limit] <= share[limit] + 2.0 * RTOL).all()
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+@pytest.mark.parametrize(("diameter", "density"), [(1e-12, DENSITY), (DIAMETER, 1e-3)])
+def test_two_body_contact_is_the_limit_of_few_or_small_particles(
+    sizes, loads, viscosity, diameter, density
+):
+    two_body = tb.solve(loads, viscosity, 0.0, ROUGHNESS, DENSITY, sizes)
+    limit = tb.solve(loads, viscosity, diameter, ROUGHNESS, density, sizes)
+    for name in ("separation", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"):
+        # the particles cover less than 1e-13 of the interface
+        values = getattr(limit, name), getattr(two_body, name)
+        assert_allclose(*values, rtol=2.0 * RTOL)

@@ -1,0 +1,413 @@
+"""Configuration that is refused, each in one line that names the place, and what is accepted."""
+
+import copy
+import math
+import os
+from dataclasses import fields
+from pathlib import Path
+
+import pytest
+
+from thirdbody.configuration import (
+    config_directory,
+    load_parameters,
+    read_inputs,
+    read_plain,
+    read_yaml,
+    validate,
+    workflow_settings,
+)
+from thirdbody.parameters import Parameters
+
+ROOT = Path(__file__).parents[2]
+CONFIG = ROOT / "config"
+
+
+@pytest.fixture
+def write(tmp_path):
+    """Writes a configuration file and gives its path."""
+
+    def write_file(content, name="given.yaml"):
+        path = tmp_path / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    return write_file
+
+
+@pytest.fixture(scope="module")
+def shipped():
+    """The configuration of the workflow as Snakemake merges it."""
+    return read_yaml(CONFIG / "config.yaml") | read_yaml(CONFIG / "scenes.yaml")
+
+
+@pytest.fixture
+def from_root(monkeypatch):
+    """The workflow runs in the root of the repository."""
+    monkeypatch.chdir(ROOT)
+
+
+def refusal(function, *given):
+    """The one line with which ``function`` refuses."""
+    with pytest.raises(ValueError) as refused:
+        function(*given)
+    message = str(refused.value)
+    assert message
+    assert "\n" not in message
+    return message
+
+
+def changed(config, key, value):
+    """A copy with the entry at the dotted ``key`` set, or removed where ``value`` is KeyError."""
+    result = copy.deepcopy(config)
+    *parents, last = key.split(".")
+    place = result
+    for parent in parents:
+        place = place[int(parent) if parent.isdigit() else parent]
+    if value is KeyError:
+        del place[last]
+    else:
+        place[int(last) if last.isdigit() else last] = value
+    return result
+
+
+# ---- YAML
+
+
+STRICT = {
+    "a key twice": ("a: 1\nb: 2\na: 3", "line 3: key 'a' stands twice"),
+    "a nested key twice": ("a: {b: 1, b: 1}", "line 1: key 'b' stands twice"),
+    "an alias": ("a: &x [1]\nb: *x", "allowed: plain values"),
+    "an anchor": ("a: &x 1", "allowed: plain values"),
+    "an anchor that holds itself": ("a: &x [*x]", "allowed: plain values"),
+    "a merge": ("a: {<<: {b: 1}}", "line 1"),
+    "a tag that builds an object": (
+        "a: !!python/object/apply:os.system [ls]",
+        "python/object/apply:os.system; allowed: plain values",
+    ),
+    "a tag of one's own": ("a: !secret b", "tag !secret; allowed: plain values"),
+    "a standard tag": ("a: !!float 1", "allowed: plain values"),
+    "a binary tag": ("a: !!binary aGk=", "allowed: plain values"),
+    "a number as key": ("1: a", "line 1: key 1; allowed: words"),
+    "a truth value as key": ("on: a", "line 1: key True; allowed: words"),
+    "a list as key": ("? [a]\n: 1", "allowed: words"),
+    "a mapping as key": ("? {a: b}\n: 1", "allowed: words"),
+    "two documents": ("a: 1\n---\nb: 2", "another document"),
+    "an open bracket": ("a: [1", "line 1"),
+    "a tab for indentation": ("a:\n\t- 1", "line 2"),
+    "a control character": ("a: 1\x07", "not allowed"),
+    "a byte that is not UTF-8": (b"a: \xff", "byte 3 is not UTF-8"),
+    "UTF-16": ("a: 1".encode("utf-16"), "not UTF-8"),
+    "nothing": ("", "holds NoneType; allowed: keys with values"),
+    "a list": ("- a", "holds list; allowed: keys with values"),
+    "a word": ("a", "holds str; allowed: keys with values"),
+    "endless brackets": ("[" * 5000, "nested too deeply"),
+    "a number of 5000 digits": ("a: " + "9" * 5000, "digits"),
+}
+
+
+@pytest.mark.parametrize("case", STRICT)
+def test_yaml_that_is_more_or_less_than_plain_data_is_refused(write, case):
+    content, told = STRICT[case]
+    path = write(content)
+    message = refusal(read_yaml, path)
+    assert message.startswith(f"{path}: ")
+    assert told in message
+
+
+@pytest.mark.parametrize("path", ["missing.yaml", ".", "no/such/folder/given.yaml"])
+def test_a_file_that_cannot_be_read_is_named(tmp_path, path):
+    message = refusal(read_yaml, tmp_path / path)
+    assert str(tmp_path / path) in message
+    assert "allowed: a readable YAML file" in message
+
+
+def test_plain_data_are_read(write):
+    content = "a: 1\nb: [1.5, two]\nc: {d: true}\n"
+    expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True}}
+    assert read_yaml(write(content)) == expected
+    assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
+
+
+@pytest.mark.parametrize("name", ["config", "scenes", "inputs", "schema", "paper_tables"])
+def test_each_shipped_file_of_settings_is_plain_data(name):
+    assert read_yaml(CONFIG / f"{name}.yaml")
+
+
+def test_a_template_that_runs_code_is_refused(write):
+    path = write("__use_yte__: true\na: 1\n")
+    message = refusal(read_plain, CONFIG / "config.yaml", path)
+    assert "__use_yte__" in message
+    assert str(path) in message
+
+
+# ---- inputs of the model
+
+
+def test_the_inputs_have_an_entry_for_each_field_and_no_other():
+    assert set(read_yaml(CONFIG / "inputs.yaml")) == {field.name for field in fields(Parameters)}
+
+
+def test_each_input_says_where_it_comes_from_and_what_is_allowed():
+    for name, entry in read_yaml(CONFIG / "inputs.yaml").items():
+        assert entry["source"] in ("published", "deduced", "calibrated", "assumed"), name
+        if "allowed" in entry:
+            assert entry["value"] in entry["allowed"], name
+        else:
+            assert entry["unit"], name
+            assert entry["bounds"][0] <= entry["value"] <= entry["bounds"][1], name
+
+
+def test_each_assumed_input_carries_an_assumption():
+    lines = (CONFIG / "inputs.yaml").read_text().splitlines()
+    for index, line in enumerate(lines):
+        if "source: assumed" in line and "sigma_0" not in line:
+            assert "# ASSUME:" in lines[index - 1], line
+
+
+def test_a_file_of_some_keys_replaces_those_alone(write):
+    path = write("truncation: 3.0\nsize_distribution: {value: centred}\n")
+    changed_inputs = load_parameters(path)
+    assert changed_inputs.truncation == 3.0
+    assert changed_inputs.size_distribution == "centred"
+    base = load_parameters(CONFIG / "inputs.yaml").as_dict()
+    rest = base | {"truncation": 3.0, "size_distribution": "centred"}
+    assert changed_inputs.as_dict() == rest
+
+
+def test_later_files_win(write):
+    first, second = write("truncation: 3.0", "a.yaml"), write("truncation: 4.0", "b.yaml")
+    assert read_inputs(CONFIG / "inputs.yaml", first, second)["truncation"] == 4.0
+
+
+def test_an_integer_is_a_number(write):
+    value = load_parameters(write("truncation: 3")).truncation
+    assert value == 3.0
+    assert isinstance(value, float)
+
+
+def test_both_ends_of_the_bounds_are_allowed(write):
+    assert load_parameters(write("truncation: 0.5")).truncation == 0.5
+    assert load_parameters(write("truncation: 10")).truncation == 10.0
+
+
+BAD_INPUTS = {
+    "unknown key": ("truncatoin: 2.0", "truncatoin"),
+    "negative": ("truncation: -1.0", "truncation is -1.0; allowed: a number from 0.5 to 10"),
+    "too large": ("participation: 1.5", "participation is 1.5; allowed: a number from 1e-06 to 1"),
+    "not a number": ("truncation: .nan", "truncation is nan; allowed: a number"),
+    "infinite": ("ball_radius: .inf", "ball_radius is inf; allowed: a number"),
+    "minus infinite": ("ball_radius: -.inf", "ball_radius is -inf; allowed: a number"),
+    "a word": ("truncation: wide", "truncation is 'wide'; allowed: a number"),
+    "a number in quotes": ("truncation: '2.0'", "truncation is '2.0'; allowed: a number"),
+    "a truth value": ("truncation: true", "truncation is True; allowed: a number"),
+    "a list": ("truncation: [2.0]", "truncation is [2.0]; allowed: a number"),
+    "nothing": ("truncation:", "truncation is None; allowed: a number"),
+    "a date": ("truncation: 2024-01-01", "truncation is"),
+    "500 digits": ("truncation: " + "9" * 500, "truncation is 999"),
+    "an unknown reading": ("film_load: solid", "film_load is 'solid'; allowed: fluid, total"),
+    "a reading in a list": ("film_load: [fluid]", "film_load is ['fluid']; allowed: fluid, total"),
+    "a number for a truth value": ("summit_offset: 1", "summit_offset is 1; allowed: True, False"),
+    "an entry without value": ("ball_radius: {unit: m}", "ball_radius"),
+    "a misspelt entry": ("ball_radius: {valeu: 6.35e-3}", "ball_radius"),
+    "an unknown entry": ("ball_radius: {value: 6.35e-3, colour: red}", "ball_radius"),
+    "another unit": ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
+    "a number for all inputs": ("inputs: 5", "inputs"),
+    "a list for all inputs": ("inputs: [truncation]", "inputs"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_INPUTS)
+def test_a_bad_input_is_refused_with_file_and_key(write, case):
+    content, told = BAD_INPUTS[case]
+    path = write(content)
+    message = refusal(load_parameters, path)
+    assert message.startswith(f"{path}: ")
+    assert told in message
+
+
+def test_the_default_inputs_do_not_depend_on_the_working_directory(
+    defaults, tmp_path, monkeypatch
+):
+    monkeypatch.chdir(tmp_path)
+    assert load_parameters() == defaults
+    assert config_directory().is_absolute()
+
+
+# ---- the schema
+
+
+def test_the_shipped_configuration_is_valid(shipped, from_root):
+    validate(shipped, read_yaml(CONFIG / "schema.yaml"))
+    settings = workflow_settings(shipped)
+    assert settings["parameters"] == load_parameters().as_dict()
+
+
+def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
+    scenes = workflow_settings(shipped)["scenes"]
+    for scene in scenes.values():
+        assert scene["load_axis"] == shipped["load_axis"]
+        assert scene["rtol"] == shipped["rtol"]
+    own = changed(shipped, "scenes.fig03.rtol", 1e-3)
+    own = changed(own, "scenes.fig03.load_axis", {"load_N": [1.0, 2.0], "count": 7})
+    scene = workflow_settings(own)["scenes"]["fig03"]
+    assert scene["rtol"] == 1e-3
+    assert scene["load_axis"]["count"] == 7
+
+
+def schema_nodes(node, place=""):
+    """Every mapping in a JSON Schema that describes a value."""
+    if isinstance(node, dict):
+        if "type" in node or "properties" in node:
+            yield place, node
+        for key, item in node.items():
+            yield from schema_nodes(item, f"{place}.{key}")
+
+
+def test_the_schema_is_closed_everywhere():
+    for place, node in schema_nodes(read_yaml(CONFIG / "schema.yaml")):
+        if node.get("type") == "object":
+            assert node.get("additionalProperties") is False, place
+
+
+def test_each_key_of_the_schema_has_a_description():
+    schema = read_yaml(CONFIG / "schema.yaml")
+    for place, node in schema_nodes(schema):
+        for key, item in node.get("properties", {}).items():
+            target = item
+            if "$ref" in item and "description" not in item:
+                target = schema["$defs"][item["$ref"].rpartition("/")[2]]
+            assert target.get("description"), f"{place}.{key}"
+
+
+BAD_SETTINGS = {
+    "an unknown key": ("extra", 1, "unknown key 'extra'; allowed: "),
+    "a missing key": ("rtol", KeyError, "key 'rtol' is missing"),
+    "a missing figure": ("scenes.fig07", KeyError, "scenes: key 'fig07' is missing"),
+    "a misspelt scene key": ("scenes.fig03.tittle", "x", "scenes.fig03: unknown key 'tittle'"),
+    "a misspelt curve key": (
+        "scenes.fig04.curves.1.viscosity",
+        [1],
+        "scenes.fig04.curves[1]: unknown key 'viscosity'",
+    ),
+    "a scene without axes": ("scenes.fig03.curves", [], "scenes.fig03.curves is []"),
+    "a scene without curves": ("scenes.fig03.curves", KeyError, "scenes.fig03: key 'curves'"),
+    "a scene's name with a space": ("scenes.fig 03", {}, "scenes: unknown key 'fig 03'"),
+    "a scene's name with a path": ("scenes.../x", {}, "scenes"),
+    "rtol too small": ("rtol", 1e-12, "rtol is 1e-12; allowed: at least 1e-11"),
+    "rtol too large": ("rtol", 0.5, "rtol is 0.5; allowed: at most 0.01"),
+    "rtol as a word": ("rtol", "1e-9", "rtol is '1e-9'; allowed: a number"),
+    "rtol not a number": ("rtol", math.nan, "rtol is nan; allowed: finite numbers"),
+    "a negative load": (
+        "load_axis.load_N",
+        [-1.0, 80.0],
+        "load_axis.load_N[0] is -1.0; allowed: above 0",
+    ),
+    "loads the wrong way": ("load_axis.load_N", [80.0, 0.04], "load_axis.load_N is [80.0, 0.04]"),
+    "one load": ("load_axis.load_N", [80.0], "load_axis.load_N is [80.0]; allowed: at least 2"),
+    "an infinite load": ("load_axis.load_N", [1.0, math.inf], "load_axis.load_N[1] is inf"),
+    "half a load": ("load_axis.count", 100.5, "load_axis.count is 100.5; allowed: an integer"),
+    "too few loads": ("load_axis.count", 2, "load_axis.count is 2; allowed: at least 5"),
+    "a negative viscosity": (
+        "scenes.fig04.curves.0.viscosity_cSt",
+        [-1],
+        "scenes.fig04.curves[0].viscosity_cSt[0] is -1; allowed: at least 0",
+    ),
+    "no viscosity": (
+        "scenes.fig04.curves.0.viscosity_cSt",
+        [],
+        "scenes.fig04.curves[0].viscosity_cSt is []; allowed: at least 1 values",
+    ),
+    "a value twice": (
+        "scenes.fig04.curves.0.viscosity_cSt",
+        [10, 10],
+        "scenes.fig04.curves[0].viscosity_cSt is [10, 10]; allowed: no value twice",
+    ),
+    "roughness zero": (
+        "scenes.fig04.curves.0.roughness_nm",
+        [0],
+        "scenes.fig04.curves[0].roughness_nm[0] is 0; allowed: at least 1",
+    ),
+    "a value that is no list": (
+        "scenes.fig04.curves.0.roughness_nm",
+        300,
+        "scenes.fig04.curves[0].roughness_nm is 300; allowed: a list",
+    ),
+    "both kinds of diameter": (
+        "scenes.fig04.curves.0.particle_diameter_per_roughness",
+        [1.0],
+        "scenes.fig04.curves[0] is",
+    ),
+    "no diameter": (
+        "scenes.fig04.curves.0.particle_diameter_nm",
+        KeyError,
+        "allowed: either particle_diameter_nm or particle_diameter_per_roughness",
+    ),
+    "more particles than there is room for": (
+        "scenes.fig04.curves.0.particle_density_per_m2",
+        [1.0e13],
+        "cover 1.96 of the interface; allowed: at most 1",
+    ),
+    "a named load of nothing": (
+        "scenes.fig04.named_loads",
+        [0],
+        "scenes.fig04.named_loads[0] is 0; allowed: above 0",
+    ),
+    "a title with a newline": ("scenes.fig03.title", "a\nb", "scenes.fig03.title is"),
+    "inputs outside the configuration": ("inputs", "/etc/passwd", "inputs is '/etc/passwd'"),
+    "inputs by a way up": ("inputs", "config/../secret.yaml", "inputs is"),
+    "inputs that are missing": ("inputs", "config/none.yaml", "config/none.yaml"),
+    "windows the wrong way": (
+        "windows.particle_diameter_per_roughness",
+        [2.5, 0.3],
+        "windows.particle_diameter_per_roughness is [2.5, 0.3]",
+    ),
+    "a drawing without panels": ("schematics.fig01", [], "schematics.fig01 is []"),
+    "a drawing's negative load": (
+        "schematics.fig01.0.load_N",
+        -1,
+        "schematics.fig01[0].load_N is -1; allowed: above 0",
+    ),
+    "a list for the scenes": ("scenes", [1], "scenes is [1]; allowed: keys with values"),
+    "nothing for the scenes": ("scenes", None, "scenes is None; allowed: keys with values"),
+}
+
+
+@pytest.mark.parametrize("case", BAD_SETTINGS)
+def test_bad_settings_are_refused_in_one_line_that_names_the_key(shipped, from_root, case):
+    key, value, told = BAD_SETTINGS[case]
+    if key == "scenes.../x":
+        bad = copy.deepcopy(shipped)
+        bad["scenes"]["../x"] = bad["scenes"]["fig03"]
+    else:
+        bad = changed(shipped, key, value)
+    assert told in refusal(workflow_settings, bad)
+
+
+def test_a_long_value_is_shortened_in_the_message(shipped, from_root):
+    bad = changed(shipped, "rtol", "x" * 10000)
+    assert len(refusal(workflow_settings, bad)) < 200
+
+
+def test_coverage_counts_diameters_relative_to_the_roughness(shipped, from_root):
+    bad = changed(shipped, "scenes.fig13.curves.0.particle_diameter_per_roughness", [500.0])
+    assert "scenes.fig13.curves[0]: particles of 50000 nm" in refusal(workflow_settings, bad)
+
+
+def test_settings_leave_the_given_configuration_alone(shipped, from_root):
+    before = copy.deepcopy(shipped)
+    workflow_settings(shipped)
+    assert shipped == before
+
+
+def test_settings_name_the_software_that_computes(shipped, from_root):
+    software = workflow_settings(shipped)["software"]
+    assert set(software) >= {"numpy", "scipy", "netCDF4", "xarray"}
+    assert all(software.values())
+
+
+@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root reads everything")
+def test_an_unreadable_file_is_named(write):
+    path = write("a: 1")
+    path.chmod(0)
+    assert str(path) in refusal(read_yaml, path)

@@ -1,0 +1,391 @@
+"""Datasets exactly as the data contract says, on disk and in memory."""
+
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from dataclasses import replace
+
+import netCDF4
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.dataset import read_dataset, scene_dataset, write_dataset
+from thirdbody.scene import DIMENSIONS, Scene
+
+UNITS = {
+    "load": "1",
+    "normal_load": "N",
+    "viscosity": "m2 s-1",
+    "particle_diameter": "m",
+    "roughness": "m",
+    "particle_density": "m-2",
+    "total_contact_area": "1",
+    "particle_contact_area_ratio": "1",
+    "surface_contact_area_ratio": "1",
+    "solid_load_fraction": "1",
+    "fluid_load_fraction": "1",
+    "separation": "m",
+    "film_thickness": "1",
+}
+# symbol and equation
+MEANINGS = {
+    "total_contact_area": ("A_t*", "5"),
+    "particle_contact_area_ratio": ("A_sa,t*", "10"),
+    "surface_contact_area_ratio": ("A_ss,t*", "10"),
+    "solid_load_fraction": ("L_s", "9"),
+    "fluid_load_fraction": ("L_f", "9"),
+    "separation": ("d", "4"),
+    "film_thickness": ("H_c", "7"),
+}
+FLAGS = {
+    "lubrication_regime": "boundary mixed full_film",
+    "contact_mode": "two_body surface_surface hybrid particle_surface",
+    "solution_status": "converged outside_film_formula coverage_exceeded not_converged",
+}
+GLOBAL_ATTRIBUTES = (
+    "title summary source references license creator_name conventions schema_version "
+    "software_version configuration_sha256 model_parameters"
+).split()
+AXES = {
+    "load": [1e-6, 1e-5, 1e-4],
+    "viscosity": [0.0, 90e-6],
+    "particle_diameter": [0.0, 3e-7],
+    "roughness": [1e-7, 3e-7],
+    "particle_density": [1e11],
+}
+SCENE = {
+    "title": "Two groups",
+    "load_axis": {"load_N": [0.04, 80.0], "count": 9},
+    "curves": [
+        {
+            "viscosity_cSt": [0, 90],
+            "particle_diameter_nm": [500],
+            "roughness_nm": [100],
+            "particle_density_per_m2": [1.0e11],
+        },
+        {
+            "viscosity_cSt": [0],
+            "particle_diameter_nm": [0, 300],
+            "roughness_nm": [300],
+            "particle_density_per_m2": [1.0e11],
+        },
+    ],
+}
+
+
+def grid(parameters, rtol=1e-9, **axes):
+    return tb.grid(**(AXES | axes), parameters=parameters, rtol=rtol)
+
+
+@pytest.fixture(scope="module")
+def dataset(parameters):
+    return grid(parameters)
+
+
+@pytest.fixture(scope="module")
+def scene(parameters):
+    return Scene.of("test", SCENE, parameters.newtons_per_load)
+
+
+@pytest.fixture(scope="module")
+def shown(scene, parameters):
+    return scene_dataset(scene, parameters)
+
+
+@pytest.fixture
+def on_disk(shown, tmp_path):
+    path = tmp_path / "test.nc"
+    write_dataset(shown, path)
+    return path
+
+
+# ---- what is in it
+
+
+def test_dimensions_are_always_the_five_in_their_order(dataset, shown):
+    for one in (dataset, shown):
+        for name in (*MEANINGS, *FLAGS):
+            assert one[name].dims == DIMENSIONS
+        assert list(DIMENSIONS) == [name for name in one.coords if name in one.sizes]
+
+
+def test_a_grid_with_single_values_keeps_all_dimensions(parameters):
+    one = grid(parameters, **{name: values[:1] for name, values in AXES.items()})
+    assert dict(one.sizes) == dict.fromkeys(DIMENSIONS, 1)
+
+
+def test_variables_are_those_of_the_contract(dataset):
+    assert set(dataset.data_vars) == {*MEANINGS, *FLAGS}
+    assert set(dataset.coords) == {*DIMENSIONS, "normal_load"}
+
+
+def test_quantities_are_doubles_and_flags_bytes(dataset):
+    for name in (*MEANINGS, *DIMENSIONS, "normal_load"):
+        assert dataset[name].dtype == np.float64
+    for name in FLAGS:
+        assert dataset[name].dtype == np.int8
+
+
+@pytest.mark.parametrize("name", UNITS)
+def test_units_are_those_of_the_contract(dataset, name):
+    assert dataset[name].attrs["units"] == UNITS[name]
+    assert dataset[name].attrs["long_name"]
+    assert dataset[name].attrs["symbol"]
+
+
+@pytest.mark.parametrize("name", MEANINGS)
+def test_symbols_and_equations_are_those_of_the_contract(dataset, name):
+    attributes = dataset[name].attrs
+    assert (attributes["symbol"], attributes["equation"]) == MEANINGS[name]
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_flags_name_each_of_their_values(dataset, name):
+    attributes = dataset[name].attrs
+    assert attributes["flag_meanings"].startswith(FLAGS[name])
+    values = np.asarray(attributes["flag_values"])
+    assert values.dtype == np.int8
+    assert values.size == len(attributes["flag_meanings"].split())
+    assert attributes["equation"]
+
+
+def test_the_normal_load_is_the_load_in_newtons(dataset, parameters):
+    assert dataset["normal_load"].dims == ("load",)
+    newtons = dataset["load"].values * parameters.apparent_area * 112e9
+    # two products in another order
+    assert_allclose(dataset["normal_load"].values, newtons, rtol=4e-16)
+
+
+def test_values_are_those_of_the_solver(dataset, parameters):
+    solution = tb.solve(*np.ix_(*AXES.values()), parameters=parameters)
+    for name in (*MEANINGS, *FLAGS):
+        assert np.array_equal(dataset[name].values, getattr(solution, name))
+
+
+@pytest.mark.parametrize("name", GLOBAL_ATTRIBUTES)
+def test_global_attributes_of_the_contract_are_there(dataset, shown, name):
+    assert dataset.attrs[name]
+    assert shown.attrs[name]
+
+
+def test_conventions_and_source_are_named(dataset):
+    assert dataset.attrs["Conventions"] == "CF-1.11, ACDD-1.3"
+    assert "10.3389/fmech.2024.1390335" in dataset.attrs["source"]
+
+
+def test_model_parameters_are_those_of_the_inputs(dataset, parameters):
+    assert dataset.attrs["model_parameters"] == parameters.as_attribute(np.array([1e-7, 3e-7]))
+    model = json.loads(dataset.attrs["model_parameters"])
+    assert all(len(model[name]) == 2 for name in ("eta_s", "R", "sigma_s", "y_s"))
+
+
+def test_attributes_hold_no_time_of_day(shown):
+    owners = shown, *shown.variables.values()
+    texts = [str(value) for owner in owners for value in owner.attrs.values()]
+    assert not [text for text in texts if re.search(r"\d\d:\d\d:\d\d|\dT\d\d", text)]
+
+
+# ---- the hash of the configuration
+
+
+def test_equal_requests_have_equal_hashes(parameters, dataset):
+    again = grid(replace(parameters), **{name: np.array(axis) for name, axis in AXES.items()})
+    assert again.attrs["configuration_sha256"] == dataset.attrs["configuration_sha256"]
+    assert re.fullmatch("[0-9a-f]{64}", again.attrs["configuration_sha256"])
+
+
+@pytest.mark.parametrize("name", AXES)
+def test_another_axis_has_another_hash(parameters, dataset, name):
+    other = grid(parameters, **{name: [AXES[name][-1] * 1.01]})
+    assert other.attrs["configuration_sha256"] != dataset.attrs["configuration_sha256"]
+
+
+def test_another_input_or_accuracy_has_another_hash(parameters, dataset):
+    others = grid(replace(parameters, truncation=2.5)), grid(parameters, rtol=1e-8)
+    hashes = {one.attrs["configuration_sha256"] for one in (dataset, *others)}
+    assert len(hashes) == 3
+
+
+# ---- axes
+
+
+@pytest.mark.parametrize("name", AXES)
+@pytest.mark.parametrize(
+    "bad", [[2e-7, 1e-7], [1e-7, 1e-7], [[1e-7, 2e-7]], []], ids=["falling", "twice", "2-D", "none"]
+)
+def test_an_axis_that_is_not_one_increasing_dimension_is_refused_by_name(parameters, name, bad):
+    with pytest.raises(ValueError, match=f"^{name} .*allowed: one increasing dimension"):
+        grid(parameters, **{name: bad})
+
+
+@pytest.mark.parametrize("name", AXES)
+@pytest.mark.parametrize("bad", [[-1e-9], [np.nan], [np.inf], ["a"]], ids=str)
+def test_an_axis_without_meaning_is_refused_by_name(parameters, name, bad):
+    with pytest.raises(ValueError, match=f"^{name} is "):
+        grid(parameters, **{name: bad})
+
+
+@pytest.mark.parametrize("rtol", [0.0, 1.0])
+def test_an_accuracy_out_of_range_is_refused_by_name(parameters, rtol):
+    with pytest.raises(ValueError, match="rtol is"):
+        grid(parameters, rtol=rtol)
+
+
+# ---- combinations that are not shown
+
+
+def test_what_a_figure_does_not_show_holds_the_fill_value_and_nothing_else(shown, scene):
+    expected = np.ones(tuple(shown.sizes.values()), dtype=bool)
+    for group in scene.groups:
+        expected[scene.placed(group)] = False
+    assert expected.any()
+    for name in (*MEANINGS, *FLAGS):
+        fill = shown[name].attrs["_FillValue"]
+        assert np.array_equal(shown[name].values == fill, expected), name
+
+
+def test_what_a_figure_shows_is_what_the_solver_gives(shown, scene, parameters):
+    for group in scene.groups:
+        axes = [scene.load, *(getattr(group, name) for name in DIMENSIONS[1:])]
+        solution = tb.solve(*np.ix_(*axes), parameters=parameters)
+        for name in (*MEANINGS, *FLAGS):
+            values = shown[name].values[scene.placed(group)]
+            assert np.array_equal(values, getattr(solution, name)), name
+
+
+# ---- on disk
+
+
+def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
+    path = tmp_path / "grid.nc"
+    write_dataset(dataset, path)
+    assert read_dataset(path).equals(dataset)
+    assert read_dataset(path).attrs == dataset.attrs
+    again = read_dataset(on_disk)
+    for name in (*MEANINGS, *FLAGS):
+        hidden = shown[name].values == shown[name].attrs["_FillValue"]
+        assert np.array_equal(np.isnan(again[name].values), hidden)
+        assert np.array_equal(again[name].values[~hidden], shown[name].values[~hidden])
+
+
+def test_reading_closes_the_file(on_disk):
+    again = read_dataset(on_disk)
+    on_disk.unlink()
+    assert np.isfinite(again["load"].values).all()
+
+
+def test_the_file_is_netcdf_4_with_the_types_of_the_contract(on_disk):
+    with netCDF4.Dataset(on_disk) as stored:
+        assert stored.data_model == "NETCDF4"
+        assert [name for name in stored.dimensions] == list(DIMENSIONS)
+        for name in (*MEANINGS, *FLAGS):
+            variable = stored[name]
+            assert variable.dimensions == DIMENSIONS
+            assert variable.dtype == (np.int8 if name in FLAGS else np.float64)
+            assert variable._FillValue.dtype == variable.dtype
+        for name in (*DIMENSIONS, "normal_load"):
+            assert not hasattr(stored[name], "_FillValue")
+
+
+def test_unsolved_points_of_a_grid_do_not_hold_the_fill_value(parameters, tmp_path):
+    path = tmp_path / "grid.nc"
+    write_dataset(grid(parameters, load=[1e-5, 1.0]), path)
+    with netCDF4.Dataset(path) as stored:
+        for name in (*MEANINGS, *FLAGS):
+            # what a reader that knows the convention takes for missing
+            assert not np.ma.getmaskarray(stored[name][:]).any(), name
+        assert (stored["solution_status"][1, 0] == 3).all()
+
+
+def test_the_same_dataset_gives_the_same_bytes(shown, on_disk, tmp_path):
+    other = tmp_path / "elsewhere.nc"
+    write_dataset(shown, other)
+    assert other.read_bytes() == on_disk.read_bytes()
+
+
+def test_another_user_place_time_zone_and_hash_seed_give_the_same_bytes(
+    parameters, on_disk, tmp_path
+):
+    code = (
+        "import json, sys\n"
+        "from thirdbody.dataset import scene_dataset, write_dataset\n"
+        "from thirdbody.parameters import Parameters\n"
+        "from thirdbody.scene import Scene\n"
+        "given, inputs = map(json.loads, sys.argv[1:])\n"
+        "inputs = Parameters(**inputs)\n"
+        "scene = Scene.of('test', given, inputs.newtons_per_load)\n"
+        "write_dataset(scene_dataset(scene, inputs), 'other.nc')\n"
+    )
+    stranger = {
+        "USER": "stranger",
+        "LOGNAME": "stranger",
+        "HOME": str(tmp_path),
+        "TZ": "Pacific/Kiritimati",
+        "LC_ALL": "C",
+        "PYTHONHASHSEED": "12345",
+    }
+    subprocess.run(
+        [sys.executable, "-c", code, json.dumps(SCENE), json.dumps(parameters.as_dict())],
+        check=True,
+        cwd=tmp_path,
+        env=os.environ | stranger,
+    )
+    assert digest(tmp_path / "other.nc") == digest(on_disk)
+
+
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+DAMAGES = {
+    "half": lambda content: content[: len(content) // 2],
+    "its first bytes": lambda content: content[:100],
+    "all but its last byte": lambda content: content[:-1],
+    "nothing": lambda content: b"",
+    "other bytes": lambda content: bytes(range(256)) * (len(content) // 256),
+    "text": lambda content: b"not a dataset\n",
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_damaged_file_is_named_with_the_command_that_remakes_it(on_disk, damage):
+    on_disk.write_bytes(DAMAGES[damage](on_disk.read_bytes()))
+    with pytest.raises(OSError) as failed:
+        read_dataset(on_disk)
+    message = str(failed.value)
+    assert message.startswith(f"{on_disk} cannot be read")
+    assert message.endswith(f"remake it: snakemake -c2 --force {on_disk}")
+    assert "\n" not in message
+
+
+def test_a_file_with_a_flipped_byte_in_its_values_is_refused(on_disk):
+    content = bytearray(on_disk.read_bytes())
+    with netCDF4.Dataset(on_disk) as stored:
+        assert stored["separation"].filters()["zlib"]
+    # the compressed values are the part without structure: a zlib stream's two first bytes
+    starts = [index for index in range(len(content) - 1) if content[index : index + 2] == b"x^"]
+    assert starts
+    for start in starts:
+        content[start + 8] ^= 0xFF
+    on_disk.write_bytes(content)
+    with pytest.raises(OSError, match="cannot be read"):
+        read_dataset(on_disk)
+
+
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(OSError, match="missing.nc cannot be read"):
+        read_dataset(tmp_path / "missing.nc")
+
+
+def test_a_dataset_of_something_else_is_named(tmp_path):
+    path = tmp_path / "other.nc"
+    with netCDF4.Dataset(path, "w") as stored:
+        stored.createDimension("x", 3)
+        stored.createVariable("y", "f8", ("x",))[:] = 1.0
+    with pytest.raises(OSError, match="other.nc"):
+        read_dataset(path)

@@ -1,0 +1,138 @@
+"""Products that appear whole or not at all, and failures of one line."""
+
+import os
+import sys
+
+import pytest
+
+from thirdbody.files import logged, whole
+
+
+def listing(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+def test_a_product_appears_once_its_block_is_done(tmp_path):
+    place = tmp_path / "table.csv"
+    with whole(place) as part:
+        part.write_text("new")
+        assert not place.exists()
+        assert part.parent == place.parent
+        assert part.suffix == place.suffix
+    assert place.read_text() == "new"
+    assert listing(tmp_path) == ["table.csv"]
+
+
+def test_several_products_appear_together(tmp_path):
+    places = tmp_path / "a.csv", tmp_path / "b.json"
+    with whole(*places) as (first, second):
+        first.write_text("1")
+        second.write_text("2")
+        assert not any(place.exists() for place in places)
+    assert [place.read_text() for place in places] == ["1", "2"]
+    assert listing(tmp_path) == ["a.csv", "b.json"]
+
+
+def test_products_of_one_stem_do_not_meet_while_written(tmp_path):
+    places = [tmp_path / f"figure{suffix}" for suffix in (".svg", ".pdf", ".png", ".csv")]
+    with whole(*places) as parts:
+        for part in parts:
+            part.write_text(part.suffix)
+    assert [place.read_text() for place in places] == [place.suffix for place in places]
+
+
+def test_a_failure_leaves_nothing_where_nothing_was(tmp_path):
+    with pytest.raises(RuntimeError), whole(tmp_path / "a", tmp_path / "b") as (first, _):
+        first.write_text("half")
+        raise RuntimeError
+    assert listing(tmp_path) == []
+
+
+def test_a_failure_leaves_an_old_product_as_it_was(tmp_path):
+    place = tmp_path / "table.csv"
+    place.write_text("old")
+    with pytest.raises(KeyboardInterrupt), whole(place) as part:
+        part.write_text("half")
+        raise KeyboardInterrupt
+    assert place.read_text() == "old"
+    assert listing(tmp_path) == ["table.csv"]
+
+
+def test_a_product_that_was_not_written_keeps_all_of_them_away(tmp_path):
+    old = tmp_path / "a"
+    old.write_text("old")
+    with pytest.raises(FileNotFoundError), whole(old, tmp_path / "b") as (first, _):
+        first.write_text("new")
+    assert old.read_text() == "old"
+    assert listing(tmp_path) == ["a"]
+
+
+def test_an_old_product_is_replaced(tmp_path):
+    place = tmp_path / "table.csv"
+    place.write_text("old")
+    with whole(str(place)) as part:
+        part.write_text("new")
+    assert place.read_text() == "new"
+
+
+def test_a_reader_of_the_old_product_is_not_disturbed(tmp_path):
+    place = tmp_path / "table.csv"
+    place.write_text("old")
+    with open(place) as reader:
+        with whole(place) as part:
+            part.write_text("new")
+        assert reader.read() == "old"
+
+
+def test_leftovers_of_a_killed_run_do_no_harm(tmp_path):
+    place = tmp_path / "table.csv"
+    with whole(place) as part:
+        leftover = part
+        part.write_text("new")
+    leftover.write_text("left over")
+    with whole(place) as part:
+        part.write_text("newer")
+    assert place.read_text() == "newer"
+    assert listing(tmp_path) == ["table.csv"]
+
+
+def test_what_is_printed_goes_to_the_log(tmp_path, capsys):
+    log = tmp_path / "log"
+    with logged(log):
+        print("solved")
+        print("slowly", file=sys.stderr)
+    assert log.read_text() == "solved\nslowly\n"
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("error", [ValueError("load is -1"), OSError("no room on the disk")])
+def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
+    log = tmp_path / "log"
+    with pytest.raises(SystemExit) as ended, logged(log):
+        raise error
+    assert ended.value.code == 1
+    assert log.read_text() == f"{error}\n"
+
+
+def test_any_other_failure_keeps_its_traceback(tmp_path):
+    with pytest.raises(ZeroDivisionError), logged(tmp_path / "log"):
+        1 / 0  # noqa: B018
+
+
+@pytest.mark.parametrize("error", [None, ValueError, ZeroDivisionError])
+def test_afterwards_output_goes_where_it_went_before(tmp_path, error):
+    before = sys.stdout, sys.stderr
+    try:
+        with logged(tmp_path / "log"):
+            if error:
+                raise error
+    except (SystemExit, ZeroDivisionError):
+        pass
+    assert (sys.stdout, sys.stderr) == before
+
+
+def test_the_log_is_utf_8_whatever_the_locale(tmp_path, monkeypatch):
+    monkeypatch.setenv("LC_ALL", "C")
+    with logged(tmp_path / "log"):
+        print("σ = 300 nm")
+    assert (tmp_path / "log").read_bytes() == f"σ = 300 nm{os.linesep}".encode()

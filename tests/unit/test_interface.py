@@ -1,0 +1,463 @@
+"""The elementwise interface: shapes, types, statuses, misuse, and what is not computed."""
+
+import subprocess
+import sys
+from dataclasses import fields, replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody import interface
+from thirdbody.interface import Solution
+from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+RTOL = 1e-9
+ARGUMENTS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
+POINT = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 500e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
+FLAGS = {
+    "lubrication_regime": LUBRICATION_REGIMES,
+    "contact_mode": CONTACT_MODES,
+    "solution_status": SOLUTION_STATUSES,
+}
+VARIABLES = tuple(field.name for field in fields(Solution))
+QUANTITIES = tuple(name for name in VARIABLES if name not in FLAGS)
+CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
+
+
+def solve(parameters, rtol=RTOL, **given):
+    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
+
+
+def assert_same(one, other, rtol=0.0):
+    """Equal in every variable; ``rtol`` relative in the quantities."""
+    for name in QUANTITIES:
+        assert_allclose(getattr(one, name), getattr(other, name), rtol=rtol, err_msg=name)
+    for name in FLAGS:
+        assert np.array_equal(getattr(one, name), getattr(other, name)), name
+
+
+@pytest.fixture(scope="module")
+def mixture():
+    """Points of every kind on three surfaces: dry, lubricated, two-body, three-body, unsolvable."""
+    random = np.random.default_rng(0)
+    count = 60
+    return {
+        "load": np.append(random.uniform(1e-7, 1e-4, count - 2), [1.0, 1e-6]),
+        "viscosity": np.append(random.choice([0.0, 1e-7, 25e-6, 90e-6], count - 2), [0.0, 0.0]),
+        "particle_diameter": np.append(random.choice([0.0, 2e-7, 8e-7], count - 2), [5e-7, 1e-4]),
+        "roughness": random.choice([1e-7, 3e-7, 5e-7], count),
+        "particle_density": random.choice([0.0, 1e11, 1e12], count - 2).tolist() + [1e11, 1e12],
+    }
+
+
+# ---- shapes and types
+
+
+def test_an_array_is_solved_as_its_points_are_one_by_one(reading, mixture):
+    together = solve(reading, **mixture)
+    for index in range(len(mixture["load"])):
+        alone = solve(reading, **{name: values[index] for name, values in mixture.items()})
+        for name in VARIABLES:
+            values = getattr(together, name)[index], getattr(alone, name)
+            # sums over the nodes of the quadrature may take another order: a few roundings
+            assert_allclose(*values, rtol=1e-12, err_msg=name)
+
+
+def test_the_five_arguments_broadcast_against_each_other(parameters):
+    axes = {
+        "load": np.geomspace(1e-6, 1e-4, 4)[:, None, None],
+        "viscosity": np.array([0.0, 90e-6])[:, None],
+        "particle_diameter": np.array([0.0, 3e-7, 5e-7]),
+    }
+    grid = solve(parameters, **axes)
+    assert grid.separation.shape == (4, 2, 3)
+    full = dict(zip(axes, (a.copy() for a in np.broadcast_arrays(*axes.values())), strict=True))
+    assert_same(grid, solve(parameters, **full))
+
+
+@pytest.mark.parametrize("name", VARIABLES)
+def test_each_variable_has_the_shape_of_the_points_and_its_type(parameters, name):
+    for shape in ((), (1,), (2, 3), (0,), (3, 0)):
+        values = getattr(solve(parameters, load=np.full(shape, 1e-5)), name)
+        assert isinstance(values, np.ndarray)
+        assert values.shape == shape
+        assert values.dtype == (np.int8 if name in FLAGS else np.float64)
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_an_empty_argument_gives_an_empty_solution(parameters, name):
+    assert solve(parameters, **{name: []}).separation.shape == (0,)
+
+
+LAYOUTS = {
+    "list": lambda a: a.tolist(),
+    "float32": lambda a: a.astype(np.float32),
+    "big-endian": lambda a: a.astype(">f8"),
+    "big-endian single": lambda a: a.astype(">f4"),
+    "long double": lambda a: a.astype(np.longdouble),
+    "every other": lambda a: np.repeat(a, 2)[::2],
+    "reversed": lambda a: a[::-1].copy()[::-1],
+    "column": lambda a: np.stack([a, a], axis=1)[:, 0],
+    "read-only": lambda a: np.broadcast_to(a, (1, a.size))[0],
+}
+
+
+@pytest.mark.parametrize("layout", LAYOUTS)
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_any_layout_in_memory_is_the_same_numbers(parameters, layout, name):
+    values = POINT[name] * np.array([1.0, 1.25, 1.5])
+    given = LAYOUTS[layout](values)
+    plain = np.asarray(given).astype(float).copy()
+    assert_same(solve(parameters, **{name: given}), solve(parameters, **{name: plain}))
+
+
+def test_integers_are_numbers(parameters):
+    as_integers = solve(parameters, viscosity=0, particle_diameter=0, particle_density=10**11)
+    assert_same(as_integers, solve(parameters, viscosity=0.0, particle_diameter=0.0))
+    unsigned = solve(parameters, particle_density=np.array([10**11], dtype=np.uint64))
+    assert_same(unsigned, solve(parameters, particle_density=[1e11]))
+
+
+def test_the_given_arrays_are_left_alone(parameters, mixture):
+    before = {name: np.array(values) for name, values in mixture.items()}
+    given = {name: values.copy() for name, values in before.items()}
+    solve(parameters, **given)
+    for name, values in given.items():
+        assert np.array_equal(values, before[name])
+
+
+def test_points_do_not_depend_on_their_order_or_company(parameters, mixture):
+    given = {name: np.asarray(values) for name, values in mixture.items()}
+    order = np.random.default_rng(1).permutation(given["load"].size)
+    together = solve(parameters, **given)
+    shuffled = solve(parameters, **{name: values[order] for name, values in given.items()})
+    half = solve(parameters, **{name: values[::2] for name, values in given.items()})
+    for name in QUANTITIES:
+        values = getattr(together, name)
+        assert_allclose(getattr(shuffled, name), values[order], rtol=1e-12)
+        assert_allclose(getattr(half, name), values[::2], rtol=1e-12)
+
+
+# ---- chunks and tables
+
+
+def test_where_a_chunk_ends_makes_no_difference(parameters, mixture, monkeypatch):
+    whole = solve(parameters, **mixture)
+    for chunk in (1, 7):
+        monkeypatch.setattr(interface, "CHUNK", chunk)
+        assert_same(solve(parameters, **mixture), whole, rtol=1e-12)
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-6, 1e-9, 1e-11])
+def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, monkeypatch, rtol):
+    given = {"load": loads, "viscosity": np.array([0.0, 25e-6, 120e-6])[:, None]}
+    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9)
+    best = solve(reading, rtol=1e-11, **given)
+    monkeypatch.setattr(interface, "TABLE_WORTH", 1)
+    tabulated = solve(reading, rtol=rtol, **given)
+    for name in QUANTITIES:
+        # the best has an error of its own
+        values = getattr(tabulated, name), getattr(best, name)
+        assert_allclose(*values, rtol=rtol + 1e-11, err_msg=name)
+
+
+def test_no_jump_where_points_become_enough_for_a_table(parameters):
+    loads = np.geomspace(1e-7, 1e-4, interface.TABLE_WORTH)
+    few, enough = solve(parameters, load=loads[:-1]), solve(parameters, load=loads)
+    for name in QUANTITIES:
+        assert_allclose(getattr(enough, name)[:-1], getattr(few, name), rtol=2.0 * RTOL)
+
+
+def test_separations_beyond_the_table_are_solved_too(parameters):
+    # thick films on a smooth surface: d/sigma_s up to thousands, past any table
+    viscosity = np.geomspace(20e-6, 1e-2, 2 * interface.TABLE_WORTH)
+    many = solve(parameters, viscosity=viscosity, roughness=1e-8)
+    chosen = slice(None, None, 200)
+    few = solve(parameters, viscosity=viscosity[chosen], roughness=1e-8)
+    assert (many.solution_status == CONVERGED).all()
+    assert many.separation.max() > 1000.0 * 1e-8
+    assert_allclose(many.separation[chosen], few.separation, rtol=2.0 * RTOL)
+    assert_allclose(many.solid_load_fraction[chosen], few.solid_load_fraction, rtol=2.0 * RTOL)
+
+
+# ---- one knob
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-5, 1e-7, 1e-9])
+def test_the_error_made_is_at_most_the_error_asked_for(reading, loads, rtol):
+    given = {"load": loads, "viscosity": np.array([0.0, 10e-6, 50e-6, 150e-6])[:, None]}
+    best, asked = solve(reading, 1e-11, **given), solve(reading, rtol, **given)
+    for name in QUANTITIES:
+        values = getattr(asked, name), getattr(best, name)
+        assert_allclose(*values, rtol=rtol + 1e-11, err_msg=name)
+
+
+@pytest.mark.parametrize("rtol", [1e-11, 1e-2])
+def test_both_ends_of_the_range_of_rtol_are_accepted(parameters, rtol):
+    assert solve(parameters, rtol).solution_status == CONVERGED
+
+
+@pytest.mark.parametrize("rtol", [0.0, -1e-9, 0.99e-11, 1.01e-2, 1.0, np.nan, np.inf, "1e-9", None])
+def test_any_other_rtol_is_refused_by_name(parameters, rtol):
+    with pytest.raises(ValueError, match="rtol is .*allowed: 1e-11 to 1e-2"):
+        solve(parameters, rtol)
+
+
+# ---- misuse
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+@pytest.mark.parametrize("bad", [-1e-9, -0.1, np.nan, np.inf, -np.inf], ids=str)
+def test_numbers_without_meaning_are_refused_by_name_and_value(parameters, name, bad):
+    given = np.array([POINT[name], bad, POINT[name]])
+    with pytest.raises(ValueError, match=f"^{name} is {bad:g}; allowed: .*finite numbers"):
+        solve(parameters, **{name: given})
+
+
+@pytest.mark.parametrize("name", ["load", "roughness"])
+def test_zero_is_refused_where_it_has_no_meaning(parameters, name):
+    with pytest.raises(ValueError, match=f"^{name} is 0; allowed: positive"):
+        solve(parameters, **{name: 0.0})
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+@pytest.mark.parametrize(
+    "bad", ["1e-5", b"1", None, True, 1j, [["a"]], [None], {"a": 1}, np.datetime64("2024-01-01")]
+)
+def test_what_is_no_number_is_refused_by_name(parameters, name, bad):
+    with pytest.raises(ValueError, match=f"^{name} is of type .*; allowed: numbers"):
+        solve(parameters, **{name: bad})
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_a_ragged_list_is_refused_by_name(parameters, name):
+    with pytest.raises(ValueError, match=name):
+        solve(parameters, **{name: [[1e-7], [1e-7, 2e-7]]})
+
+
+def test_shapes_that_do_not_broadcast_are_refused(parameters):
+    with pytest.raises(ValueError, match="shape"):
+        solve(parameters, load=[1e-5, 1e-6], viscosity=[0.0, 0.0, 0.0])
+
+
+def test_a_masked_value_is_not_taken_for_a_number(parameters):
+    masked = np.ma.masked_array([1e-5, 1e-6], mask=[False, True])
+    with pytest.raises(ValueError, match="load"):
+        solve(parameters, load=masked)
+
+
+# ---- kinds of points and their statuses
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+def test_zero_diameter_and_zero_density_are_both_two_body_contact(reading, viscosity):
+    without = [{"particle_diameter": 0.0}, {"particle_density": 0.0}]
+    one, other = (solve(reading, viscosity=viscosity, **given) for given in without)
+    assert_same(one, other)
+    assert one.particle_contact_area_ratio == 0.0
+    assert one.surface_contact_area_ratio == 1.0
+    assert CONTACT_MODES[one.contact_mode] == "two_body"
+
+
+def test_every_nan_has_a_status_and_every_status_its_nan(reading, mixture):
+    solution = solve(reading, **mixture)
+    unsolved = solution.solution_status >= COVERED
+    assert {CONVERGED, OUTSIDE, FAILED} <= set(solution.solution_status)
+    for name in QUANTITIES:
+        assert np.array_equal(np.isnan(getattr(solution, name)), unsolved), name
+
+
+def test_an_unsolved_point_passes_for_no_regime_and_no_mode(parameters):
+    solution = solve(parameters, load=[1e-5, 1.0], viscosity=0.0)
+    assert solution.solution_status.tolist() == [CONVERGED, FAILED]
+    regime = dict(enumerate(LUBRICATION_REGIMES)).get(int(solution.lubrication_regime[1]))
+    mode = dict(enumerate(CONTACT_MODES)).get(int(solution.contact_mode[1]))
+    assert regime not in ("boundary", "mixed", "full_film")
+    assert mode not in ("two_body", "surface_surface", "hybrid", "particle_surface")
+
+
+def coverage_of_one_particle(parameters, equations, diameter):
+    """Largest coverage of Eqs. 4-5 for one particle in a square metre [m2]."""
+    model = parameters.as_attribute(np.array([POINT["roughness"]]))
+    one = equations(model, 0, POINT["roughness"], np.array([diameter]), np.ones(1))
+    return one.load_coverage(np.zeros(1))[0]
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+@pytest.mark.parametrize("coverage", [0.5, 0.999, 1.0 + 1e-9, 1.5, 50.0])
+def test_particles_that_cover_the_interface_are_not_solved(
+    sizes, equations, loads, viscosity, coverage
+):
+    density = coverage / coverage_of_one_particle(sizes, equations, POINT["particle_diameter"])
+    given = {"viscosity": viscosity, "particle_density": density}
+    solution = solve(sizes, load=np.append(1e-9, loads), **given)
+    expected = CONVERGED if coverage < 1.0 else COVERED
+    assert (solution.solution_status == expected).all()
+
+
+def test_coverage_counts_only_touching_particles_where_the_reading_says_so(parameters, equations):
+    inputs = replace(parameters, coverage_limits="contacting")
+    density = 1.5 / coverage_of_one_particle(inputs, equations, POINT["particle_diameter"])
+    solution = solve(inputs, load=1e-5, viscosity=[90e-6, 1e-1], particle_density=density)
+    # a thick film lifts the surface off the particles
+    assert solution.solution_status[1] == CONVERGED
+
+
+@pytest.mark.parametrize("film_load", ["fluid", "total"])
+def test_the_status_says_where_the_film_formula_has_lost_its_meaning(
+    parameters, equations, loads, film_load
+):
+    inputs = replace(parameters, film_load=film_load)
+    viscosity = np.geomspace(1e-9, 1e-4, 60)[:, None]
+    solution = solve(inputs, load=loads, viscosity=viscosity)
+    model = inputs.as_attribute(np.array([POINT["roughness"]]))
+    zero = np.zeros(1)
+    share = solution.fluid_load_fraction if film_load == "fluid" else 1.0
+    again = equations(model, 0, POINT["roughness"], zero, zero)
+    _, rough = again.film(share * loads, viscosity)
+    # H_c is least where the roughness term is 0.663/(0.884 - 0.663) = 3
+    clear = np.abs(rough - 3.0) > 1e-6
+    outside = solution.solution_status == OUTSIDE
+    assert np.array_equal(outside[clear], (rough > 3.0)[clear])
+    assert outside.any()
+    assert not outside.all()
+
+
+def test_dry_points_are_never_outside_the_film_formula(reading, loads):
+    assert (solve(reading, load=loads, viscosity=0.0).solution_status == CONVERGED).all()
+
+
+def test_a_point_that_cannot_be_solved_harms_no_other(parameters):
+    load = np.array([1e-5, 1e3, 1e-6, 1e300, 1e-300])
+    together = solve(parameters, load=load, viscosity=0.0)
+    assert together.solution_status.tolist() == [CONVERGED, FAILED, CONVERGED, FAILED, CONVERGED]
+    alone = solve(parameters, load=load[[0, 2]], viscosity=0.0)
+    assert_allclose(together.separation[[0, 2]], alone.separation, rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"load": np.geomspace(1e-12, 1e2, 50)},
+        {"load": np.geomspace(1e-12, 1e2, 50), "viscosity": 0.0},
+        {"viscosity": np.array([5e-324, 1e-300, 1e-9, 1e-2, 1.0, 1e300])},
+        {"particle_diameter": np.geomspace(1e-12, 1e-4, 50)},
+        {"particle_diameter": np.geomspace(1e-12, 1e-4, 50), "viscosity": 0.0},
+        {"roughness": np.geomspace(1e-9, 1e-5, 17)},
+        {"particle_diameter": np.array([5e-324, 1e-200, 1e200, 1e308]), "viscosity": 0.0},
+        {"particle_density": np.geomspace(1e-300, 1e300, 50)},
+    ],
+    ids=lambda given: " and ".join(given),
+)
+def test_extremes_give_a_number_or_a_status_and_no_warning(reading, given):
+    solution = solve(reading, **given)
+    unsolved = solution.solution_status >= COVERED
+    for name in QUANTITIES:
+        values = getattr(solution, name)
+        assert np.array_equal(np.isfinite(values), ~unsolved), name
+        assert (values[~unsolved] >= 0.0).all()
+    shares = solution.solid_load_fraction, solution.fluid_load_fraction
+    assert_allclose(sum(shares)[~unsolved], 1.0, rtol=4e-16)
+
+
+@pytest.mark.parametrize(
+    "extreme",
+    [
+        {"plastic_interference_ratio": 1.0},
+        {"plastic_interference_ratio": 1e4},
+        {"yield_pressure_ratio": 1.0},
+        {"truncation": 0.5},
+        {"truncation": 10.0},
+        {"spread_ratio": 1e-6},
+        {"spread_ratio": 1e-6, "size_distribution": "centred", "mean_ratio": 1.0},
+        {"spread_ratio": 1e-6, "size_distribution": "gap_convolved", "gap_ratio": 1.0},
+        {"elastic_depth_ratio": 0.0},
+        {"ellipticity": 0.1},
+        {"ellipticity": 10.0},
+        {"summit_radius": 1e-7},
+        {"summit_radius": 1e-2},
+        {"participation": 1e-6},
+    ],
+    ids=str,
+)
+def test_inputs_at_the_ends_of_their_bounds_give_numbers_and_no_warning(
+    parameters, loads, extreme
+):
+    inputs = replace(parameters, **extreme)
+    for viscosity in (0.0, 90e-6):
+        solution = solve(inputs, load=loads, viscosity=viscosity)
+        assert (solution.solution_status == CONVERGED).all()
+        assert np.isfinite(solution.total_contact_area).all()
+
+
+def test_a_roughness_without_summits_names_the_input_that_forbids_it(parameters):
+    inputs = replace(parameters, summit_parameter=0.0193, summit_parameter_exponent=-1.0)
+    with pytest.raises(ValueError, match="summit_parameter is .*at roughness 6e-07"):
+        solve(inputs, roughness=6e-7)
+
+
+# ---- no more than is needed
+
+
+def counted(monkeypatch, owner, name):
+    """Number of calls to ``owner.name``, which goes on to do its work."""
+    calls = []
+    original = getattr(owner, name)
+
+    def count(*given, **named):
+        calls.append(name)
+        return original(*given, **named)
+
+    monkeypatch.setattr(owner, name, count)
+    return calls
+
+
+def test_a_dry_scene_evaluates_no_film(parameters, loads, monkeypatch):
+    calls = counted(monkeypatch, interface.Film, "of")
+    solve(parameters, load=loads, viscosity=0.0)
+    assert not calls
+    solve(parameters, load=loads)
+    assert calls
+
+
+@pytest.mark.parametrize("without", ["particle_diameter", "particle_density"])
+def test_a_two_body_scene_evaluates_no_particles(parameters, loads, monkeypatch, without):
+    calls = counted(monkeypatch, interface.ParticleLayer, "of")
+    solve(parameters, load=loads, **{without: 0.0})
+    assert not calls
+    solve(parameters, load=loads)
+    assert calls
+
+
+def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
+    calls = counted(monkeypatch, interface, "prepare_surface")
+    solve(parameters, load=loads, roughness=np.array([[1e-7], [3e-7], [1e-7]]), viscosity=0.0)
+    assert len(calls) == 2
+
+
+def test_importing_the_package_imports_nothing_heavy():
+    code = (
+        "import sys, thirdbody; "
+        "heavy = {'numpy', 'scipy', 'xarray', 'matplotlib'} & set(sys.modules); "
+        "assert not heavy, heavy; "
+        "import thirdbody.interface; "
+        "heavy = {'xarray', 'matplotlib', 'netCDF4', 'pandas'} & set(sys.modules); "
+        "assert not heavy, heavy; "
+        "assert set(thirdbody.__all__) <= {n for n in thirdbody.__all__ if getattr(thirdbody, n)}"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_an_unknown_name_is_no_attribute_of_the_package():
+    with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
+        tb.nonsense

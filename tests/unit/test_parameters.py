@@ -1,0 +1,168 @@
+"""The inputs: what follows from them, and how they are written down."""
+
+import json
+import math
+from dataclasses import FrozenInstanceError, fields, replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody.parameters import Parameters
+
+# the data contract's keys: numbers, lists along the roughness, names of readings
+NUMBERS = (
+    "E_ss E_sa H_s1 H_s2 k omega_ratio R_x G V kappa U_per_viscosity A_n "
+    "mean_ratio sigma_a_ratio gap_ratio truncation participation h_e_ratio"
+).split()
+LISTS = "eta_s R sigma_s y_s".split()
+NAMES = "phi_a elastic_limits coverage_limits film_load".split()
+
+
+def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
+    return json.loads(parameters.as_attribute(np.array(roughness)))
+
+
+def test_the_elastic_factor_to_the_printed_digits(parameters):
+    assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
+
+
+def test_each_material_has_its_own_part_in_the_elastic_factor(parameters):
+    inputs = replace(
+        parameters,
+        hardness_surface_1=1e9,
+        hardness_surface_2=2e9,
+        elastic_modulus_particle=1e11,
+        elastic_modulus_surfaces=4e11,
+    )
+    expected = 2.25 * math.pi**2 * (1e-2**2 + 5e-3**2)
+    assert inputs.elastic_factor == pytest.approx(expected, rel=1e-15)
+
+
+def test_a_load_is_in_units_of_area_times_modulus(parameters):
+    newtons = parameters.newtons_per_load
+    assert newtons == parameters.apparent_area * parameters.elastic_modulus_surfaces
+
+
+def test_the_default_inputs_are_those_of_tables_1_and_2(defaults):
+    assert defaults.elastic_modulus_surfaces == 112e9
+    assert defaults.elastic_modulus_particle == 112e9
+    assert defaults.hardness_surface_1 == defaults.hardness_surface_2 == 5e9
+    assert defaults.ball_radius == 6.35e-3
+    assert defaults.material_parameter == 2038.0
+    assert defaults.hardness_parameter == 0.04
+    assert defaults.speed_per_viscosity * 150e-6 == pytest.approx(7.3e-10, rel=1e-15)
+
+
+def test_summit_plane_and_deviation_follow_from_the_summits(parameters):
+    inputs = replace(parameters, summit_offset=True)
+    for roughness in (1e-7, 3e-7, 5e-7):
+        surface = inputs.surface(roughness)
+        length = 1.0 / (surface.summit_density * surface.summit_radius)
+        variance = roughness**2 - 3.717e-4 * length**2
+        assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-15)
+        assert_allclose(surface.summit_deviation, math.sqrt(variance), rtol=1e-15)
+
+
+def test_without_an_offset_summits_spread_about_the_mean_plane(parameters):
+    surface = replace(parameters, summit_offset=False).surface(3e-7)
+    assert surface.summit_offset == 0.0
+    assert surface.summit_deviation == surface.roughness == 3e-7
+
+
+def test_summits_follow_their_power_laws_about_the_reference_roughness(parameters):
+    reference = parameters.reference_roughness
+    for scale in (0.1, 1.0, 5.0):
+        surface = parameters.surface(scale * reference)
+        radius = parameters.summit_radius * scale**parameters.summit_radius_exponent
+        product = parameters.summit_parameter * scale**parameters.summit_parameter_exponent
+        assert_allclose(surface.summit_radius, radius, rtol=1e-14)
+        assert_allclose(
+            surface.summit_density * surface.summit_radius * surface.roughness, product, rtol=1e-14
+        )
+
+
+@pytest.mark.parametrize("summit_parameter", [0.01, 0.01927])
+def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, summit_parameter):
+    inputs = replace(parameters, summit_parameter=summit_parameter)
+    with pytest.raises(ValueError, match=r"summit_parameter is 0\.01.*allowed: above 0\.01928"):
+        inputs.surface(parameters.reference_roughness)
+
+
+def test_summits_just_above_the_limit_keep_a_variance(parameters):
+    surface = replace(parameters, summit_parameter=0.0193).surface(parameters.reference_roughness)
+    assert 0.0 < surface.summit_deviation < surface.roughness
+
+
+@pytest.mark.parametrize("spread", [0.0, 9e-7])
+def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
+    with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: at least 1e-06"):
+        replace(parameters, spread_ratio=spread)
+
+
+def test_the_attribute_holds_exactly_the_keys_of_the_contract(reading):
+    assert set(attribute(reading)) == {*NUMBERS, *LISTS, *NAMES}
+
+
+def test_the_attribute_is_flat_and_its_values_have_their_types(reading):
+    model = attribute(reading)
+    assert all(isinstance(model[name], float) for name in NUMBERS)
+    assert all(isinstance(model[name], str) for name in NAMES)
+    for name in LISTS:
+        assert [type(value) for value in model[name]] == [float] * 3
+
+
+def test_lists_run_along_the_roughness(reading):
+    model = attribute(reading)
+    for index, roughness in enumerate((1e-7, 3e-7, 5e-7)):
+        surface = reading.surface(roughness)
+        assert model["eta_s"][index] == surface.summit_density
+        assert model["R"][index] == surface.summit_radius
+        assert model["sigma_s"][index] == surface.summit_deviation
+        assert model["y_s"][index] == surface.summit_offset
+
+
+def test_each_number_of_the_attribute_is_its_own_input(parameters):
+    distinct = {
+        field.name: 1.0 + 0.01 * index
+        for index, field in enumerate(fields(Parameters))
+        if isinstance(getattr(parameters, field.name), float)
+    }
+    model = attribute(replace(parameters, **distinct, summit_offset=False))
+    expected = {
+        "E_ss": "elastic_modulus_surfaces",
+        "E_sa": "elastic_modulus_particle",
+        "H_s1": "hardness_surface_1",
+        "H_s2": "hardness_surface_2",
+        "k": "yield_pressure_ratio",
+        "omega_ratio": "plastic_interference_ratio",
+        "R_x": "ball_radius",
+        "G": "material_parameter",
+        "V": "hardness_parameter",
+        "kappa": "ellipticity",
+        "U_per_viscosity": "speed_per_viscosity",
+        "A_n": "apparent_area",
+        "mean_ratio": "mean_ratio",
+        "sigma_a_ratio": "spread_ratio",
+        "gap_ratio": "gap_ratio",
+        "truncation": "truncation",
+        "participation": "participation",
+        "h_e_ratio": "elastic_depth_ratio",
+    }
+    assert {key: model[key] for key in NUMBERS} == {
+        key: distinct[name] for key, name in expected.items()
+    }
+
+
+def test_numbers_survive_the_attribute_to_the_last_digit(parameters):
+    model = attribute(replace(parameters, participation=0.1 + 0.2, truncation=math.pi))
+    assert model["participation"] == 0.1 + 0.2
+    assert model["truncation"] == math.pi
+
+
+def test_inputs_cannot_be_changed_and_equal_ones_are_equal(parameters):
+    with pytest.raises(FrozenInstanceError):
+        parameters.truncation = 1.0
+    again = Parameters(**parameters.as_dict())
+    assert again == parameters
+    assert hash(again) == hash(parameters)

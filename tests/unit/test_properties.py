@@ -1,0 +1,299 @@
+"""Random points over the physical domain and all readings: the equations hold at every one."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+RTOL = 1e-9
+CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
+QUANTITIES = (
+    "total_contact_area",
+    "particle_contact_area_ratio",
+    "surface_contact_area_ratio",
+    "solid_load_fraction",
+    "fluid_load_fraction",
+    "separation",
+    "film_thickness",
+)
+POINTS = 40  # of each example, on one surface
+# solved fractions below it have underflowed
+UNDERFLOW = 1e-280
+
+
+def bounded(examples):
+    """Always the same examples, on a machine of any speed."""
+    return settings(max_examples=examples, deadline=None, derandomize=True, database=None)
+
+
+def between(low, high):
+    """Floats spread evenly in their logarithm."""
+    return st.floats(np.log(low), np.log(high)).map(lambda x: float(np.clip(np.exp(x), low, high)))
+
+
+READINGS = st.fixed_dictionaries(
+    {
+        "size_distribution": st.sampled_from(["uncentred", "centred", "gap_convolved"]),
+        "elastic_limits": st.sampled_from(["printed", "physical"]),
+        "coverage_limits": st.sampled_from(["printed", "contacting"]),
+        "film_load": st.sampled_from(["fluid", "total"]),
+        "summit_offset": st.booleans(),
+        "hardness_surface_1": between(1e9, 2e10),
+        "hardness_surface_2": between(1e9, 2e10),
+        "elastic_modulus_surfaces": between(5e10, 5e11),
+        "elastic_modulus_particle": between(5e10, 5e11),
+        "yield_pressure_ratio": st.floats(0.1, 1.0),
+        "plastic_interference_ratio": between(1.001, 1e3),
+        "summit_parameter": between(0.025, 5.0),
+        "summit_parameter_exponent": st.just(0.0),
+        "summit_radius": between(1e-6, 1e-3),
+        "mean_ratio": st.floats(0.0, 2.0),
+        "spread_ratio": st.floats(0.05, 3.0),
+        "gap_ratio": st.floats(0.0, 3.0),
+        "truncation": st.floats(0.5, 10.0),
+        "participation": between(1e-3, 1.0),
+        "elastic_depth_ratio": st.floats(0.0, 0.1),
+        "ellipticity": between(0.1, 10.0),
+        "apparent_area": between(1.1e-7, 7.1e-6),
+    }
+)
+# load, viscosity, diameter, density in the unit interval
+RANDOM_POINTS = st.integers(0, 2**32 - 1).map(
+    lambda seed: np.random.default_rng(seed).random((4, POINTS))
+)
+
+
+def conditions(unit):
+    """Load, viscosity, diameter and density from numbers between 0 and 1; low ones mean none."""
+    load, viscosity, diameter, density = unit
+    return (
+        10.0 ** (-9.0 + 8.0 * load),
+        np.where(viscosity < 0.25, 0.0, 10.0 ** (-8.0 + 5.0 * viscosity)),
+        np.where(diameter < 0.1, 0.0, 10.0 ** (-9.0 + 3.5 * diameter)),
+        np.where(density < 0.1, 0.0, 10.0 ** (9.0 + 3.7 * density)),
+    )
+
+
+class Solved:
+    """Points on one surface, their solution, and the equations written a second time."""
+
+    def __init__(self, parameters, equations, changes, roughness, unit):
+        self.inputs = replace(parameters, **changes)
+        self.load, self.viscosity, diameter, density = conditions(unit)
+        self.three_body = (diameter > 0.0) & (density > 0.0)
+        self.solution = tb.solve(
+            self.load, self.viscosity, diameter, roughness, density, self.inputs, RTOL
+        )
+        model = self.inputs.as_attribute(np.array([roughness]))
+        self.status = self.solution.solution_status
+        self.known = self.status < COVERED
+        self.again = equations(model, 0, roughness, diameter[self.known], density[self.known])
+
+    def __getattr__(self, name):
+        """Values of the solved points."""
+        return getattr(self.solution, name)[self.known]
+
+    def assert_balanced(self, function, value):
+        """``function(d)`` is ``value`` but for errors of RTOL in d and in the value itself."""
+        d = self.separation
+        with np.errstate(under="ignore"):
+            sides = function(d), function(d * (1.0 + RTOL)), function(d * (1.0 - RTOL))
+        allowed = RTOL * np.abs(sides[0]) + np.abs(sides[1] - sides[2])
+        wrong = ~(np.abs(sides[0] - value) <= allowed) & (value > UNDERFLOW)
+        assert not wrong.any(), (self.load[self.known][wrong], value[wrong], sides[0][wrong])
+
+
+@pytest.fixture(scope="session")
+def solved(parameters, equations):
+    return lambda *given: Solved(parameters, equations, *given)
+
+
+DOMAIN = {"changes": READINGS, "roughness": between(1e-9, 1e-5), "unit": RANDOM_POINTS}
+
+
+@given(**DOMAIN)
+@bounded(60)
+def test_solids_bear_their_share_of_the_load(solved, changes, roughness, unit):
+    points = solved(changes, roughness, unit)
+    share = points.solid_load_fraction * points.load[points.known]
+    points.assert_balanced(points.again.solid_load, share)
+
+
+@given(**DOMAIN)
+@bounded(60)
+def test_the_film_is_as_thick_as_the_gap(solved, changes, roughness, unit):
+    points = solved(changes, roughness, unit)
+    load, viscosity = points.load[points.known], points.viscosity[points.known]
+    in_film = load if points.inputs.film_load == "total" else points.fluid_load_fraction * load
+    wet = (viscosity > 0.0) & (in_film > UNDERFLOW) & (points.fluid_load_fraction > 0.0)
+    thickness, rough = points.again.film(in_film[wet], viscosity[wet])
+    # the load's error enters H_c with a power of at most 0.3 for any ellipticity
+    assert_allclose(points.film_thickness[wet], thickness, rtol=1.3 * RTOL)
+    kappa = points.inputs.ellipticity
+    speed = 0.663 * kappa**0.025
+    limit = speed / (0.884 - speed)
+    clear = np.abs(rough / limit - 1.0) > 1e-6
+    outside = points.status[points.known][wet] == OUTSIDE
+    assert np.array_equal(outside[clear], (rough > limit)[clear])
+
+
+@given(**DOMAIN)
+@bounded(60)
+def test_areas_are_those_of_the_separation(solved, changes, roughness, unit):
+    points = solved(changes, roughness, unit)
+    values = (
+        points.total_contact_area,
+        points.particle_contact_area_ratio,
+        points.surface_contact_area_ratio,
+    )
+    for which, value in enumerate(values):
+        points.assert_balanced(lambda d, which=which: points.again.areas(d)[which], value)
+
+
+@given(**DOMAIN)
+@bounded(60)
+def test_shares_sum_to_one_and_flags_agree_with_them(solved, changes, roughness, unit):
+    points = solved(changes, roughness, unit)
+    # two roundings of numbers up to 1
+    ratios = points.particle_contact_area_ratio + points.surface_contact_area_ratio
+    assert_allclose(ratios, 1.0, rtol=4e-16)
+    assert_allclose(points.solid_load_fraction + points.fluid_load_fraction, 1.0, rtol=4e-16)
+    film = points.separation / points.inputs.ball_radius
+    assert_allclose(points.film_thickness, film, rtol=4e-16)
+    regime = lubrication_regime(points.solid_load_fraction)
+    assert np.array_equal(points.lubrication_regime, regime)
+    mode = contact_mode(points.particle_contact_area_ratio, points.three_body[points.known])
+    assert np.array_equal(points.contact_mode, mode)
+
+
+@given(**DOMAIN)
+@bounded(60)
+def test_every_nan_has_a_status_and_every_status_a_reason(
+    solved, equations, changes, roughness, unit
+):
+    points = solved(changes, roughness, unit)
+    for name in QUANTITIES:
+        values = getattr(points.solution, name)
+        assert np.array_equal(np.isfinite(values), points.known), name
+        assert (values[points.known] >= 0.0).all(), name
+    _, _, diameter, density = conditions(unit)
+    unsolved = ~points.known
+    model = points.inputs.as_attribute(np.array([roughness]))
+    again = equations(model, 0, roughness, diameter[unsolved], density[unsolved])
+    closed = np.zeros(unsolved.sum())
+    covered = np.broadcast_to(again.load_coverage(closed), closed.shape) >= 1.0 - 1e-9
+    covered |= again.coverage(closed) >= 1.0 - 1e-9
+    overloaded = again.solid_load(closed) <= points.load[unsolved] * (1.0 + RTOL)
+    dry = points.viscosity[unsolved] == 0.0
+    if points.inputs.film_load == "total":
+        dry = np.ones_like(dry)  # a film thinner than the dry gap bears nothing
+    status = points.status[unsolved]
+    assert covered[status == COVERED].all()
+    assert (overloaded & dry | covered)[status == FAILED].all()
+
+
+@given(**DOMAIN)
+@bounded(40)
+def test_dry_points_bear_all_and_never_leave_the_film_formula(solved, changes, roughness, unit):
+    unit = unit.copy()
+    unit[1] = 0.0
+    points = solved(changes, roughness, unit)
+    assert (points.solid_load_fraction == 1.0).all()
+    assert (points.fluid_load_fraction == 0.0).all()
+    assert OUTSIDE not in points.status
+
+
+@given(**DOMAIN)
+@bounded(40)
+def test_two_body_points_have_no_particle_area(solved, changes, roughness, unit):
+    unit = unit.copy()
+    unit[2] = 0.0
+    points = solved(changes, roughness, unit)
+    assert (points.particle_contact_area_ratio == 0.0).all()
+    assert (points.surface_contact_area_ratio == 1.0).all()
+    assert (points.contact_mode == 0).all()
+
+
+@given(**DOMAIN)
+@bounded(40)
+def test_a_heavier_load_brings_the_surfaces_closer(solved, changes, roughness, unit):
+    # provable where F_s falls with d: with the printed limits of Eqs. 4 and 5
+    printed = {"coverage_limits": "printed", "elastic_limits": "printed"}
+    unit = np.repeat(unit[:, :1], POINTS, axis=1)
+    unit[0] = np.linspace(0.0, 1.0, POINTS)
+    points = solved(changes | printed, roughness, unit)
+    assert (np.diff(points.separation) < 0.0).all()
+    # and a load that closes the gap is exceeded by every heavier one
+    assert (np.diff(points.known.astype(int)) <= 0).all() or points.known.all()
+
+
+@given(**DOMAIN)
+@bounded(40)
+def test_a_thicker_film_parts_the_surfaces_and_relieves_the_solids(
+    solved, changes, roughness, unit
+):
+    printed = {"coverage_limits": "printed", "elastic_limits": "printed"}
+    unit = np.repeat(unit[:, :1], POINTS, axis=1)
+    unit[1] = np.linspace(0.5, 1.0, POINTS)
+    points = solved(changes | printed, roughness, unit)
+    rising = points.status == CONVERGED  # H_c rises with viscosity
+    separation = points.solution.separation[rising]
+    # neighbours may both be at the dry separation, where the film bears nothing
+    assert (np.diff(separation) >= -2.0 * RTOL * separation[1:]).all()
+    shares = points.solution.solid_load_fraction[rising]
+    assert (np.diff(shares) <= 2.0 * RTOL * shares[1:] + UNDERFLOW).all()
+
+
+@given(**DOMAIN)
+@bounded(40)
+def test_more_particles_part_dry_surfaces(solved, changes, roughness, unit):
+    # provable where a particle bears more than the summits it displaces: they press with less
+    # than their hardness on less than the whole interface
+    changes = changes | {"coverage_limits": "contacting", "elastic_limits": "printed"}
+    unit = np.repeat(unit[:, :1], POINTS, axis=1)
+    unit[1] = 0.0
+    unit[3] = np.linspace(0.1, 1.0, POINTS)
+    points = solved(changes, roughness, unit)
+    separation = points.separation
+    shared = points.total_contact_area < 0.5
+    steps = shared[1:] & shared[:-1]
+    assert (np.diff(separation)[steps] >= -2.0 * RTOL * separation[1:][steps]).all()
+
+
+@given(**DOMAIN, rtol=between(1e-11, 1e-2))
+@bounded(40)
+def test_the_error_made_is_at_most_the_error_asked_for(parameters, rtol, changes, roughness, unit):
+    inputs = replace(parameters, **changes)
+    load, viscosity, diameter, density = conditions(unit)
+    best, asked = (
+        tb.solve(load, viscosity, diameter, roughness, density, inputs, accuracy)
+        for accuracy in (1e-11, rtol)
+    )
+    both = (best.solution_status < COVERED) & (asked.solution_status < COVERED)
+    for name in QUANTITIES:
+        value, reference = getattr(asked, name)[both], getattr(best, name)[both]
+        assert (np.abs(value - reference) <= (rtol + 1e-11) * reference + UNDERFLOW).all(), name
+
+
+@given(**DOMAIN, pick=st.integers(0, POINTS - 1))
+@bounded(30)
+def test_a_point_alone_is_the_point_among_others(parameters, unit, changes, roughness, pick):
+    inputs = replace(parameters, **changes)
+    load, viscosity, diameter, density = conditions(unit)
+    together = tb.solve(load, viscosity, diameter, roughness, density, inputs)
+    alone = tb.solve(
+        load[pick], viscosity[pick], diameter[pick], roughness, density[pick], inputs
+    )
+    assert alone.solution_status == together.solution_status[pick]
+    for name in QUANTITIES:
+        values = getattr(alone, name), getattr(together, name)[pick]
+        # sums over nodes in another order, and what the steepest tail makes of that
+        assert_allclose(*values, rtol=1e-11, atol=UNDERFLOW)

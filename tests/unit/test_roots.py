@@ -1,0 +1,149 @@
+"""Bracketed Newton roots of decreasing functions, whose roots are known."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody.roots import decreasing_roots
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+TOLERANCE = 1e-12
+
+
+@dataclass
+class Targets:
+    """The values that a function is to take, and how many were asked for at each step."""
+
+    value: np.ndarray
+    sizes: list
+
+    def take(self, chosen):
+        return Targets(self.value[chosen], self.sizes)
+
+
+def solved(function, roots, guess, lower, upper, tolerance=TOLERANCE):
+    """Roots of function(x) = function(``roots``), and the number of points in each step."""
+    targets = Targets(function(roots)[0], [])
+
+    def residual(x, some):
+        some.sizes.append(x.size)
+        value, slope = function(x)
+        return value - some.value, slope
+
+    ends = (np.full_like(roots, end) for end in (guess, lower, upper))
+    return decreasing_roots(residual, *ends, tolerance, targets), targets.sizes
+
+
+def line(x):
+    return -3.0 * x, np.full_like(x, -3.0)
+
+
+def cube(x):
+    return -(x**3), -3.0 * x**2
+
+
+def step(x):
+    return -np.arctan(1e6 * x), -1e6 / (1.0 + (1e6 * x) ** 2)
+
+
+def exponential(x):
+    return np.exp(-x), -np.exp(-x)
+
+
+@pytest.mark.parametrize("function", [line, cube, step, exponential])
+@pytest.mark.parametrize("guess", [-10.0, 0.3, 10.0, 1e300])
+def test_roots_are_found_from_any_guess(function, guess):
+    roots = np.array([-9.99, -0.5, 1e-3, 0.1, 9.99])
+    found, _ = solved(function, roots, guess, -10.0, 10.0)
+    # the steepest place decides where rounding of the value allows no better
+    allowed = TOLERANCE + 4e-16 * np.abs(function(roots)[0] / function(roots)[1])
+    assert (np.abs(found - roots) <= allowed).all()
+
+
+def test_a_root_at_either_end_of_the_bracket_is_found():
+    roots = np.array([-10.0, 10.0])
+    found, _ = solved(line, roots, 0.0, -10.0, 10.0)
+    assert_allclose(found, roots, rtol=0.0, atol=TOLERANCE)
+
+
+@pytest.mark.parametrize("root", [-11.0, 11.0])
+def test_without_a_root_between_the_bounds_the_answer_is_nan(root):
+    found, _ = solved(line, np.array([root, 2.0]), 0.0, -10.0, 10.0)
+    assert np.isnan(found[0])
+    assert found[1] == pytest.approx(2.0, abs=TOLERANCE)
+
+
+@pytest.mark.parametrize("tolerance", [1e-12, 1e-6, 1e-3, 5e-3])
+def test_a_residual_that_stays_negative_has_no_root_at_any_tolerance(tolerance):
+    # at the lower bound it is still a tenth below zero: far more than any tolerance
+    found, _ = solved(line, np.array([-0.1 / 3.0]), 0.5, 0.0, 1.0, tolerance)
+    assert np.isnan(found[0])
+
+
+def test_a_jump_over_zero_is_no_root():
+    def jump(x, points):
+        return np.where(x < 0.25, 1.0, -1.0), np.zeros_like(x)
+
+    zero = np.zeros(1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found = decreasing_roots(jump, zero, zero - 1.0, zero + 1.0, TOLERANCE, Targets(zero, []))
+    assert np.isnan(found[0])
+
+
+def test_nan_counts_as_a_value_beyond_the_root():
+    def logarithm(x):
+        with np.errstate(invalid="ignore", divide="ignore"):
+            return np.log(1.0 - x), -1.0 / (1.0 - x)
+
+    roots = np.array([-0.5, 0.1, 0.9])
+    found, _ = solved(logarithm, roots, 5.0, -10.0, 10.0)
+    assert_allclose(found, roots, rtol=0.0, atol=TOLERANCE)
+
+
+def test_finished_elements_drop_out():
+    hard = np.concatenate([np.full(5, 0.5), [1e-3]])
+    found, sizes = solved(cube, hard, 0.5, -10.0, 10.0)
+    assert_allclose(found, hard, rtol=0.0, atol=TOLERANCE)
+    assert sizes[0] == 6
+    assert sizes[-1] == 1
+    assert sorted(sizes, reverse=True) == sizes
+
+
+def test_no_points_give_no_roots():
+    found, sizes = solved(line, np.zeros(0), 0.0, -1.0, 1.0)
+    assert found.shape == (0,)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-9])
+def test_a_looser_tolerance_is_met_in_fewer_steps(tolerance):
+    roots = np.linspace(-3.0, 3.0, 50)
+    found, sizes = solved(exponential, roots, 0.0, -10.0, 10.0, tolerance)
+    _, tight = solved(exponential, roots, 0.0, -10.0, 10.0, 1e-14)
+    assert np.abs(found - roots).max() <= tolerance
+    assert sum(sizes) < sum(tight)
+
+
+@pytest.mark.parametrize("slope", [0.0, np.nan])
+def test_a_slope_that_leads_nowhere_falls_back_to_halving(slope):
+    def cubic(x):
+        return -(x**3), np.full_like(x, slope)
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        found, _ = solved(cubic, np.array([0.3]), 0.0, -1.0, 2.0)
+    assert found[0] == pytest.approx(0.3, abs=1e-9)
+
+
+def test_the_given_arrays_are_left_alone():
+    guess, lower, upper = np.full(3, 5.0), np.full(3, -10.0), np.full(3, 10.0)
+    targets = Targets(np.array([1.0, 2.0, 3.0]), [])
+
+    def residual(x, some):
+        return -x - some.value, np.full_like(x, -1.0)
+
+    decreasing_roots(residual, guess, lower, upper, TOLERANCE, targets)
+    assert (guess == 5.0).all()
+    assert (lower == -10.0).all()
+    assert (upper == 10.0).all()

@@ -1,0 +1,151 @@
+"""Scenes: axes, named loads, and which combinations are shown."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody.configuration import read_yaml
+from thirdbody.scene import DIMENSIONS, Curves, Scene, load_values, relative, scaled
+
+NEWTONS = 7.0e5
+AXIS = {"load_N": [0.04, 80.0], "count": 240}
+GROUP = {
+    "viscosity_cSt": [90, 0],
+    "particle_diameter_nm": [500, 0, 300],
+    "roughness_nm": [300],
+    "particle_density_per_m2": [1.0e11],
+}
+SCENES = Path(__file__).parents[2] / "config" / "scenes.yaml"
+
+
+def scene(*groups, **more):
+    return Scene.of("test", {"title": "Test", "load_axis": AXIS, "curves": groups} | more, NEWTONS)
+
+
+def test_loads_are_log_spaced_from_the_first_to_the_last():
+    values = load_values(AXIS, [], NEWTONS)
+    assert values.size == 240
+    assert values[0] == float(f"{0.04 / NEWTONS:.12g}")
+    assert values[-1] == float(f"{80.0 / NEWTONS:.12g}")
+    assert_allclose(np.diff(np.log(values)), math.log(2000.0) / 239.0, rtol=1e-10)
+
+
+def test_named_loads_are_on_the_axis_exactly():
+    named = [3.27e-6, 1.49e-5, 1.0e-4]
+    values = load_values(AXIS, named, NEWTONS)
+    assert set(named) <= set(values)
+    assert values.size == 243
+    assert (np.diff(values) > 0.0).all()
+
+
+def test_a_named_load_that_is_on_the_axis_anyway_stands_there_once():
+    plain = load_values(AXIS, [], NEWTONS)
+    assert np.array_equal(load_values(AXIS, plain[[0, 100, -1]].tolist(), NEWTONS), plain)
+
+
+def test_a_named_load_beyond_the_ends_is_left_out():
+    plain = load_values(AXIS, [], NEWTONS)
+    assert np.array_equal(load_values(AXIS, [1e-12, 0.5], NEWTONS), plain)
+
+
+def test_values_are_sorted_and_stand_once():
+    group = GROUP | {"viscosity_cSt": [90, 0, 90.0]}
+    (curves,) = Curves.of(group)
+    assert curves.viscosity.tolist() == [0.0, 90e-6]
+    assert curves.particle_diameter.tolist() == [0.0, 300e-9, 500e-9]
+
+
+def test_units_turn_into_si():
+    (curves,) = Curves.of(GROUP)
+    assert curves.viscosity[1] == 90e-6
+    assert curves.roughness[0] == 300e-9
+    assert curves.particle_density[0] == 1e11
+
+
+@pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
+def test_a_decimal_is_the_float_that_its_digits_mean_in_si(value):
+    assert scaled([value], 1e-9)[0] == float(f"{value}e-9")
+
+
+def test_a_diameter_relative_to_the_roughness_is_that_of_the_digits():
+    # 1.1 x 300 is 330.00000000000006 in binary
+    assert relative([1.1], 300.0)[0] == 330e-9
+    assert relative([0.7], 100.0)[0] == 70e-9
+
+
+def test_relative_diameters_make_a_group_of_each_roughness():
+    group = {name: GROUP[name] for name in ("viscosity_cSt", "particle_density_per_m2")}
+    group |= {"particle_diameter_per_roughness": [0.6, 1.0], "roughness_nm": [100, 500]}
+    small, large = Curves.of(group)
+    assert small.roughness.tolist() == [100e-9]
+    assert small.particle_diameter.tolist() == [60e-9, 100e-9]
+    assert large.roughness.tolist() == [500e-9]
+    assert large.particle_diameter.tolist() == [300e-9, 500e-9]
+
+
+def test_an_axis_holds_the_values_of_all_groups():
+    other = GROUP | {"viscosity_cSt": [25], "roughness_nm": [100, 300]}
+    both = scene(GROUP, other)
+    assert both.axis("viscosity").tolist() == [0.0, 25e-6, 90e-6]
+    assert both.axis("roughness").tolist() == [100e-9, 300e-9]
+    assert np.array_equal(both.axis("load"), both.load)
+
+
+def test_equal_values_of_two_groups_meet_on_the_axis():
+    ratios = {name: value for name, value in GROUP.items() if name != "particle_diameter_nm"}
+    both = scene(GROUP, ratios | {"particle_diameter_per_roughness": [1.0, 5.0 / 3.0]})
+    assert both.axis("particle_diameter").tolist() == [0.0, 300e-9, 500e-9]
+
+
+def test_a_group_is_placed_at_its_own_values():
+    other = GROUP | {"viscosity_cSt": [25], "roughness_nm": [100]}
+    both = scene(GROUP, other)
+    for group in both.groups:
+        place = both.placed(group)
+        for name, index in zip(DIMENSIONS[1:], place[1:], strict=True):
+            assert np.array_equal(both.axis(name)[index.ravel()], getattr(group, name))
+        assert place[0].size == both.load.size
+
+
+def test_the_size_counts_shown_points():
+    both = scene(GROUP, GROUP | {"viscosity_cSt": [25]})
+    assert both.size == 240 * (2 * 3 + 3)
+
+
+def test_a_scene_without_named_loads_has_the_plain_axis():
+    assert np.array_equal(scene(GROUP).load, load_values(AXIS, [], NEWTONS))
+
+
+@pytest.mark.parametrize("figure", [f"fig{number:02d}" for number in range(3, 14)])
+def test_each_figure_of_the_paper_has_at_least_200_loads_and_its_named_ones(defaults, figure):
+    configured = read_yaml(SCENES)
+    entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
+    shown = Scene.of(figure, entry, defaults.newtons_per_load)
+    assert shown.load.size >= 200
+    assert set(entry.get("named_loads", [])) <= set(shown.load)
+    assert_allclose(shown.load[[0, -1]] * defaults.newtons_per_load, [0.04, 80.0], rtol=1e-11)
+
+
+# what each figure of the paper shows, in its units: cSt, nm, nm, 1e11 m-2
+SHOWN = {
+    "fig03": ({0}, {0, 100, 200, 300, 400, 500, 700, 1000}, {100}, {1}),
+    "fig04": ({0, 10, 25, 50, 70, 90, 120}, {0, 500}, {300}, {1}),
+    "fig05": ({0, 10, 25, 50, 70, 90, 120}, {0, 500}, {100, 500}, {1}),
+    "fig06": ({0, 90}, set(range(0, 1001, 100)), {300}, {1}),
+    "fig08": ({0, 90}, {500}, {100, 200, 300, 400, 500}, {1}),
+    "fig09": ({0}, {200, 225, 250, 275, 300, 325, 350, 375, 400, 450, 500}, {300}, {1}),
+    "fig11": ({0, 25, 50, 70, 90, 120, 150}, {300}, {300}, {1}),
+}
+
+
+@pytest.mark.parametrize("figure", SHOWN)
+def test_each_figure_shows_the_conditions_of_the_paper(defaults, figure):
+    configured = read_yaml(SCENES)
+    entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
+    shown = Scene.of(figure, entry, defaults.newtons_per_load)
+    units = (1e-6, 1e-9, 1e-9, 1e11)
+    for name, unit, expected in zip(DIMENSIONS[1:], units, SHOWN[figure], strict=True):
+        assert shown.axis(name).tolist() == sorted(scaled(expected, unit))

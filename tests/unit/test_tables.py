@@ -1,0 +1,139 @@
+"""Tidy tables: CSV there and back, their schema, and their readable forms."""
+
+import csv
+import json
+
+import pytest
+
+from thirdbody.tables import TABLES, Column, read_csv, write_csv, write_schema, write_text
+
+COLUMNS = (
+    Column("figure", "string", "", "figure of the paper"),
+    Column("load", "number", "1", "F_t*"),
+    Column("separation_m", "number", "m", "mean separation"),
+)
+ROWS = [
+    {"figure": "fig03", "load": 3.563037807e-06, "separation_m": 3.626476607e-07},
+    {"figure": 'with "quotes", commas\nand lines', "load": 0.0, "separation_m": None},
+]
+
+
+@pytest.fixture
+def written(tmp_path):
+    path = tmp_path / "table.csv"
+    write_csv(path, ROWS, COLUMNS)
+    return path
+
+
+def test_rows_survive_the_file(written):
+    assert read_csv(written, COLUMNS) == ROWS
+
+
+def test_numbers_have_ten_digits_and_lines_end_alike_everywhere(tmp_path):
+    path = tmp_path / "table.csv"
+    write_csv(path, [ROWS[0] | {"load": 1.0 / 3.0}], COLUMNS)
+    expected = b"figure,load,separation_m\nfig03,0.3333333333,3.626476607e-07\n"
+    assert path.read_bytes() == expected
+
+
+def test_an_empty_table_has_its_names(tmp_path):
+    path = tmp_path / "table.csv"
+    write_csv(path, [], COLUMNS)
+    assert path.read_text() == "figure,load,separation_m\n"
+    assert read_csv(path, COLUMNS) == []
+
+
+def test_special_numbers_survive_the_file(tmp_path):
+    path = tmp_path / "table.csv"
+    values = [float("inf"), 1e-300, -1e300]
+    write_csv(path, [ROWS[0] | {"load": value} for value in values], COLUMNS)
+    assert [row["load"] for row in read_csv(path, COLUMNS)] == values
+
+
+def test_a_row_without_a_column_is_refused(tmp_path):
+    with pytest.raises(KeyError):
+        write_csv(tmp_path / "table.csv", [{"figure": "fig03"}], COLUMNS)
+
+
+DAMAGES = {
+    "other columns": "figure,load\nfig03,1\n",
+    "another order": "load,figure,separation_m\n1,fig03,1\n",
+    "nothing": "",
+    "a number that is none": "figure,load,separation_m\nfig03,1e,1\n",
+    "a row cut short": "figure,load,separation_m\nfig03,1e-6\n",
+    "a row too long": "figure,load,separation_m\nfig03,1,2,3\n",
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGES)
+def test_a_damaged_table_is_named_with_the_command_that_remakes_it(tmp_path, damage):
+    path = tmp_path / "table.csv"
+    path.write_text(DAMAGES[damage])
+    with pytest.raises(OSError, match=f"{path}.*remake it: snakemake -c2 --force {path}"):
+        read_csv(path, COLUMNS)
+
+
+def test_bytes_that_are_no_text_are_named_with_the_command_that_remakes_them(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_bytes(b"figure,load,separation_m\n\xff\xfe,1,2\n")
+    with pytest.raises(OSError, match=f"{path}.*remake it: snakemake -c2 --force {path}"):
+        read_csv(path, COLUMNS)
+
+
+def test_the_schema_describes_each_column_in_its_order(tmp_path):
+    path = tmp_path / "table.json"
+    write_schema(path, COLUMNS)
+    schema = json.loads(path.read_text())
+    assert [field["name"] for field in schema["fields"]] == [column.name for column in COLUMNS]
+    assert [field["type"] for field in schema["fields"]] == ["string", "number", "number"]
+    assert schema["fields"][2]["description"] == "mean separation [m]"
+    assert schema["fields"][0]["description"] == "figure of the paper"
+    assert schema["missingValues"] == [""]
+
+
+def test_a_table_for_reading_shows_each_row(tmp_path):
+    path = tmp_path / "table.md"
+    write_text(path, ROWS[:1], COLUMNS, "github")
+    header, rule, row = path.read_text().splitlines()
+    assert [cell.strip() for cell in header.strip("|").split("|")] == [c.name for c in COLUMNS]
+    assert set(rule) <= set("|-:")
+    assert [cell.strip() for cell in row.strip("|").split("|")] == [
+        "fig03",
+        "3.56304e-06",
+        "3.62648e-07",
+    ]
+
+
+def test_a_latex_table_escapes_what_latex_would_read(tmp_path):
+    path = tmp_path / "table.tex"
+    write_text(path, [ROWS[0] | {"figure": "50 % & more_of #1"}], COLUMNS, "latex_booktabs")
+    text = path.read_text()
+    assert r"50 \% \& more\_of \#1" in text
+    assert r"separation\_m" in text
+    assert text.count(r"\toprule") == text.count(r"\bottomrule") == 1
+
+
+@pytest.mark.parametrize("name", TABLES)
+def test_each_table_has_distinct_described_columns_of_known_kinds(name):
+    names = [column.name for column in TABLES[name]]
+    assert len(set(names)) == len(names)
+    for column in TABLES[name]:
+        assert column.kind in ("string", "number", "integer", "boolean")
+        assert column.description
+
+
+UNITS = {"m": "_m", "m2 s-1": "_m2_per_s", "m-2": "_per_m2", "s": "seconds", "us": "microseconds"}
+
+
+@pytest.mark.parametrize("name", ["tpca_loads", "tpca_windows", "transitions", "solver_cost"])
+def test_units_stand_in_the_names_of_columns(name):
+    for column in TABLES[name]:
+        if column.unit not in ("", "1"):
+            assert UNITS[column.unit] in column.name, column.name
+
+
+def test_the_file_is_ordinary_csv(written):
+    with open(written, newline="") as stream:
+        rows = list(csv.reader(stream))
+    assert rows[0] == [column.name for column in COLUMNS]
+    assert rows[2][0] == ROWS[1]["figure"]
