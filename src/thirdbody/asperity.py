@@ -29,28 +29,28 @@ def asperity_load_and_area(interference, radius, modulus, hardness, yield_ratio,
     """
     omega = np.maximum(interference, 0.0)
     omega_1 = (0.75 * np.pi * yield_ratio * hardness / modulus) ** 2 * radius
-    within = np.clip(omega / omega_1, 1.0, plastic_ratio)
-    growth = area_growth(within, plastic_ratio)
-    pressure = hardness * pressure_fraction(within, yield_ratio, plastic_ratio)
-    area = np.pi * radius * omega * growth
+    ratio = omega / omega_1
+    pressure = hardness * pressure_fraction(ratio, yield_ratio, plastic_ratio)
+    area = np.pi * radius * omega * area_growth(ratio, plastic_ratio)
     elastic = omega < omega_1
     hertz = 4.0 / 3.0 * modulus * np.sqrt(radius) * omega**1.5
     return np.where(elastic, hertz, area * pressure), area
 
 
 def area_growth(ratio, plastic_ratio):
-    """A/(pi R omega) at interference ``ratio`` = omega/omega_1 in [1, ``plastic_ratio``]."""
+    """A/(pi R omega) at interference ``ratio`` = omega/omega_1: 1 elastic, 2 plastic."""
     if plastic_ratio == 1.0:
         return np.where(ratio > 1.0, 2.0, 1.0)
-    u = (ratio - 1.0) / (plastic_ratio - 1.0)
+    u = np.clip((ratio - 1.0) / (plastic_ratio - 1.0), 0.0, 1.0)
     return 1.0 - 2.0 * u**3 + 3.0 * u**2
 
 
 def pressure_fraction(ratio, yield_ratio, plastic_ratio):
-    """F/(A H) at interference ``ratio`` = omega/omega_1 in [1, ``plastic_ratio``]."""
+    """F/(A H) at interference ``ratio`` = omega/omega_1 from first yield on: k, at last 1."""
     if plastic_ratio == 1.0:
         return np.where(ratio > 1.0, 1.0, yield_ratio)
-    return yield_ratio + (1.0 - yield_ratio) * np.log(ratio) / np.log(plastic_ratio)
+    within = np.clip(ratio, 1.0, plastic_ratio)
+    return yield_ratio + (1.0 - yield_ratio) * np.log(within) / np.log(plastic_ratio)
 
 
 @dataclass(frozen=True)

@@ -21,10 +21,10 @@ class _StrictLoader(yaml.SafeLoader):
                 None, None, f"alias *{event.anchor}; allowed: plain values", event.start_mark
             )
         event = self.peek_event()
-        if getattr(event, "tag", None) not in (None, "!"):
-            raise yaml.composer.ComposerError(
-                None, None, f"tag {event.tag}; allowed: plain values", event.start_mark
-            )
+        for extra in ("tag", "anchor"):
+            if getattr(event, extra, None) not in (None, "!"):
+                problem = f"{extra} {getattr(event, extra)}; allowed: plain values"
+                raise yaml.composer.ComposerError(None, None, problem, event.start_mark)
         return super().compose_node(parent, index)
 
     def construct_mapping(self, node, deep=False):
@@ -159,7 +159,7 @@ def read_inputs(base, *overlays) -> dict:
     entries = read_yaml(base)
     values = {name: entry["value"] for name, entry in entries.items()}
     for path in (base, *overlays):
-        for name, given in _input_values(path).items():
+        for name, given in _input_values(path, entries).items():
             try:
                 values[name] = _checked_input(name, given, entries)
             except ValueError as error:
@@ -167,13 +167,30 @@ def read_inputs(base, *overlays) -> dict:
     return values
 
 
-def _input_values(path) -> dict:
+def _input_values(path, entries) -> dict:
+    """Values that the file ``path`` gives: plain, or entries in the layout of ``entries``."""
     content = read_yaml(path)
     content = content.get("inputs", content)  # a calibrated file says more than its inputs
-    return {
-        name: entry.get("value") if isinstance(entry, dict) else entry
-        for name, entry in content.items()
-    }
+    if not isinstance(content, dict):
+        raise ValueError(f"{path}: inputs is {_shown(content)}; allowed: keys with values")
+    return {name: _plain_value(path, name, given, entries) for name, given in content.items()}
+
+
+def _plain_value(path, name, given, entries):
+    """The value in an entry, which must not differ from that of ``entries`` in anything else."""
+    if not isinstance(given, dict):
+        return given
+    known = entries.get(name, given)
+    for key in given:
+        if key not in (*known, "value"):
+            allowed = ", ".join(known)
+            raise ValueError(f"{path}: {name}: unknown key {key!r}; allowed: {allowed}")
+    if given.get("unit") != known.get("unit") and "unit" in given:
+        unit = _shown(given["unit"])
+        raise ValueError(f"{path}: {name}.unit is {unit}; allowed: {known.get('unit')}")
+    if "value" not in given:
+        raise ValueError(f"{path}: {name}: key 'value' is missing; allowed: it must be given")
+    return given["value"]
 
 
 def _checked_input(name, value, entries):

@@ -104,14 +104,15 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
             for group in scene.groups
         ],
     }
-    dataset = _dataset(axes, values, parameters, rtol, scene.title, request)
-    for name in (*QUANTITIES, *FLAGS):
-        dataset[name].attrs["_FillValue"] = FILL_FLOAT if name in QUANTITIES else FILL_FLAG
-    return dataset
+    return _dataset(axes, values, parameters, rtol, scene.title, request)
 
 
 def write_dataset(dataset: xr.Dataset, path) -> None:
-    """Write ``dataset`` as NetCDF-4: the same dataset gives the same bytes."""
+    """Write ``dataset`` as NetCDF-4: the same dataset gives the same bytes.
+
+    Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
+    missing ones: the nan of an unsolved point stays what it is.
+    """
     compressed = {"zlib": True, "complevel": 4, "shuffle": True}
     encoding = {name: {"_FillValue": None} for name in dataset.coords}
     encoding |= {
@@ -124,12 +125,14 @@ def read_dataset(path) -> xr.Dataset:
     """A dataset of ``write_dataset``, in memory; ``OSError`` names the file if it is damaged."""
     try:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
-            return dataset.load()
+            loaded = dataset.load()
+        missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in loaded.variables]
+        if not missing or all(f"{name}_low" in loaded for name in QUANTITIES):
+            return loaded
+        reason = f"no {missing[0]}"
     except Exception as error:
-        raise OSError(
-            f"{path} cannot be read ({type(error).__name__}); "
-            f"remake it: snakemake -c2 --force {path}"
-        ) from None
+        reason = type(error).__name__
+    raise OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")
 
 
 def _checked_increasing(name, values):
@@ -170,6 +173,7 @@ def _quantity_attributes(units, long_name, symbol, equation):
         "equation": equation,
         "ancillary_variables": "solution_status",
         "coverage_content_type": "modelResult",
+        "_FillValue": FILL_FLOAT,
     }
 
 
@@ -182,6 +186,7 @@ def _flag_attributes(long_name, symbol, equation, meanings):
         "flag_values": np.arange(len(meanings), dtype=np.int8),
         "flag_meanings": " ".join(meanings),
         "coverage_content_type": "qualityInformation",
+        "_FillValue": FILL_FLAG,
     }
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from functools import lru_cache
+from numbers import Real
 
 import numpy as np
 from scipy.special import expit, log_expit
@@ -20,6 +21,7 @@ from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regim
 from thirdbody.tabulation import PiecewisePolynomial
 
 DEFAULT_RTOL = 1e-9
+NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
@@ -35,7 +37,8 @@ class Solution:
     """Solved points; every attribute has the broadcast shape of the five arguments.
 
     Lengths in m, all else dimensionless; the last three are indices into the tuples of
-    ``thirdbody.regimes``.  Unsolved points hold nan, and ``solution_status`` says why.
+    ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
+    regime and mode, and ``solution_status`` says why.
     """
 
     total_contact_area: np.ndarray
@@ -82,17 +85,14 @@ def solve(
         field.name: np.full(columns[0].size, *_EMPTY.get(field.name, (np.nan,)))
         for field in fields(Solution)
     }
-    for roughness_value in np.unique(columns[3]):
-        chosen = np.flatnonzero(columns[3] == roughness_value)
-        table_rtol = rtol if chosen.size >= TABLE_WORTH else None
-        rough = prepare_surface(float(roughness_value), parameters, table_rtol)
-        for some in _kinds(columns, chosen):
-            for start in range(0, some.size, CHUNK):
-                part = some[start : start + CHUNK]
-                with np.errstate(all="ignore"):  # what cannot be computed gets a status
-                    points = make_points(rough, parameters, *(column[part] for column in columns))
-                    solved = _solve_points(points, rtol)
-                for name, values in solved.items():
+    with np.errstate(all="ignore"):  # what cannot be computed gets a status
+        for roughness_value in np.unique(columns[3]):
+            chosen = np.flatnonzero(columns[3] == roughness_value)
+            table_rtol = rtol if chosen.size >= TABLE_WORTH else None
+            rough = prepare_surface(float(roughness_value), parameters, table_rtol)
+            for part in _parts(columns, chosen):
+                points = make_points(rough, parameters, *(column[part] for column in columns))
+                for name, values in _solve_points(points, rtol).items():
                     result[name][part] = values
     return Solution(**{name: values.reshape(shape) for name, values in result.items()})
 
@@ -104,13 +104,18 @@ _EMPTY = dict.fromkeys(
 
 def check_rtol(rtol) -> None:
     """Raises ``ValueError`` unless ``rtol`` is within what float64 and the tables can promise."""
-    if not 1e-11 <= rtol <= 1e-2:
+    if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
         raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
 
 
 def checked_axis(name: str, values):
     """``values`` as float64, or a ``ValueError`` that names the argument and its first bad value."""
-    array = np.asarray(values)
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name} is a ragged list; allowed: numbers of one shape") from None
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
     array = array.astype(float)
@@ -143,16 +148,15 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     return RoughSurface(surface, *functions, (functions[0](samples)[0][::-1], samples[::-1]))
 
 
-def _kinds(columns, chosen):
-    """The points ``chosen``, divided by whether film and particles take part."""
+def _parts(columns, chosen):
+    """The points ``chosen`` in chunks, divided by whether film and particles take part."""
     _, viscosity, diameter, _, density = (column[chosen] for column in columns)
     lubricated = viscosity > 0.0
     three_body = has_particles(diameter, density)
     for film in (False, True):
         for particles in (False, True):
             some = chosen[(lubricated == film) & (three_body == particles)]
-            if some.size:
-                yield some
+            yield from (some[start : start + CHUNK] for start in range(0, some.size, CHUNK))
 
 
 def has_particles(diameter, density):
@@ -183,20 +187,21 @@ def _solve_points(points: Points, rtol: float) -> dict:
         logit, separation = LOAD_SHARES[points.parameters.film_load](points, tolerance)
     particle_area, log_summit_area, covered = points.areas(separation)
     status = _status(points, logit, separation, covered)
+    void = status >= COVERAGE_EXCEEDED
     for values in (logit, separation, particle_area, log_summit_area):
-        values[status >= COVERAGE_EXCEEDED] = np.nan
+        values[void] = np.nan
     odds = np.log(particle_area) - log_summit_area
-    solid = expit(logit)
+    solid, ratio = expit(logit), expit(odds)
     return {
         "total_contact_area": particle_area + np.exp(log_summit_area),
-        "particle_contact_area_ratio": expit(odds),
+        "particle_contact_area_ratio": ratio,
         "surface_contact_area_ratio": expit(-odds),
         "solid_load_fraction": solid,
         "fluid_load_fraction": expit(-logit),
         "separation": separation,
         "film_thickness": separation / points.parameters.ball_radius,
-        "lubrication_regime": lubrication_regime(solid),
-        "contact_mode": contact_mode(expit(odds), points.particles is not None),
+        "lubrication_regime": np.where(void, NO_FLAG, lubrication_regime(solid)),
+        "contact_mode": np.where(void, NO_FLAG, contact_mode(ratio, points.particles is not None)),
         "solution_status": status,
     }
 

@@ -170,7 +170,7 @@ def _moment(alpha, tail, constant, linear):
 def log_bare_share(coverage, slope):
     """ln(1 - coverage) and its slope; below ``FULL`` where particles cover everything."""
     bare = 1.0 - coverage
-    left = bare > np.finfo(float).eps
+    left = ~(bare <= np.finfo(float).eps)
     bare = np.where(left, bare, np.finfo(float).tiny)
     return np.log(bare), np.where(left, -slope, 0.0) / bare
 

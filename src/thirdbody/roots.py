@@ -26,6 +26,7 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
     for _ in range(MAX_ITERATIONS):
         value, slope = residual(x, points)
+        slope = np.where(np.isfinite(slope), slope, 0.0)
         low, high = np.where(value > 0.0, x, low), np.where(value > 0.0, high, x)
         new = x - value / slope
         newton = (new >= low) & (new <= high) & (np.abs(new - x) <= 0.5 * last)

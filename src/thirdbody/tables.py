@@ -90,6 +90,31 @@ TABLES = {
         Column("readings_size", "number", "1", "calibrated readings"),
         Column("contradicts", "string", "", "statements of the paper that say the opposite"),
     ),
+    "conflict": (
+        Column("reading", "string", "", "calibrated reading of the printed equations"),
+        Column("size_distribution", "string", "", "phi_a: uncentred, centred or gap_convolved"),
+        Column("summit_plane", "string", "", "offset from the mean plane, or at that plane"),
+        Column("particle_term", "string", "", "printed (participation 1) or free"),
+        Column("participation", "number", "1", "share of the particles that carry load"),
+        Column("member", "number", "1", "place in the reading's ensemble, 0 for its best inputs"),
+        Column("id", "string", "", "name of the statement in config/claims.yaml"),
+        Column("part", "string", "", "figure of the paper that the statement is about"),
+        Column("score", "number", "1", "tolerances off up to 1, then 1 + their logarithm"),
+    ),
+    "sensitivity": (
+        Column("measure", "string", "", "elasticity, or sobol_total: total Sobol index"),
+        Column("output", "string", "", "the result that responds"),
+        *CONDITIONS[1:],
+        Column("quantity", "string", "", "of a transition: what crosses the limit"),
+        Column("level", "number", "1", "of a transition: the limit"),
+        Column("value", "number", "1", "the result at the default inputs; empty: does not occur"),
+        Column("occurs", "number", "1", "share of the solved sets of inputs in which it occurs"),
+        Column("unexplained", "number", "1", "share of its variance that the response surface misses"),
+        Column("input", "string", "", "the unpublished input, as in config/inputs.yaml"),
+        Column("input_value", "number", "SI", "its default"),
+        Column("sensitivity", "number", "1", "d ln(result)/d ln(input), or the total index"),
+        Column("error", "number", "1", "what twice the step changes, or half the 95 % interval"),
+    ),
     "solver_cost": (
         Column("figure", "string", "", "figure whose dataset was solved"),
         Column("points", "number", "1", "solved points"),
@@ -110,16 +135,22 @@ def write_csv(path, rows, columns) -> None:
 
 
 def read_csv(path, columns) -> list[dict]:
-    """Rows of a file of ``write_csv``; ``OSError`` names a file with other columns."""
-    with open(path, encoding="utf-8", newline="") as stream:
-        reader = csv.DictReader(stream)
-        names = [column.name for column in columns]
-        if reader.fieldnames != names:
-            raise OSError(
-                f"{path} has the columns {reader.fieldnames}; "
-                f"remake it: snakemake -c2 --force {path}"
-            )
-        return [{column.name: column.parse(row[column.name]) for column in columns} for row in reader]
+    """Rows of a file of ``write_csv``; ``OSError`` names the file if it is damaged."""
+    names = [column.name for column in columns]
+    try:
+        with open(path, encoding="utf-8", newline="") as stream:
+            header, *lines = csv.reader(stream)
+        if header != names:
+            raise ValueError(f"its columns are {header}")
+        return [
+            {column.name: column.parse(text) for column, text in zip(columns, line, strict=True)}
+            for line in lines
+        ]
+    except (ValueError, csv.Error) as error:
+        reason = " ".join(str(error).split())
+        raise OSError(
+            f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}"
+        ) from None
 
 
 def write_schema(path, columns) -> None:

@@ -231,18 +231,21 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     same = np.ones_like(diameter)
     conditions = 0.0 * same, diameter, roughness * same, density * same
     turning = turning_points(solution.separation, *conditions, parameters, search.rtol)
-    highest = solution.particle_contact_area_ratio.max(axis=0)
+    highest = np.fmax(solution.particle_contact_area_ratio.max(axis=0), turning.peak_ratio)
     peak = np.where(np.isnan(turning.load), highest, turning.peak_ratio)
-    slope = _first_slope(loads, solution.particle_contact_area_ratio)
+    slope = _odds_slope(solution.separation[0], conditions, parameters)
     turns = np.where(np.isnan(turning.load), -np.abs(slope), np.maximum(slope, 0.0))
     above = logit(peak) - logit(SURFACE_LIMIT)
     below = logit(PARTICLE_LIMIT) - logit(highest)
     return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
 
 
-def _first_slope(loads, ratio):
-    """d logit(A_sa,t*)/d ln F_t* at the first load of each curve, by a one-sided parabola;
-    steepest where no particle touches yet."""
-    odds = np.clip(logit(ratio[:3]), -FARTHEST, FARTHEST)
-    slope = (4.0 * odds[1] - 3.0 * odds[0] - odds[2]) / np.log(loads[2] / loads[0])
-    return np.where(odds[0] > -FARTHEST, slope, FARTHEST)
+def _odds_slope(separation, conditions, parameters):
+    """-d ln(A_sa/A_ss)/d ln d at ``separation`` [m] of conditions on one surface: positive where
+    A_sa,t* rises with the load; steepest where no particle touches yet."""
+    rough = prepare_surface(float(conditions[2][0]), parameters, None)
+    points = make_points(rough, parameters, np.ones_like(separation), *conditions)
+    with np.errstate(all="ignore"):
+        area = points.areas(separation)[0]
+        slope = -points.odds_slope(separation) * separation / area
+    return np.where(area > 0.0, slope, FARTHEST)

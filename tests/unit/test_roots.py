@@ -126,10 +126,9 @@ def test_a_looser_tolerance_is_met_in_fewer_steps(tolerance):
     assert sum(sizes) < sum(tight)
 
 
-@pytest.mark.parametrize("slope", [0.0, np.nan])
-def test_a_slope_that_leads_nowhere_falls_back_to_halving(slope):
+def test_a_slope_that_leads_nowhere_falls_back_to_halving():
     def cubic(x):
-        return -(x**3), np.full_like(x, slope)
+        return -(x**3), np.zeros_like(x)
 
     with np.errstate(divide="ignore", invalid="ignore"):
         found, _ = solved(cubic, np.array([0.3]), 0.0, -1.0, 2.0)

@@ -11,7 +11,7 @@ from thirdbody.figures.panel import FURNITURE, Panel
 SIZE = (7.0, 4.1)  # inches
 # axes of each panel as shares of the figure, and the names of what they show
 PANELS = {
-    "A": ((0.065, 0.2, 0.37, 0.74), ("mean_score_figures_4_and_6", "mean_score_figure_11")),
+    "A": ((0.075, 0.2, 0.35, 0.74), ("mean_score_figures_4_and_6", "mean_score_figure_11")),
     "B": ((0.66, 0.2, 0.33, 0.74), ("share_that_holds", "reading")),
 }
 TOGETHER = ("Figure 4", "Figure 6")
@@ -66,7 +66,7 @@ def _draw_members(panel, rows):
         sides[row["part"] == AGAINST].append(row["score"])
     points = np.array([[np.mean(side) for side in sides] for sides in scores.values()])
     style = DISTRIBUTIONS[rows[0]["size_distribution"]] | {"linestyle": "none"}
-    filling = {"fillstyle": FILLINGS[rows[0]["particle_term"]], "markeredgewidth": 0.8}
+    filling = {"fillstyle": FILLINGS[rows[0]["particle_term"]], "markeredgewidth": 0.6}
     panel.add_line(Line2D(*points.T, label=_name(rows[0]), **style, **filling))
 
 
@@ -91,6 +91,7 @@ def _draw_shares(panel, place, rows):
 def _frame_members(panel):
     panel.autoscale_view()
     panel.set(xlim=(0.0, None), ylim=(0.0, None))
+    panel.locator_params(nbins=5)
     panel.axhline(1.0, **GUIDE)
     panel.axvline(1.0, **GUIDE)
     panel.xaxis.set_visible(True)

@@ -1,0 +1,77 @@
+"""The envelope that an ensemble of inputs leaves around the curves of a dataset."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+import xarray as xr
+
+from thirdbody.dataset import FILL_FLOAT, QUANTITIES
+from thirdbody.extraction import curves_of
+from thirdbody.interface import solve
+from thirdbody.parameters import Parameters
+from thirdbody.scene import DIMENSIONS
+
+BAND_RTOL = 1e-4  # of the members: below the width of a line by far
+ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
+SUMMARY = (
+    "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "
+    "statements about equally well, at the points of the dataset of this figure."
+)
+COMMENT = (
+    "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
+    "Each member is solved at the same F_t*, which is another normal load where its apparent area "
+    "differs. A member that has no solution at a point does not widen the band there. ensemble "
+    "gives what differs from the default in each member, by the names of config/inputs.yaml, SI."
+)
+
+
+def band(dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping]) -> xr.Dataset:
+    """``<quantity>_low`` and ``_high`` on the dimensions of ``dataset``, which they enclose.
+
+    ``dataset`` is one of ``read_dataset`` solved with ``base``; each member of ``ensemble`` maps
+    names of inputs to values (SI) that replace those of ``base``.
+    """
+    conditions, shown = curves_of(dataset)
+    load = dataset["load"].values[:, None]
+    start = {name: dataset[name].values[:, shown] for name in QUANTITIES}
+    envelope = {end: dict(start) for end in ENDS}
+    for member in ensemble:
+        solution = solve(load, *conditions, replace(base, **member), BAND_RTOL)
+        for end, (_, widest) in ENDS.items():
+            for name, values in envelope[end].items():
+                envelope[end][name] = widest(values, getattr(solution, name))
+    variables = {
+        f"{name}_{end}": _variable(envelope[end][name], dataset[name].attrs, shown, extreme)
+        for end, (extreme, _) in ENDS.items()
+        for name in QUANTITIES
+    }
+    return xr.Dataset(variables, dataset.coords, _attributes(dataset, ensemble))
+
+
+def _variable(values, attributes, shown, extreme):
+    """Dimensions, values with the combinations that are not shown, and attributes."""
+    whole = np.full((len(values), *shown.shape), FILL_FLOAT)
+    whole[:, shown] = values
+    described = {name: attributes[name] for name in ("units", "symbol", "equation")}
+    described["long_name"] = f"{extreme} {attributes['long_name']} of the ensemble"
+    described["coverage_content_type"] = "modelResult"
+    return DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT}
+
+
+def _attributes(dataset, ensemble) -> dict:
+    """Those of ``dataset`` with what differs here."""
+    members = json.dumps([dict(member) for member in ensemble])
+    origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
+    return dataset.attrs | {
+        "title": f"{dataset.attrs['title']}: envelope of the ensemble",
+        "summary": SUMMARY,
+        "comment": COMMENT,
+        "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),
+        "rtol": BAND_RTOL,
+        "ensemble": members,
+    }

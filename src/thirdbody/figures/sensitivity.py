@@ -1,0 +1,142 @@
+"""How results respond to each unpublished input: elasticities beside total Sobol indices."""
+
+from __future__ import annotations
+
+import math
+
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from thirdbody.figures.panel import FURNITURE, Panel
+from thirdbody.scene import CENTISTOKES, NANOMETRE
+
+WIDTH = 7.0  # inches
+LINE_INCHES = 0.03  # height of one result's line
+GAP = 2.0  # lines between two inputs
+MARGINS = {"top": 0.28, "bottom": 0.48}  # inches, without the key
+KEY_ROW = 0.165  # inches
+KEY_COLUMNS = 3
+# measure: letter, title, label of the axis, left and right edge of the axes as shares of the figure
+PANELS = {
+    "elasticity": ("A", "Elasticity", "d ln(result)/d ln(input)", 0.205, 0.635),
+    "sobol_total": ("B", "Total Sobol index", "share of the variance", 0.665, 0.985),
+}
+LINEAR = 0.1  # elasticities are linear up to it, logarithmic beyond
+# (result, level): marker and colour; curves that differ otherwise are told apart by the filling
+LOOKS = {
+    ("turning_point_load", None): ("o", "C5"),
+    ("turning_point_ratio", None): ("*", "C0"),
+    ("window_low", None): ("<", "C3"),
+    ("window_high", None): (">", "C3"),
+    ("transition_load", 0.9): ("s", "C1"),
+    ("transition_load", 0.03): ("D", "C1"),
+    ("transition_load", 0.95): ("^", "C6"),
+    ("transition_load", 0.05): ("v", "C6"),
+}
+FILLINGS = ("full", "none", "left")
+NAMES = {
+    "turning_point_load": "turning point, load",
+    "turning_point_ratio": "turning point, ratio",
+    "window_low": "window, low end",
+    "window_high": "window, high end",
+    "solid_load_fraction": "load where Lₛ = {:g}",
+    "particle_contact_area_ratio": "load where the ratio = {:g}",
+}
+MARKER = {"linestyle": "none", "markersize": 2.7, "markeredgewidth": 0.6}
+
+
+def plot(rows) -> Figure:
+    """Two panels from ``rows`` of the table ``sensitivity``: every result on its own line within
+    the band of each input; the key lists results from the top of a band downwards."""
+    rows = [row for row in rows if row["input"]]
+    results = list(dict.fromkeys(map(_name, rows)))
+    inputs = _by_weight(rows)
+    looks = _looks(rows)
+    band = len(results) + GAP
+    key_rows = math.ceil(len(results) / KEY_COLUMNS)
+    below = MARGINS["bottom"] + KEY_ROW * (key_rows + 1)
+    drawn = band * len(inputs) * LINE_INCHES
+    figure = Figure(figsize=(WIDTH, MARGINS["top"] + drawn + below))
+    for measure, (letter, title, label, left, right) in PANELS.items():
+        box = left, below / figure.get_figheight(), right - left, drawn / figure.get_figheight()
+        panel = figure.add_axes(Panel(figure, box, letter, measure, "line"))
+        for row in (row for row in rows if row["measure"] == measure):
+            line = inputs.index(row["input"]) * band + results.index(_name(row)) + 0.5 * GAP + 0.5
+            _draw_response(panel, line, row, looks[_name(row)])
+        _frame(panel, len(inputs), band, title, label)
+    _name_inputs(figure.axes[0], inputs, band)
+    handles = [Line2D([], [], label=name, **looks[name]) for name in results]
+    figure.legend(handles=handles, loc="lower center", ncols=KEY_COLUMNS, handlelength=1.0)
+    return figure
+
+
+def _name(row) -> str:
+    """The result of ``row`` with what tells it from others."""
+    name = NAMES[row["quantity"] or row["output"]].format(row["level"])
+    if row["output"].startswith("window"):
+        return f"{name}, σ = {row['roughness_m'] / NANOMETRE:g} nm"
+    viscosity = row["viscosity_m2_per_s"] / CENTISTOKES
+    medium = f"{viscosity:.6g} cSt" if viscosity else "dry"
+    if row["output"].startswith("turning_point"):
+        return f"{name}, {medium}"
+    return f"{name}, xₐ = {row['particle_diameter_m'] / NANOMETRE:.6g} nm"
+
+
+def _looks(rows) -> dict:
+    """Line properties of each result by its name."""
+    looks: dict = {}
+    alike: dict = {}
+    for row in rows:
+        if _name(row) not in looks:
+            marker, colour = LOOKS[row["output"], row["level"]]
+            place = alike[marker] = alike.get(marker, -1) + 1
+            filling = FILLINGS[place % len(FILLINGS)]
+            looks[_name(row)] = {"marker": marker, "color": colour, "fillstyle": filling} | MARKER
+    return looks
+
+
+def _by_weight(rows) -> list[str]:
+    """The inputs, those with the largest total index or else elasticity first."""
+    weights: dict = {}
+    for row in rows:
+        size = abs(row["sensitivity"] or 0.0)
+        weight = weights.setdefault(row["input"], dict.fromkeys(PANELS, 0.0))
+        weight[row["measure"]] = max(weight[row["measure"]], size)
+    return sorted(weights, key=lambda name: (-weights[name]["sobol_total"], -weights[name]["elasticity"]))
+
+
+def _draw_response(panel, line, row, look):
+    """A marker at the sensitivity, on a line from zero, over its error."""
+    value = row["sensitivity"]
+    if value is None:
+        return
+    stem = {"color": look["color"], "label": FURNITURE}
+    panel.hlines(line, *sorted((0.0, value)), linewidth=0.4, zorder=1, **stem)
+    if row["measure"] == "sobol_total":
+        ends = value - row["error"], value + row["error"]
+        panel.hlines(line, *ends, linewidth=1.0, alpha=0.5, zorder=1.5, **stem)
+    panel.add_line(Line2D([value], [line], label=f"{_name(row)}; {row['input']}", zorder=2, **look))
+
+
+def _frame(panel, inputs, band, title, label):
+    """Scale and ticks, and a shade behind every other input."""
+    for place in range(0, inputs, 2):
+        shade = {"color": "0.955", "linewidth": 0, "zorder": 0, "label": FURNITURE}
+        panel.axhspan(place * band, (place + 1) * band, **shade)
+    panel.axvline(0.0, color="black", linewidth=0.6, label=FURNITURE, zorder=1)
+    panel.autoscale_view(scaley=False)
+    panel.set_ylim(inputs * band, 0.0)
+    panel.xaxis.set_visible(True)
+    if panel.x_name == "elasticity":
+        panel.set_xscale("symlog", linthresh=LINEAR, linscale=0.6)
+        ticks = [sign * size for size in (10.0, 1.0, 0.1) for sign in (-1, 1)]
+        panel.set_xticks([0.0, *ticks], ["0", *(f"{tick:g}" for tick in ticks)])
+    panel.set_xlabel(label, fontsize=8)
+    panel.add_title(title)
+
+
+def _name_inputs(panel, inputs, band):
+    style = {"ha": "right", "va": "center", "fontsize": 7.5, "transform": panel.get_yaxis_transform()}
+    for place, name in enumerate(inputs):
+        words = name.replace("_ratio", " ratio").replace("_", " ")
+        panel.text(-0.02, (place + 0.5) * band, words, **style)
