@@ -4,7 +4,12 @@ import sys
 from pathlib import Path
 
 from thirdbody.closure import import_closure
-from thirdbody.configuration import read_plain, read_yaml, workflow_settings
+from thirdbody.configuration import (
+    read_plain,
+    read_yaml,
+    with_one_reading,
+    workflow_settings,
+)
 
 try:
     read_plain("config/config.yaml", "config/scenes.yaml", *workflow.overwrite_configfiles)

@@ -285,3 +285,8 @@ def _check_room(group: dict, key) -> None:
             f"{key}: particles of {max(diameters):g} nm at {max(group['particle_density_per_m2']):g}"
             f" m-2 cover {coverage:.3g} of the interface; allowed: at most 1"
         )
+
+
+def with_one_reading(calibration: dict, name: str) -> dict:
+    """The calibration settings without the other readings: a reading depends on its own alone."""
+    return {**calibration, "readings": {name: calibration["readings"][name]}}

@@ -5,12 +5,6 @@
 CALIBRATION = read_yaml("config/calibration.yaml")
 
 
-def reading_settings(wildcards):
-    """The calibration settings with the other readings left out: each depends on its own only."""
-    readings = {wildcards.reading: CALIBRATION["readings"][wildcards.reading]}
-    return {**CALIBRATION, "readings": readings}
-
-
 rule search_reading:
     input:
         claims="config/claims.yaml",
@@ -27,7 +21,7 @@ rule search_reading:
         "../envs/thirdbody.yaml"
     threads: 1
     params:
-        settings=reading_settings,
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
     message:
         "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
@@ -51,7 +45,7 @@ rule summarise_reading:
         "../envs/thirdbody.yaml"
     threads: 1
     params:
-        settings=reading_settings,
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
     message:
         "Summarising the calibration of {wildcards.reading}"
     script:
@@ -61,6 +55,7 @@ rule summarise_reading:
 rule calibrate:
     input:
         calibrated=expand("results/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        modules=import_closure("workflow/scripts/adopt_calibration.py"),
     output:
         adopted="results/calibration/adopted.txt",
     log:

@@ -1,0 +1,49 @@
+"""The whole workflow on few loads, from sources to every product."""
+
+import pytest
+
+CURVE_FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
+FIGURES = ["fig01", "fig02", *CURVE_FIGURES]
+TABLES = ["table1", "table2", "tpca_loads", "tpca_windows", "transitions"]
+PRODUCTS = {
+    *(f"datasets/{figure}.nc" for figure in CURVE_FIGURES),
+    *(f"figures/{figure}.{kind}" for figure in FIGURES for kind in ("svg", "pdf", "png", "csv")),
+    *(f"tables/{table}.{kind}" for table in TABLES for kind in ("csv", "json", "md", "tex")),
+    "claims/claims.csv",
+    "claims/claims.md",
+    "accuracy/solver_cost.csv",
+}
+
+
+def test_a_minimal_run_makes_every_product(finished):
+    made = {name for name in finished.stamps() if (finished.root / "results" / name).stat().st_size}
+    assert made >= PRODUCTS
+
+
+def test_nothing_unfinished_is_left_behind(finished):
+    assert not [name for name in finished.stamps() if ".partial" in name]
+
+
+def test_every_job_leaves_a_log_and_a_benchmark(finished, recorded):
+    logs = {name for row in recorded for name in row["log-file(s)"].split(",")}
+    benchmarks = {log.replace("logs/", "benchmarks/").replace(".log", ".tsv") for log in logs}
+    assert all((finished.root / name).is_file() for name in logs | benchmarks)
+
+
+def test_nothing_is_left_to_do_after_a_run(finished):
+    run = finished.snakemake("--dry-run")
+    assert run.returncode == 0
+    assert "Nothing to be done" in run.stdout + run.stderr
+
+
+@pytest.mark.parametrize("module", ["thirdbody", "thirdbody.film"])
+def test_a_copy_of_the_repository_runs_its_own_library(finished, module):
+    told = finished.python(f"import {module}; print({module}.__file__)")
+    assert told.stdout.startswith(str(finished.root / "src"))
+
+
+def test_the_report_is_one_file_made_offline(workspace, tmp_path):
+    report = tmp_path / "report.html"
+    run = workspace.snakemake("--report", str(report))
+    assert run.returncode == 0, run.stderr
+    assert b"</html>" in report.read_bytes()

@@ -1,0 +1,157 @@
+"""Copies of the repository in which Snakemake really runs, each on its own copy of the library."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import traceback
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+MINIMAL = ("--configfile", "config/minimal.yaml")
+MADE_BY_RUNS = ("results", "logs", "benchmarks", ".snakemake")
+NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """A copy of the repository at ``root``."""
+
+    root: Path
+
+    @classmethod
+    def of_sources(cls, root: Path) -> Workspace:
+        """A copy of what a clone would hold: nothing that a run or an installation made."""
+        skipped = shutil.ignore_patterns(*NOT_SOURCES)
+
+        def left_out(directory, names):
+            made = MADE_BY_RUNS if Path(directory) == ROOT else ()
+            return skipped(directory, names) | {name for name in names if name in made}
+
+        shutil.copytree(ROOT, root, ignore=left_out)
+        return cls(root)
+
+    def copied_to(self, root: Path) -> Workspace:
+        """The same with results and times of change, elsewhere."""
+        shutil.copytree(self.root, root)
+        return Workspace(root)
+
+    def execute(self, *command) -> subprocess.CompletedProcess:
+        """Run a command at the root; ``thirdbody`` is the copy's own, whichever is installed."""
+        library = {"PYTHONPATH": str(self.root / "src")}
+        return subprocess.run(
+            command,
+            cwd=self.root,
+            env=os.environ | library,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=900,
+        )
+
+    def python(self, code: str, *arguments) -> subprocess.CompletedProcess:
+        """Run a Python program in an interpreter of its own."""
+        return self.execute(sys.executable, "-c", code, *arguments)
+
+    def snakemake(self, *arguments, config=MINIMAL) -> subprocess.CompletedProcess:
+        """Run the Snakemake of this interpreter on two cores."""
+        snakemake = Path(sys.executable).with_name("snakemake")
+        return self.execute(str(snakemake), "-c2", *arguments, *config)
+
+    def products(self, *patterns: str) -> set[str]:
+        """Files under ``results/`` that match; each pattern must match one at least."""
+        results = self.root / "results"
+        found = set()
+        for pattern in patterns:
+            matches = {str(path.relative_to(results)) for path in results.glob(pattern)}
+            assert matches, f"nothing is called results/{pattern}"
+            found |= matches
+        return found
+
+    def stamps(self) -> dict[str, int]:
+        """When each file under ``results/`` was written [ns]."""
+        results = self.root / "results"
+        files = (path for path in results.rglob("*") if path.is_file())
+        return {str(path.relative_to(results)): path.stat().st_mtime_ns for path in files}
+
+    def pending(self) -> set[str]:
+        """Files under ``results/`` that the next run would make."""
+        rows = self.summary()
+        return {row["output_file"] for row in rows if row["plan"] == "update pending"}
+
+    def summary(self) -> list[dict[str, str]]:
+        """Snakemake's own table of every output, file names relative to ``results/``."""
+        told = self.snakemake("--detailed-summary")
+        assert told.returncode == 0, told.stderr
+        header, *lines = (line.split("\t") for line in told.stdout.splitlines() if "\t" in line)
+        rows = [dict(zip(header, line, strict=True)) for line in lines]
+        return [row | {"output_file": row["output_file"].removeprefix("results/")} for row in rows]
+
+    def rewrite(self, path: str, change: Callable[[str], str]) -> None:
+        """Replace the text of a file by what ``change`` makes of it."""
+        file = self.root / path
+        text = file.read_text(encoding="utf-8")
+        changed = change(text)
+        assert changed != text, f"{path} stays as it is"
+        file.write_text(changed, encoding="utf-8")
+
+    def put(self, path: str, key: str, value) -> None:
+        """Give ``key`` of a YAML file, such as ``scenes/fig03/curves/0``, another value."""
+        self.rewrite(path, lambda text: with_value(text, key, value))
+
+    def rules(self) -> dict[str, str]:
+        """Text of each rule that makes something, by name."""
+        found = {}
+        for file in sorted((self.root / "workflow" / "rules").glob("*.smk")):
+            parts = re.split(r"(?m)^rule (\w+):\n", file.read_text(encoding="utf-8"))
+            found |= dict(zip(parts[1::2], parts[2::2], strict=True))
+        return found
+
+
+ABSENT = object()
+
+
+def with_value(text: str, key: str, value) -> str:
+    """YAML ``text`` with another value of ``key``, or without it where that is ``ABSENT``."""
+    content = yaml.safe_load(text)
+    *way, last = (int(word) if word.isdigit() else word for word in key.split("/"))
+    place = content
+    for word in way:
+        place = place[word]
+    if value is ABSENT:
+        del place[last]
+    else:
+        place[last] = value
+    return yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
+
+
+def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:
+    """Snakemake in this very process, which ends after it; exit code, and all it says in ``said``.
+
+    A process forked from one that has Snakemake loaded spares most of the time of a short run.
+    """
+    with open(said, "w", encoding="utf-8") as stream:
+        os.dup2(stream.fileno(), 1)
+        os.dup2(stream.fileno(), 2)
+    os.chdir(root)
+    os.environ["PYTHONPATH"] = str(root / "src")
+    sys.path.insert(0, str(root / "src"))
+    from snakemake.cli import main
+
+    try:
+        code = main(list(arguments))
+    except SystemExit as end:
+        code = end.code
+    except BaseException:
+        traceback.print_exc()
+        code = 1
+    if isinstance(code, str):
+        print(code, file=sys.stderr)
+    return code if isinstance(code, int) else int(code is not None)
