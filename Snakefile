@@ -37,6 +37,9 @@ include: "workflow/rules/extract.smk"
 include: "workflow/rules/render.smk"
 include: "workflow/rules/calibrate.smk"
 include: "workflow/rules/judge.smk"
+include: "workflow/rules/claims.smk"
+include: "workflow/rules/sensitivity.smk"
+include: "workflow/rules/band.smk"
 
 
 rule all:
@@ -58,6 +61,7 @@ rule all:
         "results/tables/tpca_loads.csv",
         "results/tables/tpca_windows.csv",
         "results/tables/transitions.csv",
+        "results/tables/sensitivity.csv",
         "results/figures/fig01.png",
         "results/figures/fig02.png",
         "results/figures/fig03.png",
@@ -71,6 +75,10 @@ rule all:
         "results/figures/fig11.png",
         "results/figures/fig12.png",
         "results/figures/fig13.png",
+        "results/figures/claims.png",
+        "results/figures/conflict.png",
+        "results/figures/sensitivity.png",
         "results/claims/claims.csv",
         "results/claims/claims.md",
+        "results/claims/conflict.csv",
         "results/accuracy/solver_cost.csv",

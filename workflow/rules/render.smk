@@ -8,6 +8,7 @@ TABLE_PARTS = {
     "tpca_windows": ["all"],
     "table1": ["all"],
     "table2": ["all"],
+    "sensitivity": ["elasticities", "sobol_indices"],
 }
 
 
@@ -15,6 +16,7 @@ rule render_figure:
     input:
         dataset="results/datasets/{figure}.nc",
         turning_points="results/extracted/tpca_loads/{figure}.csv",
+        band=branch(settings["bands"], then="results/bands/{figure}.nc", otherwise=[]),
         style="styles/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_figure.py"),
     output:

@@ -11,11 +11,14 @@ from thirdbody.figures.saving import save
 from thirdbody.files import logged
 
 
-def render(figure, dataset, turning_points, style, stem, band=None):
-    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv."""
+def render(figure, dataset, turning_points, style, stem, band):
+    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv.
+
+    ``band`` is the file of the envelope to draw around the curves, empty for none.
+    """
     data = read_dataset(dataset)
     points = read_turning_points(turning_points)
-    envelope = None if band is None else read_dataset(band)
+    envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
         save(CURVE_FIGURES[figure](data, points, envelope), stem)
     print(f"{figure}: drawn")
@@ -30,4 +33,5 @@ if __name__ == "__main__":
             snakemake.input.turning_points,
             snakemake.input.style,
             snakemake.output.png.removesuffix(".png"),
+            snakemake.input.band,
         )

@@ -11,7 +11,7 @@ from thirdbody.figures.panel import FURNITURE, Panel
 from thirdbody.scene import CENTISTOKES, NANOMETRE
 
 WIDTH = 7.0  # inches
-LINE_INCHES = 0.03  # height of one result's line
+LINE_INCHES = 0.032  # height of one result's line
 GAP = 2.0  # lines between two inputs
 MARGINS = {"top": 0.28, "bottom": 0.48}  # inches, without the key
 KEY_ROW = 0.165  # inches
@@ -33,28 +33,29 @@ LOOKS = {
     ("transition_load", 0.95): ("^", "C6"),
     ("transition_load", 0.05): ("v", "C6"),
 }
-FILLINGS = ("full", "none", "left")
+FILLINGS = ("full", "none", "bottom")
 NAMES = {
     "turning_point_load": "turning point, load",
-    "turning_point_ratio": "turning point, ratio",
+    "turning_point_ratio": "turning point, Aₛₐ,ₜ*",
     "window_low": "window, low end",
     "window_high": "window, high end",
     "solid_load_fraction": "load where Lₛ = {:g}",
-    "particle_contact_area_ratio": "load where the ratio = {:g}",
+    "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
-MARKER = {"linestyle": "none", "markersize": 2.7, "markeredgewidth": 0.6}
+MARKER = {"linestyle": "none", "markersize": 3.2, "markeredgewidth": 0.5}
 
 
 def plot(rows) -> Figure:
     """Two panels from ``rows`` of the table ``sensitivity``: every result on its own line within
     the band of each input; the key lists results from the top of a band downwards."""
+    missing = dict.fromkeys(_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["input"]]
     results = list(dict.fromkeys(map(_name, rows)))
     inputs = _by_weight(rows)
     looks = _looks(rows)
     band = len(results) + GAP
     key_rows = math.ceil(len(results) / KEY_COLUMNS)
-    below = MARGINS["bottom"] + KEY_ROW * (key_rows + 1)
+    below = MARGINS["bottom"] + KEY_ROW * (key_rows + 1.5)
     drawn = band * len(inputs) * LINE_INCHES
     figure = Figure(figsize=(WIDTH, MARGINS["top"] + drawn + below))
     for measure, (letter, title, label, left, right) in PANELS.items():
@@ -65,8 +66,7 @@ def plot(rows) -> Figure:
             _draw_response(panel, line, row, looks[_name(row)])
         _frame(panel, len(inputs), band, title, label)
     _name_inputs(figure.axes[0], inputs, band)
-    handles = [Line2D([], [], label=name, **looks[name]) for name in results]
-    figure.legend(handles=handles, loc="lower center", ncols=KEY_COLUMNS, handlelength=1.0)
+    _draw_key(figure, looks, missing)
     return figure
 
 
@@ -135,8 +135,16 @@ def _frame(panel, inputs, band, title, label):
     panel.add_title(title)
 
 
+def _draw_key(figure, looks, missing):
+    """Results by marker, from the top of a band downwards, and those that do not occur."""
+    handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
+    title = f"Without a value at the default: {'; '.join(missing)}" if missing else None
+    style = {"ncols": KEY_COLUMNS, "handlelength": 1.0, "title_fontsize": 7}
+    figure.legend(handles=handles, loc="lower center", title=title, **style)
+
+
 def _name_inputs(panel, inputs, band):
     style = {"ha": "right", "va": "center", "fontsize": 7.5, "transform": panel.get_yaxis_transform()}
     for place, name in enumerate(inputs):
-        words = name.replace("_ratio", " ratio").replace("_", " ")
+        words = name.replace("_", " ").replace(" exponent", "\nexponent").replace(" interf", "\ninterf")
         panel.text(-0.02, (place + 0.5) * band, words, **style)

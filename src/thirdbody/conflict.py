@@ -1,0 +1,48 @@
+"""Can the printed particle term (participation 1) satisfy Figures 4, 6 and 11 together?
+
+Each calibrated reading is judged on the statements of these figures alone, at its best inputs and
+at every member of its ensemble.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from thirdbody.claims import Claim, judge, referenced_conditions
+from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.parameters import Parameters
+from thirdbody.places import part_of_paper
+
+PARTS = ("Figure 4", "Figure 6", "Figure 11")
+
+
+def conflict_rows(
+    claims: Sequence[Claim], readings: Sequence[Mapping], base: Parameters, newtons
+) -> Iterator[dict]:
+    """One row a reading, member and statement with a published value or course.
+
+    ``readings`` are contents of calibrated files (``thirdbody.posterior``), whose first member is
+    the best; ``newtons`` is the first and last normal load [N].
+    """
+    chosen = [
+        claim
+        for claim in claims
+        if part_of_paper(claim.where) in PARTS and not claim.is_withheld
+    ]
+    asked = referenced_conditions(chosen)
+    for reading in readings:
+        for member, inputs in enumerate(reading["ensemble"]):
+            parameters = replace(base, **{**reading["inputs"], **inputs})
+            evidence = SolvedEvidence(parameters, asked, newtons, QUICK_EFFORT)
+            same = {
+                "reading": reading["reading"],
+                "size_distribution": parameters.size_distribution,
+                "summit_plane": "offset" if parameters.summit_offset else "plane",
+                "particle_term": "free" if "participation" in inputs else "printed",
+                "participation": parameters.participation,
+                "member": member,
+            }
+            for claim in chosen:
+                place = {"id": claim.id, "part": part_of_paper(claim.where)}
+                yield same | place | {"score": judge(claim, evidence).score}

@@ -1,0 +1,76 @@
+# Sensitivity: how results respond to the inputs that the paper does not print, at the default.
+import sys
+
+from thirdbody.configuration import read_yaml, validate
+
+try:
+    SENSITIVITY = read_yaml("config/sensitivity.yaml")
+    validate(SENSITIVITY, read_yaml("config/sensitivity.schema.yaml"))
+except ValueError as error:
+    sys.exit(f"config/sensitivity.yaml: {error}")
+
+UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
+
+
+rule compute_elasticities:
+    input:
+        modules=import_closure("workflow/scripts/compute_elasticities.py"),
+    output:
+        rows="results/extracted/sensitivity/elasticities.csv",
+    log:
+        "logs/compute_elasticities.log",
+    benchmark:
+        "benchmarks/compute_elasticities.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        settings=SENSITIVITY,
+        unpublished=UNPUBLISHED,
+        parameters=settings["parameters"],
+    message:
+        "Differentiating results with respect to each unpublished input"
+    script:
+        "../scripts/compute_elasticities.py"
+
+
+rule compute_sobol_indices:
+    input:
+        modules=import_closure("workflow/scripts/compute_sobol_indices.py"),
+    output:
+        rows="results/extracted/sensitivity/sobol_indices.csv",
+    log:
+        "logs/compute_sobol_indices.log",
+    benchmark:
+        "benchmarks/compute_sobol_indices.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        settings=SENSITIVITY,
+        unpublished=UNPUBLISHED,
+        parameters=settings["parameters"],
+    message:
+        "Dividing the variance of results among the unpublished inputs"
+    script:
+        "../scripts/compute_sobol_indices.py"
+
+
+rule render_sensitivity:
+    input:
+        table="results/tables/sensitivity.csv",
+        style="styles/paper.mplstyle",
+        modules=import_closure("workflow/scripts/render_sensitivity.py"),
+    output:
+        multiext("results/figures/sensitivity", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        "logs/render_sensitivity.log",
+    benchmark:
+        "benchmarks/render_sensitivity.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    message:
+        "Drawing the sensitivities"
+    script:
+        "../scripts/render_sensitivity.py"

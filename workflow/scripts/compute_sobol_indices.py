@@ -1,0 +1,27 @@
+"""Total Sobol indices of results in the inputs that the paper does not print."""
+
+from thirdbody.files import logged, whole
+from thirdbody.parameters import Parameters
+from thirdbody.sensitivity import Subject, sensitivity_rows, varied_inputs
+from thirdbody.sobol import default_indices
+from thirdbody.tables import TABLES, write_csv
+
+
+def compute(settings, unpublished, parameters, rows):
+    """Write the indices of what ``settings`` ask about; inputs of value 0 are left out."""
+    subject, defaults = Subject.of(settings), Parameters(**parameters)
+    inputs = varied_inputs(defaults, unpublished)
+    base, found = default_indices(subject, defaults, inputs, settings["sobol"])
+    with whole(rows) as part:
+        write_csv(part, sensitivity_rows(subject, base, inputs, found), TABLES["sensitivity"])
+    print(f"{len(subject.outputs)} results, {len(inputs)} inputs: {', '.join(inputs)}")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        compute(
+            snakemake.params.settings,
+            snakemake.params.unpublished,
+            snakemake.params.parameters,
+            snakemake.output.rows,
+        )

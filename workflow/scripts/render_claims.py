@@ -1,0 +1,28 @@
+"""Draw the verdicts on the paper's statements; nothing is judged here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.figures.claims import plot
+from thirdbody.figures.saving import save
+from thirdbody.files import logged
+from thirdbody.tables import TABLES, read_csv
+
+
+def render(claims, style, stem):
+    """Draw the rows of ``claims`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    rows = read_csv(claims, TABLES["claims"])
+    with matplotlib.style.context(style, after_reset=True):
+        save(plot(rows), stem)
+    print(f"{len(rows)} statements drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.input.claims,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )

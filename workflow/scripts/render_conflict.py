@@ -1,0 +1,28 @@
+"""Draw whether Figures 4, 6 and 11 can be met together; nothing is judged here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.figures.conflict import plot
+from thirdbody.figures.saving import save
+from thirdbody.files import logged
+from thirdbody.tables import TABLES, read_csv
+
+
+def render(conflict, style, stem):
+    """Draw the rows of ``conflict`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    rows = read_csv(conflict, TABLES["conflict"])
+    with matplotlib.style.context(style, after_reset=True):
+        save(plot(rows), stem)
+    print(f"{len(rows)} scores drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.input.conflict,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )

@@ -1,0 +1,28 @@
+"""Draw the sensitivities of results to unpublished inputs; nothing is solved here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.figures.saving import save
+from thirdbody.figures.sensitivity import plot
+from thirdbody.files import logged
+from thirdbody.tables import TABLES, read_csv
+
+
+def render(table, style, stem):
+    """Draw the rows of ``table`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    rows = read_csv(table, TABLES["sensitivity"])
+    with matplotlib.style.context(style, after_reset=True):
+        save(plot(rows), stem)
+    print(f"{len(rows)} rows drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.input.table,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )
