@@ -226,9 +226,7 @@ def test_a_bad_input_is_refused_with_file_and_key(write, case):
     assert told in message
 
 
-def test_the_default_inputs_do_not_depend_on_the_working_directory(
-    defaults, tmp_path, monkeypatch
-):
+def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert load_parameters() == defaults
     assert config_directory().is_absolute()

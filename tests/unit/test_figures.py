@@ -142,12 +142,12 @@ def test_panels_and_their_curves(name, datasets):
 @pytest.mark.parametrize("name", PANELS)
 def test_key_explains_every_curve(name, datasets):
     figure = CURVE_FIGURES[name](datasets[name], turning_points_in(datasets[name]))
-    entries = {look(line) for line in figure.lines}
+    entries = {look(line) for line in figure.artists}
     drawn = {look(line) for panel in figure.axes for line in data_lines(panel)}
     if name in ("fig06", "fig07", "fig08"):  # dry curves go by their lubricated counterparts
         drawn = {each for each in drawn if each[0] != "--"}
     assert drawn <= entries
-    assert len(figure.texts) == 1 + len(figure.lines)
+    assert len(figure.texts) == 1 + len(figure.artists)
 
 
 def look(line):

@@ -390,9 +390,7 @@ def test_extremes_give_a_number_or_a_status_and_no_warning(reading, given):
     ],
     ids=str,
 )
-def test_inputs_at_the_ends_of_their_bounds_give_numbers_and_no_warning(
-    parameters, loads, extreme
-):
+def test_inputs_at_the_ends_of_their_bounds_give_numbers_and_no_warning(parameters, loads, extreme):
     inputs = replace(parameters, **extreme)
     for viscosity in (0.0, 90e-6):
         solution = solve(inputs, load=loads, viscosity=viscosity)

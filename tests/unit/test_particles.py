@@ -61,9 +61,7 @@ def test_the_coverage_is_the_second_moment_of_the_larger_particles(sizes):
     d = separations(sizes)
     particles = layer(sizes, np.full(d.shape, DIAMETER))
     _, _, coverage, _ = particles.contact(d)
-    expected = [
-        sizes.hardness_surface_1 * share(sizes) * moment(sizes, low, np.inf) for low in d
-    ]
+    expected = [sizes.hardness_surface_1 * share(sizes) * moment(sizes, low, np.inf) for low in d]
     # differences of two moments: rounding of the larger over the smallest, 1e-16/1e-2
     assert_allclose(coverage, expected, rtol=1e-13)
 
@@ -76,7 +74,9 @@ def test_the_area_weighs_elastic_particles_by_the_elastic_factor(sizes, limits):
     h_e = 0.0885 * DIAMETER
     shift = -h_e if limits == "printed" else 0.0
     expected = [
-        inputs.hardness_surface_2 * share(inputs) * (
+        inputs.hardness_surface_2
+        * share(inputs)
+        * (
             inputs.elastic_factor * moment(inputs, x + shift, x + shift + h_e)
             + moment(inputs, x, np.inf)
         )

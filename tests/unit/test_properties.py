@@ -289,9 +289,7 @@ def test_a_point_alone_is_the_point_among_others(parameters, unit, changes, roug
     inputs = replace(parameters, **changes)
     load, viscosity, diameter, density = conditions(unit)
     together = tb.solve(load, viscosity, diameter, roughness, density, inputs)
-    alone = tb.solve(
-        load[pick], viscosity[pick], diameter[pick], roughness, density[pick], inputs
-    )
+    alone = tb.solve(load[pick], viscosity[pick], diameter[pick], roughness, density[pick], inputs)
     assert alone.solution_status == together.solution_status[pick]
     for name in QUANTITIES:
         values = getattr(alone, name), getattr(together, name)[pick]

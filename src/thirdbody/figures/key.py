@@ -25,10 +25,11 @@ def draw_key(figure, title, conditions, curves, marks=()):
     ``curves`` and ``marks`` are (text, style of the line), in order down the columns.
     """
     width, height = figure.get_size_inches() * POINTS_PER_INCH
+    texts = [text for text in (title, conditions) if text]
     panels = len(figure.axes)
     if panels % COLUMNS:
         centre = 0.75 * width, 0.5 * height / math.ceil(panels / COLUMNS)
-        entries, separator, lines = [*curves, *marks], "\n", 2
+        entries, separator, lines = [*curves, *marks], "\n", len(texts)
         rows = math.ceil(len(entries) / math.ceil(len(entries) / ROWS_BESIDE))
         columns = _columns(entries, rows)
     else:
@@ -39,8 +40,7 @@ def draw_key(figure, title, conditions, curves, marks=()):
     top = centre[1] + 0.5 * line * (rows + lines)
     points = Affine2D().scale(1.0 / POINTS_PER_INCH) + figure.dpi_scale_trans
     style = {"ha": "center", "va": "top", "fontsize": rcParams["legend.title_fontsize"]}
-    text = separator.join(text for text in (title, conditions) if text)
-    figure.text(centre[0], top, text, transform=points, **style)
+    figure.text(centre[0], top, separator.join(texts), transform=points, **style)
     _draw_columns(figure, columns, (centre[0], top - line * (lines + 0.5)), line, points)
 
 

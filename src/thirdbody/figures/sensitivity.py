@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import textwrap
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -16,6 +17,7 @@ GAP = 2.0  # lines between two inputs
 MARGINS = {"top": 0.28, "bottom": 0.48}  # inches, without the key
 KEY_ROW = 0.165  # inches
 KEY_COLUMNS = 3
+KEY_WIDTH = 110  # characters of a line
 # measure: letter, title, label of the axis, left and right edge of the axes as shares of the figure
 PANELS = {
     "elasticity": ("A", "Elasticity", "d ln(result)/d ln(input)", 0.205, 0.635),
@@ -55,7 +57,7 @@ def plot(rows) -> Figure:
     looks = _looks(rows)
     band = len(results) + GAP
     key_rows = math.ceil(len(results) / KEY_COLUMNS)
-    below = MARGINS["bottom"] + KEY_ROW * (key_rows + 1.5)
+    below = MARGINS["bottom"] + KEY_ROW * (key_rows + 0.7 + len(_absent(missing)))
     drawn = band * len(inputs) * LINE_INCHES
     figure = Figure(figsize=(WIDTH, MARGINS["top"] + drawn + below))
     for measure, (letter, title, label, left, right) in PANELS.items():
@@ -135,10 +137,17 @@ def _frame(panel, inputs, band, title, label):
     panel.add_title(title)
 
 
+def _absent(missing) -> list[str]:
+    """Lines that name the results which do not occur at the default."""
+    if not missing:
+        return []
+    return textwrap.wrap(f"Without a value at the default: {'; '.join(missing)}", KEY_WIDTH)
+
+
 def _draw_key(figure, looks, missing):
     """Results by marker, from the top of a band downwards, and those that do not occur."""
     handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
-    title = f"Without a value at the default: {'; '.join(missing)}" if missing else None
+    title = "\n".join(_absent(missing)) or None
     style = {"ncols": KEY_COLUMNS, "handlelength": 1.0, "title_fontsize": 7}
     figure.legend(handles=handles, loc="lower center", title=title, **style)
 
