@@ -27,6 +27,40 @@ COORDINATES = {
     "particle_density": ("m-2", "number of particles per unit area", "eta_a"),
     "normal_load": ("N", "normal load", "F_t"),
 }
+# What ACDD-1.3 asks of every file beside the attributes that depend on its content; the dates are
+# that of this version of the software, so that the same inputs give the same bytes.
+RELEASE_DATE = "2026-11-21"
+DISCOVERY = {
+    "naming_authority": "thirdbody",
+    "history": "computed by thirdbody from the equations of the paper",
+    "comment": "nan: the point has no solution, and solution_status says why",
+    "acknowledgement": "Chen & Horng (2024) for the model",
+    "project": "thirdbody",
+    "program": "reproduction of published models",
+    "processing_level": "model result",
+    "institution": "The thirdbody developers",
+    "creator_type": "group",
+    "creator_institution": "The thirdbody developers",
+    "creator_url": f"https://doi.org/{PAPER_DOI}",
+    "creator_email": "not given",
+    "contributor_name": "Chen Y-Y, Horng J-H",
+    "contributor_role": "authors of the model",
+    "publisher_name": "The thirdbody developers",
+    "publisher_type": "group",
+    "publisher_institution": "The thirdbody developers",
+    "publisher_url": f"https://doi.org/{PAPER_DOI}",
+    "publisher_email": "not given",
+    "metadata_link": f"https://doi.org/{PAPER_DOI}",
+    "platform": "model",
+    "platform_vocabulary": "none",
+    "instrument": "none",
+    "instrument_vocabulary": "none",
+    "keywords_vocabulary": "none",
+    "date_created": RELEASE_DATE,
+    "date_issued": RELEASE_DATE,
+    "date_modified": RELEASE_DATE,
+    "date_metadata_modified": RELEASE_DATE,
+}
 # name: units, long name, symbol, equation of the paper
 QUANTITIES = {
     "total_contact_area": ("1", "total real contact area over apparent area", "A_t*", "5"),
@@ -213,5 +247,8 @@ def _global_attributes(title, parameters, roughness, rtol, request) -> dict:
         "software_version": software_version(),
         "configuration_sha256": hashlib.sha256(canonical.encode()).hexdigest(),
         "rtol": rtol,
+        **DISCOVERY,
+        "id": f"thirdbody-{hashlib.sha256(canonical.encode()).hexdigest()[:16]}",
+        "product_version": software_version(),
         "model_parameters": parameters.as_attribute(roughness),
     }

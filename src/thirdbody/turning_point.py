@@ -89,7 +89,7 @@ def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
         tolerances={"xatol": 0.0, "xrtol": SEPARATION_MARGIN * rtol},
     )
     width = root.bracket[1] - root.bracket[0]
-    refined = _state_at(solids, conditions[0, curve], root.x, width)
+    refined = _state_at(solids, conditions[0, curve], root.x, width, rtol)
     best = _highest(curve, refined["peak_ratio"])
     for name, values in refined.items():
         result[name][curve[best]] = values[best]
@@ -117,8 +117,9 @@ def _highest(curve, ratio):
     return order[np.unique(curve[order], return_index=True)[1]]
 
 
-def _state_at(solids: Points, viscosity, separation, width) -> dict:
-    """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``."""
+def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
+    """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``, from
+    functions that are good for ``rtol``."""
     log_solid, slope = solids.log_solid_load(separation)
     solid = np.exp(log_solid)
     fluid = np.zeros_like(solid)
@@ -131,7 +132,7 @@ def _state_at(solids: Points, viscosity, separation, width) -> dict:
     particle_area, log_summit_area, _ = solids.areas(separation)
     return {
         "load": load,
-        "load_error": load * steepest * (np.abs(width) + 1e-13 * separation),
+        "load_error": load * (steepest * np.abs(width) + rtol),
         "peak_ratio": expit(np.log(particle_area) - log_summit_area),
         "solid_load_fraction": solid / load,
         "separation": separation,

@@ -262,7 +262,12 @@ def test_a_band_is_drawn(datasets, tmp_path):
     data = datasets["fig05"]
     band = xr.Dataset({f"{SOLID}_low": 0.9 * data[SOLID], f"{SOLID}_high": 1.1 * data[SOLID]})
     figure = CURVE_FIGURES["fig05"](data, band=band)
-    assert [len(panel.collections) for panel in figure.axes] == COUNTS["fig05"]
+    names = [
+        [label for label, _ in drawn_points(panel) if label.startswith("band; ")]
+        for panel in figure.axes
+    ]
+    assert [len(labels) for labels in names] == COUNTS["fig05"]
+    assert any("ensemble" in text.get_text() for text in figure.texts)
     plain = saved(CURVE_FIGURES["fig05"](data), tmp_path / "plain")
     banded = saved(figure, tmp_path / "banded")
     assert all(plain[suffix] != banded[suffix] for suffix in SUFFIXES)

@@ -15,7 +15,8 @@ from thirdbody.figures.panel import QUANTITIES, panel_figure
 from thirdbody.figures.styles import Styles
 from thirdbody.scene import DIMENSIONS
 
-BAND = {"alpha": 0.18, "linewidth": 0, "zorder": 1.5}
+# key of the bands: the text, and a line as wide as a band is on average
+BAND_ENTRY = ("calibrated ensemble", {"color": "0.82", "linewidth": 6.0})
 
 
 @dataclass(frozen=True)
@@ -70,25 +71,39 @@ def plot_curves(data, parameter, contents, turning_points=(), band=None) -> Figu
         chosen = [curve for curve in curves if content.holds(curve)]
         notes = [text for text in shared_texts(chosen) if text not in common]
         panel.add_title(", ".join(notes) or QUANTITIES[content.y].name)
+        if band is not None and content.x == "load":
+            draw_bands(panel, band, chosen, styles)
         for curve in chosen:
-            draw_curve(panel, data, curve, styles, band)
+            draw_curve(panel, data, curve, styles)
         _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
         panel.frame()
-    title = PARAMETERS[parameter][0]
-    draw_key(figure, title, ", ".join(common), styles.key(curves), mark_entries(figure))
+    marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
+    draw_key(figure, PARAMETERS[parameter][0], ", ".join(common), styles.key(curves), marks)
     return figure
 
 
-def draw_curve(panel, data, curve, styles, band):
-    """Draw ``curve`` into ``panel``, over its band if there is one."""
+def draw_curve(panel, data, curve, styles):
+    """Draw ``curve`` into ``panel``."""
     x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
-    style = styles.of(curve)
-    if band is not None:
-        ends = (curve.values(band, f"{panel.y_name}_{end}") for end in ("low", "high"))
-        label = f"band; {curve.label}"
-        panel.fill_between(x, *ends, color=style["color"], label=label, **BAND)
     places = styles.markers_on(curve, len(x))
-    panel.add_line(Line2D(x, y, label=curve.label, markevery=places, **style))
+    panel.add_line(Line2D(x, y, label=curve.label, markevery=places, **styles.of(curve)))
+
+
+def draw_bands(panel, band, curves, styles):
+    """Draw the envelopes of ``curves`` at each load, in a tint of their colours.
+
+    The tints are opaque: many curves lie on one another, and so would their bands.
+    """
+    load = band[panel.x_name].values
+    outlines = []
+    for curve in curves:
+        low, high = (curve.values(band, f"{panel.y_name}_{end}") for end in ("low", "high"))
+        known = np.isfinite(low) & np.isfinite(high)
+        there, back = np.column_stack((load, low))[known], np.column_stack((load, high))[known]
+        outlines.append(np.concatenate((there, back[::-1])))
+    names = [f"band; {curve.label}" for curve in curves]
+    tints = [styles.tint(curve) for curve in curves]
+    panel.add_outlines(outlines, names, facecolors=tints, linewidths=0.0, zorder=1.5)
 
 
 def _draw_marks(panel, data, content, marked):

@@ -13,6 +13,7 @@ from string import ascii_uppercase
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.markers import TICKRIGHT, TICKUP
@@ -48,8 +49,12 @@ class Quantity:
 
 
 QUANTITIES = {
-    "load": Quantity("Dimensionless normal load", Symbol("F", "t", starred=True), logarithmic=True),
-    "total_contact_area": Quantity("Real contact area", Symbol("A", "t", starred=True), logarithmic=True),
+    "load": Quantity(
+        "Dimensionless normal load", Symbol("F", "t", starred=True), logarithmic=True
+    ),
+    "total_contact_area": Quantity(
+        "Real contact area", Symbol("A", "t", starred=True), logarithmic=True
+    ),
     "particle_contact_area_ratio": Quantity(
         "Contact area ratio of particles",
         Symbol("A", "sa,t", starred=True),
@@ -67,6 +72,14 @@ QUANTITIES = {
     ),
     "film_thickness": Quantity("Film thickness", Symbol("H", "c", unit="10⁻⁴"), unit=1e-4),
 }
+
+
+class NamedOutlines(PolyCollection):
+    """Polygons with a name each, in one artist: cheaper than an artist for each."""
+
+    def __init__(self, outlines, names, **style):
+        super().__init__(outlines, **style)
+        self.names = names
 
 
 class Panel(Axes):
@@ -90,6 +103,11 @@ class Panel(Axes):
         above = {"y_points": 4, "va": "bottom"}
         self.write(0.0, 1.0, f"({self.letter})", fontweight="bold", **above)
         self.write(0.0, 1.0, title, x_points=20, **above)
+
+    def add_outlines(self, outlines, names, **style):
+        """Polygons (n, 2) in the units of the axes, with a name and a style each."""
+        self.add_collection(NamedOutlines(outlines, names, **style), autolim=False)
+        self.update_datalim(np.concatenate(outlines))
 
     def frame(self):
         """Scales, limits, ticks and labels for what has been drawn: call it last."""

@@ -8,6 +8,8 @@ import matplotlib.backends.backend_pdf  # noqa: F401
 import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
+from thirdbody.figures.panel import NamedOutlines
+
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {
     "svg": {"metadata": {"Date": None}},
@@ -39,15 +41,16 @@ def write_drawn_data(figure, path) -> None:
 def drawn_points(panel):
     """Label and points (n, 2) of each artist of ``panel`` that stands for data.
 
-    As in matplotlib's legends, a label that starts with an underscore stands for none.
+    These are lines, unless their label starts with an underscore, and outlines with a name.
     """
     for line in panel.lines:
-        yield from _visible(line.get_label(), line.get_xydata())
-    for collection in panel.collections:
-        for path in collection.get_paths():
-            yield from _visible(collection.get_label(), path.vertices)
+        if not line.get_label().startswith("_"):
+            yield line.get_label(), _known(line.get_xydata())
+    for outlines in panel.collections:
+        if isinstance(outlines, NamedOutlines):
+            for name, path in zip(outlines.names, outlines.get_paths(), strict=True):
+                yield name, _known(path.vertices)
 
 
-def _visible(label, points):
-    if not label.startswith("_"):
-        yield label, points[np.isfinite(points).all(axis=1)].tolist()
+def _known(points):
+    return points[np.isfinite(points).all(axis=1)].tolist()

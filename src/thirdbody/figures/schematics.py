@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -127,18 +126,14 @@ def _draw_particles(panel, particles):
     """Undeformed particles, which dent the surfaces where they are held."""
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
     circle = np.column_stack((np.cos(angle), np.sin(angle)))
-    for particle in particles:
-        outline = (particle.position, particle.height) + 0.5 * particle.diameter * circle
-        kind = "bears load" if particle.bears else "free"
-        panel.add_collection(
-            PolyCollection(
-                [outline],
-                label=f"particle of {particle.diameter:.4g} m; {kind}",
-                zorder=2.5,
-                **(BEARING if particle.bears else FREE),
-            ),
-            autolim=False,
-        )
+    looks = [BEARING if p.bears else FREE for p in particles]
+    states = ["bears load" if p.bears else "free" for p in particles]
+    panel.add_outlines(
+        [(p.position, p.height) + 0.5 * p.diameter * circle for p in particles],
+        [f"particle of {p.diameter:.4g} m; {s}" for p, s in zip(particles, states, strict=True)],
+        **{f"{name}s": [look[name] for look in looks] for name in FREE},
+        zorder=2.5,
+    )
 
 
 def _draw_scale_bar(panel, length, bottom, top):

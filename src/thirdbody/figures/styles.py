@@ -5,6 +5,7 @@ from __future__ import annotations
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
+from matplotlib.colors import to_rgb
 
 from thirdbody.figures.conditions import PARAMETERS
 from thirdbody.figures.panel import power_text
@@ -13,6 +14,7 @@ from thirdbody.scene import CENTISTOKES
 MARKERS = "osv^DX<>PphHd8"
 MARKERS_PER_CURVE = 7
 LIGHTEST = 0.87  # of the colour map: beyond it lines fade on white
+TINT = 0.22  # share of the colour, the rest is white
 TWO_BODY_GREY = "0.55"  # where black is taken by dry contact
 
 
@@ -43,6 +45,10 @@ class Styles:
         if not (self.compares_media and curve.is_dry):
             style["marker"] = MARKERS[index % len(MARKERS)]
         return style
+
+    def tint(self, curve):
+        """Light variant of the colour of ``curve``."""
+        return 1.0 - TINT * (1.0 - np.array(to_rgb(self.of(curve)["color"])))
 
     def markers_on(self, curve, count):
         """Where on ``count`` points the markers stand, so that those of two curves never meet."""

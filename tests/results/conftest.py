@@ -1,0 +1,59 @@
+"""The workflow's own products, as the tests of results read them."""
+
+from pathlib import Path
+
+import pytest
+
+RESULTS = Path(__file__).parents[2] / "results"
+FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
+
+
+@pytest.fixture(scope="session")
+def results():
+    """The folder of the products."""
+    if not (RESULTS / "datasets").is_dir():
+        pytest.skip("results/datasets is absent: run `snakemake -c2` first")
+    return RESULTS
+
+
+@pytest.fixture(scope="session")
+def datasets(results):
+    """The datasets of all figures; one that is missing or damaged is an error."""
+    from thirdbody.dataset import read_dataset
+
+    return {figure: read_dataset(results / "datasets" / f"{figure}.nc") for figure in FIGURES}
+
+
+@pytest.fixture(scope="session", params=FIGURES)
+def figure(request):
+    """The name of each figure with a dataset in turn."""
+    return request.param
+
+
+@pytest.fixture(scope="session")
+def dataset(figure, datasets):
+    """The dataset of each figure in turn."""
+    return datasets[figure]
+
+
+@pytest.fixture(scope="session")
+def scene(figure, dataset):
+    """What each figure is to show, from the configuration."""
+    import json
+
+    from thirdbody.configuration import config_directory, read_yaml
+    from thirdbody.scene import Scene
+
+    configured = read_yaml(config_directory() / "scenes.yaml")
+    entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
+    model = json.loads(dataset.attrs["model_parameters"])
+    return Scene.of(figure, entry, model["A_n"] * model["E_ss"])
+
+
+@pytest.fixture(scope="session")
+def curves(dataset):
+    """Conditions (4, curves), and each variable as (loads, curves), of the shown curves."""
+    from thirdbody.extraction import curves_of
+
+    conditions, shown = curves_of(dataset)
+    return conditions, {name: dataset[name].values[:, shown] for name in dataset.data_vars}

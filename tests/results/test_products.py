@@ -1,0 +1,234 @@
+"""Tables and costs that the workflow made."""
+
+import csv
+import json
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.dataset import read_dataset
+from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.scene import DIMENSIONS
+from thirdbody.tables import TABLES, read_csv
+from thirdbody.transitions import LIMITS
+
+pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
+
+NAMES = ("table1", "table2", "tpca_loads", "tpca_windows", "transitions")
+CONDITIONS = ("viscosity_m2_per_s", "particle_diameter_m", "roughness_m", "particle_density_per_m2")
+COLUMNS = TABLES | {"table1": TABLES["paper_table"], "table2": TABLES["paper_table"]}
+DIGITS = 1e-9  # ten digits are written: half a unit of the last is at most 5e-10
+
+
+@pytest.fixture(scope="module")
+def tables(results):
+    """Rows of each table."""
+    return {name: read_csv(results / "tables" / f"{name}.csv", COLUMNS[name]) for name in NAMES}
+
+
+def columns(rows, names):
+    return np.array([[row[name] for row in rows] for name in names], dtype=float)
+
+
+def curve_of(dataset, row):
+    """The dataset's curve that a row of a table belongs to."""
+    point = {name: row[column] for name, column in zip(DIMENSIONS[1:], CONDITIONS, strict=True)}
+    return dataset.sel(point, method="nearest")
+
+
+# ---- form
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_table_has_its_four_forms(results, name):
+    for suffix in (".csv", ".json", ".md", ".tex"):
+        assert (results / "tables" / f"{name}{suffix}").stat().st_size > 0
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_columns_are_those_of_the_table_schema(results, name):
+    schema = json.loads((results / "tables" / f"{name}.json").read_text())
+    with open(results / "tables" / f"{name}.csv", newline="") as stream:
+        rows = list(csv.reader(stream))
+    assert rows[0] == [field["name"] for field in schema["fields"]]
+    for row in rows[1:]:
+        assert len(row) == len(rows[0])
+        for text, field in zip(row, schema["fields"], strict=True):
+            if field["type"] == "number" and text not in schema["missingValues"]:
+                float(text)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_readable_forms_have_a_line_for_each_row(results, tables, name):
+    folder = results / "tables"
+    assert len((folder / f"{name}.md").read_text().splitlines()) == len(tables[name]) + 2
+    lines = (folder / f"{name}.tex").read_text().splitlines()
+    assert sum(line.endswith(r"\\") for line in lines) == len(tables[name]) + 1
+
+
+# ---- turning points
+
+
+def test_turning_points_lie_on_their_curves(tables, defaults):
+    load, ratio, share, separation = columns(
+        tables["tpca_loads"], ("load", "peak_ratio", "solid_load_fraction", "separation_m")
+    )
+    solution = tb.solve(load, *columns(tables["tpca_loads"], CONDITIONS), defaults)
+    # the load is rounded to ten digits; L_s follows it with a power that stays below ten
+    assert_allclose(solution.separation, separation, rtol=2.0 * DIGITS)
+    assert_allclose(solution.solid_load_fraction, share, rtol=10.0 * DIGITS)
+    assert_allclose(solution.particle_contact_area_ratio, ratio, rtol=2.0 * DIGITS)
+
+
+def test_turning_points_are_above_their_neighbours_on_the_load_axis(tables, datasets):
+    assert tables["tpca_loads"]
+    for row in tables["tpca_loads"]:
+        curve = curve_of(datasets[row["figure"]], row)
+        ratio, loads = curve["particle_contact_area_ratio"].values, curve["load"].values
+        after = np.searchsorted(loads, row["load"])
+        assert 0 < after < loads.size
+        neighbours = ratio[after - 1 : after + 1]
+        assert (neighbours <= row["peak_ratio"] * (1.0 + DIGITS)).all()
+
+
+def test_the_written_load_is_within_its_written_error(tables, datasets, defaults):
+    from thirdbody.turning_point import turning_points
+
+    rows = [row for row in tables["tpca_loads"] if row["figure"] == "fig11"]
+    conditions = columns(rows, CONDITIONS)
+    loads = datasets["fig11"]["load"].values[:, None]
+    separation = tb.solve(loads, *conditions, defaults, 1e-11).separation
+    best = turning_points(separation, *conditions, defaults, 1e-11)
+    load, error = columns(rows, ("load", "load_error"))
+    assert (np.abs(load - best.load) <= error + best.load_error).all()
+
+
+def test_each_dry_curve_of_figure_11_turns_where_its_lubricated_ones_do(tables):
+    rows = [row for row in tables["tpca_loads"] if row["figure"] == "fig11"]
+    assert len(rows) >= 2
+    (separation,) = columns(rows, ("separation_m",))
+    # A_sa,t* depends on the separation alone
+    assert_allclose(separation, separation[0], rtol=DIGITS)
+
+
+def test_a_more_viscous_lubricant_turns_at_a_higher_load(tables):
+    rows = [row for row in tables["tpca_loads"] if row["figure"] == "fig11"]
+    rows.sort(key=lambda row: row["viscosity_m2_per_s"])
+    for thin, thick in pairwise(rows):
+        assert thin["load"] < thick["load"]
+        assert thin["solid_load_fraction"] > thick["solid_load_fraction"]
+
+
+# ---- transitions
+
+
+def test_at_each_transition_the_quantity_has_its_level(tables, defaults):
+    rows = tables["transitions"]
+    load, level = columns(rows, ("load", "level"))
+    solution = tb.solve(load, *columns(rows, CONDITIONS), defaults)
+    for index, row in enumerate(rows):
+        value = getattr(solution, row["quantity"])[index]
+        # its logarithm changes at most some thirty times as fast as that of the load
+        assert value == pytest.approx(level[index], rel=30.0 * DIGITS), row
+
+
+def test_each_crossing_of_the_curves_is_a_row(tables, figure, dataset, curves):
+    _, values = curves
+    for quantity, level in LIMITS:
+        above = values[quantity] > level
+        crossings = (above[1:] != above[:-1]).sum()
+        rows = [
+            row
+            for row in tables["transitions"]
+            if (row["figure"], row["quantity"], row["level"]) == (figure, quantity, level)
+        ]
+        assert len(rows) == crossings
+
+
+def test_transitions_lie_between_the_loads_where_the_curve_crosses(tables, datasets):
+    for row in tables["transitions"]:
+        curve = curve_of(datasets[row["figure"]], row)
+        values, loads = curve[row["quantity"]].values, curve["load"].values
+        after = np.searchsorted(loads, row["load"])
+        before = values[after - 1] > row["level"]
+        assert before != (values[after] > row["level"])
+        assert row["direction"] == ("falling" if before else "rising")
+
+
+# ---- windows
+
+
+def test_each_roughness_has_a_window_with_two_ends(tables):
+    windows = {}
+    for row in tables["tpca_windows"]:
+        windows.setdefault(row["roughness_m"], {})[row["end"]] = row
+    assert sorted(windows) == [1e-7, 3e-7, 5e-7]
+    for ends in windows.values():
+        assert set(ends) == {"low", "high"}
+        low, high = (ends[end]["diameter_over_roughness"] for end in ("low", "high"))
+        assert 0.0 < low < high
+
+
+def test_inside_a_window_the_turning_point_is_hybrid_and_outside_it_is_not(tables, defaults):
+    newtons = defaults.newtons_per_load
+    dense = np.geomspace(0.04, 80.0, 4001)[:, None] / newtons
+    for row in tables["tpca_windows"]:
+        # the scan sees a peak from two steps of its loads on, 0.4 % above the first; the peak's load
+        # changes by at least four times as much, relatively, as x_a/sigma
+        step = max(2.0 * row["error"], 1e-3)
+        inward = step if row["end"] == "low" else -step
+        ratios = row["diameter_over_roughness"] + np.array([inward, -inward])
+        solution = tb.solve(
+            dense,
+            0.0,
+            ratios * row["roughness_m"],
+            row["roughness_m"],
+            row["particle_density_per_m2"],
+            defaults,
+            1e-11,
+        )
+        ratio = solution.particle_contact_area_ratio
+        inner = (ratio[1:-1] > ratio[:-2]) & (ratio[1:-1] >= ratio[2:])
+        peak = np.where(inner, ratio[1:-1], 0.0).max(axis=0)
+        hybrid = (peak > SURFACE_LIMIT) & (peak < PARTICLE_LIMIT)
+        hybrid &= ratio.max(axis=0) < PARTICLE_LIMIT
+        assert hybrid.tolist() == [True, False], row
+
+
+# ---- the paper's tables and the solver's cost
+
+
+@pytest.mark.parametrize("name", ["table1", "table2"])
+def test_each_derived_entry_of_the_papers_tables_is_judged(tables, name):
+    for row in tables[name]:
+        assert row["verdict"] in ("agrees", "differs", "input")
+        assert (row["recomputed_low"] is None) == (row["verdict"] == "input")
+        assert (row["verdict"] != "differs") or "printed" in row["remark"]
+
+
+@pytest.fixture(scope="module")
+def costs(results):
+    rows = read_csv(results / "accuracy" / "solver_cost.csv", TABLES["solver_cost"])
+    return {row["figure"]: row for row in rows}
+
+
+def test_the_cost_of_each_dataset_is_there(costs, datasets):
+    assert set(costs) == {*datasets, "all"}
+    for figure, dataset in datasets.items():
+        assert costs[figure]["rtol"] == dataset.attrs["rtol"] <= 1e-9
+        shown = np.isfinite(dataset["solution_status"].values).sum()
+        assert costs[figure]["points"] == shown
+
+
+def test_all_datasets_are_solved_in_less_than_two_seconds(costs):
+    seconds = sum(row["seconds"] for figure, row in costs.items() if figure != "all")
+    assert costs["all"]["seconds"] == pytest.approx(seconds, rel=DIGITS)
+    assert seconds < 2.0
+
+
+def test_a_dataset_read_twice_is_the_same(results, datasets):
+    again = read_dataset(results / "datasets" / "fig03.nc")
+    assert again.identical(datasets["fig03"])

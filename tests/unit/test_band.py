@@ -1,0 +1,118 @@
+"""Bands: they enclose the curves they belong to, by as much as the members reach and no more."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from thirdbody.band import BAND_RTOL, band
+from thirdbody.dataset import QUANTITIES, read_dataset, scene_dataset, write_dataset
+from thirdbody.interface import solve
+from thirdbody.scene import DIMENSIONS, Scene
+
+SCENE = {
+    "title": "A few curves",
+    "load_axis": {"load_N": [0.04, 80.0], "count": 12},
+    "curves": [
+        {
+            "viscosity_cSt": [0, 90],
+            "particle_diameter_nm": [500],
+            "roughness_nm": [300],
+            "particle_density_per_m2": [1.0e11],
+        },
+        {
+            "viscosity_cSt": [0],
+            "particle_diameter_nm": [0],
+            "roughness_nm": [300],
+            "particle_density_per_m2": [1.0e11],
+        },
+    ],
+}
+MEMBERS = [{"participation": 0.03}, {"spread_ratio": 1.5, "summit_radius": 25e-6}]
+
+
+@pytest.fixture(scope="module")
+def dataset(parameters, tmp_path_factory):
+    path = tmp_path_factory.mktemp("band") / "scene.nc"
+    scene = Scene.of("scene", SCENE, parameters.newtons_per_load)
+    write_dataset(scene_dataset(scene, parameters), path)
+    return read_dataset(path)
+
+
+@pytest.fixture(scope="module")
+def envelope(dataset, parameters):
+    return band(dataset, parameters, MEMBERS)
+
+
+def shown(dataset):
+    return np.isfinite(dataset["solution_status"].values)
+
+
+def test_band_of_no_members_is_the_curves(dataset, parameters):
+    alone = band(dataset, parameters, [])
+    for name in QUANTITIES:
+        for end in ("low", "high"):
+            found = alone[f"{name}_{end}"].values[shown(dataset)]
+            assert_array_equal(found, dataset[name].values[shown(dataset)])
+
+
+def test_band_of_the_default_is_as_narrow_as_its_error(dataset, parameters):
+    own = band(dataset, parameters, [{"participation": parameters.participation}])
+    for name in QUANTITIES:
+        low, high = (own[f"{name}_{end}"].values[shown(dataset)] for end in ("low", "high"))
+        assert_allclose(low, high, rtol=2 * BAND_RTOL)
+
+
+def test_band_reaches_from_the_lowest_to_the_highest_member(dataset, parameters, envelope):
+    load = dataset["load"].values
+    conditions = 90e-6, 500e-9, 300e-9, 1e11
+    place = [int(np.argmax(dataset[n].values == v)) for n, v in zip(DIMENSIONS[1:], conditions)]
+    members = [parameters, *(replace(parameters, **member) for member in MEMBERS)]
+    for name in QUANTITIES:
+        solved = [getattr(solve(load, *conditions, one), name) for one in members]
+        for end, reduced in (("low", np.min(solved, axis=0)), ("high", np.max(solved, axis=0))):
+            found = envelope[f"{name}_{end}"].values[(slice(None), *place)]
+            assert_allclose(found, reduced, rtol=2 * BAND_RTOL)
+
+
+def test_band_encloses_its_curves(dataset, envelope):
+    for name in QUANTITIES:
+        values = dataset[name].values[shown(dataset)]
+        assert (envelope[f"{name}_low"].values[shown(dataset)] <= values).all()
+        assert (envelope[f"{name}_high"].values[shown(dataset)] >= values).all()
+
+
+def test_members_are_compared_at_the_same_dimensionless_load(dataset, parameters):
+    # dry contact knows F_t* alone; a film also knows the apparent area
+    other = band(dataset, parameters, [{"apparent_area": 0.3 * parameters.apparent_area}])
+    width = other["separation_high"].values - other["separation_low"].values
+    dry, lubricated = (width[:, index, 1, 0, 0] for index in (0, 1))
+    separation = dataset["separation"].values[:, 0, 1, 0, 0]
+    assert (dry <= 2 * BAND_RTOL * separation).all()
+    assert lubricated.max() > 0.01 * separation.min()
+    assert_array_equal(other["normal_load"].values, dataset["normal_load"].values)
+
+
+def test_member_without_a_solution_leaves_the_band_as_it_is(dataset, parameters):
+    # at participation 1 a truncation beyond the coverage leaves no room: no point is solved
+    blind = {"participation": 1.0, "spread_ratio": 3.0, "truncation": 10.0}
+    load = dataset["load"].values
+    assert np.isnan(solve(load, 0.0, 500e-9, 300e-9, 1e11, replace(parameters, **blind)).separation).all()
+    found = band(dataset, parameters, [blind])["separation_high"].values[:, 0, 1, 0, 0]
+    assert_array_equal(found, dataset["separation"].values[:, 0, 1, 0, 0])
+
+
+def test_file_has_units_and_the_same_bytes_each_time(envelope, dataset, tmp_path):
+    paths = [tmp_path / "one.nc", tmp_path / "other.nc"]
+    for path in paths:
+        write_dataset(envelope, path)
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+    again = read_dataset(paths[0])
+    for name in QUANTITIES:
+        for end in ("low", "high"):
+            variable = again[f"{name}_{end}"]
+            assert variable.dims == DIMENSIONS
+            assert variable.attrs["units"] == dataset[name].attrs["units"]
+            assert_array_equal(np.isfinite(variable.values), shown(dataset))
+    assert again.attrs["configuration_sha256"] != dataset.attrs["configuration_sha256"]

@@ -1,0 +1,173 @@
+"""The figures of the verdicts and of the conflict: every statement once, where its score is."""
+
+from itertools import product
+from pathlib import Path
+
+import matplotlib.style
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody import verdicts
+from thirdbody.claims import assign_roles, load_claims
+from thirdbody.conflict import PARTS, conflict_rows
+from thirdbody.figures import claims, conflict
+from thirdbody.figures.saving import drawn_points
+from thirdbody.places import part_of_paper
+
+ROOT = Path(__file__).parents[2]
+PLACES = [
+    ("Figure 3A, section 3.3", "Figure 3"),
+    ("Figures 4B and 4C, section 3.3", "Figure 4"),
+    ("Figure 5B and the discussion of Figure 12C, section 3.3", "Figure 5"),
+    ("Figures 9 to 13, section 3.3", "Figure 9"),
+    ("Figure 12C, section 3.3", "Figure 12"),
+    ("Conclusion 4", "Conclusions"),
+    ("Abstract", "Abstract"),
+]
+
+
+@pytest.fixture(autouse=True)
+def style():
+    with matplotlib.style.context(ROOT / "styles" / "paper.mplstyle", after_reset=True):
+        yield
+
+
+@pytest.fixture(scope="module")
+def statements():
+    return load_claims(ROOT / "config" / "claims.yaml")
+
+
+@pytest.fixture(scope="module")
+def rows(statements):
+    """Scores over their whole range, with each verdict among them."""
+    roles = assign_roles(statements)
+    scores = np.linspace(0.0, 10.0, len(statements))
+    rows = []
+    for claim, score in zip(statements, scores, strict=True):
+        verdict = verdicts.HOLDS if score <= 1.0 else verdicts.FAILS
+        if score > 1.0 and claim.contradicts:
+            verdict = verdicts.CONTRADICTED
+        if claim.is_withheld:
+            score, verdict = None, verdicts.WITHHELD
+        rows.append(
+            {"id": claim.id, "where": claim.where, "role": roles[claim.id], "verdict": verdict}
+            | {"score": score, "ensemble_agree": 3.0, "ensemble_size": 12.0}
+        )
+    return rows
+
+
+def drawn(figure):
+    """Place of each labelled point over all panels."""
+    return {label: x for panel in figure.axes for label, ((x, _),) in drawn_points(panel)}
+
+
+@pytest.mark.parametrize(("where", "part"), PLACES)
+def test_parts_of_the_paper(where, part):
+    assert part_of_paper(where) == part
+
+
+def test_every_statement_is_drawn_at_its_score(rows):
+    places = drawn(claims.plot(rows))
+    assert places.keys() == {row["id"] for row in rows}
+    for row in rows:
+        wanted = claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
+        assert places[row["id"]] == wanted
+
+
+def test_statements_that_do_not_hold_are_named(rows):
+    figure = claims.plot(rows)
+    names = [text.get_text() for panel in figure.axes for text in panel.texts]
+    for row in rows:
+        tail = row["id"].split("-", 1)[-1]
+        named = any(name.endswith(tail) for name in names)
+        assert named or row["verdict"] in (verdicts.HOLDS, verdicts.WITHHELD)
+
+
+def test_counts_stand_beside_their_part(rows):
+    figure = claims.plot(rows)
+    texts = [text.get_text() for panel in figure.axes for text in panel.texts]
+    for part in {part_of_paper(row["where"]) for row in rows}:
+        judged = [
+            row
+            for row in rows
+            if part_of_paper(row["where"]) == part and row["verdict"] != verdicts.WITHHELD
+        ]
+        held = sum(row["verdict"] == verdicts.HOLDS for row in judged)
+        assert f"{part}\n{held} of {len(judged)} hold" in texts
+
+
+def test_every_verdict_and_role_has_its_look():
+    words = {verdicts.HOLDS, verdicts.FAILS, verdicts.CONTRADICTED, verdicts.WITHHELD}
+    assert claims.COLOURS.keys() == words
+    assert claims.MARKERS.keys() == {"calibration", "validation", "withheld"}
+
+
+def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
+    sure = [row | {"ensemble_agree": 12.0} for row in rows]
+    for some, hollow in ((rows, True), (sure, False)):
+        lines = [line for panel in claims.plot(some).axes for line in panel.lines]
+        marked = [line for line in lines if not line.get_label().startswith("_")]
+        assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
+
+
+def test_distances_are_logarithmic_beyond_one_tolerance():
+    assert_allclose([claims.score_of(each) for each in (0.0, 0.3, 1.0)], [0.0, 0.3, 1.0])
+    assert_allclose(claims.score_of(10.0) - claims.score_of(1.0), np.log(10.0))
+
+
+def conflict_scores(score):
+    """Rows of six readings with two members; ``score`` of reading, member and part."""
+    return [
+        {
+            "reading": f"{sizes} {term}",
+            "size_distribution": sizes,
+            "summit_plane": "offset",
+            "particle_term": term,
+            "member": float(member),
+            "part": part,
+            "score": score(term, member, part, index),
+        }
+        for sizes, term, member, part, index in product(
+            conflict.DISTRIBUTIONS, conflict.TERMS, range(2), PARTS, range(4)
+        )
+    ]
+
+
+def test_conflict_shows_the_mean_score_of_each_member():
+    def score(term, member, part, index):
+        return 0.5 * index + member + (2.0 if term == "printed" and part == "Figure 11" else 0.0)
+
+    members = conflict.plot(conflict_scores(score)).axes[0]
+    points = dict(drawn_points(members))
+    assert len(points) == 6
+    for name, places in points.items():
+        height = 2.0 if "p = 1" in name else 0.0
+        assert_allclose(places, [[0.75, 0.75 + height], [1.75, 1.75 + height]])
+
+
+def test_conflict_shows_the_share_that_holds_at_the_best_inputs():
+    def score(term, member, part, index):
+        return 2.0 if member or (part == "Figure 6" and index == 0) else 0.9
+
+    shares = conflict.plot(conflict_scores(score)).axes[1]
+    points = dict(drawn_points(shares))
+    assert len(points) == 18
+    for name, ((share, _),) in points.items():
+        assert share == (75.0 if name.endswith("Figure 6") else 100.0)
+
+
+def test_conflict_is_judged_on_three_figures_alone(statements, parameters):
+    best = {"participation": 0.0221, "spread_ratio": 1.6}
+    reading = {"inputs": {"truncation": 2.44} | best, "ensemble": [best]}
+    fixed = {"inputs": {"participation": 1.0}, "ensemble": [{"spread_ratio": 1.6}]}
+    readings = [reading | {"reading": "free"}, fixed | {"reading": "printed"}]
+    rows = list(conflict_rows(statements, readings, parameters, (0.04, 80.0)))
+    assert {row["part"] for row in rows} == set(PARTS)
+    assert {(row["reading"], row["particle_term"]) for row in rows} == {
+        ("free", "free"),
+        ("printed", "printed"),
+    }
+    asked = [c.id for c in statements if part_of_paper(c.where) in PARTS and not c.is_withheld]
+    assert [row["id"] for row in rows] == 2 * asked
+    assert np.isfinite([row["score"] for row in rows]).all()

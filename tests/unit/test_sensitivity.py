@@ -1,0 +1,259 @@
+"""Sensitivities against power laws, known variances and the physics that forbids a response."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib.style
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody.claims import Curve
+from thirdbody.configuration import read_yaml, validate
+from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.figures.saving import drawn_points
+from thirdbody.figures.sensitivity import plot
+from thirdbody.interface import solve
+from thirdbody.sensitivity import (
+    STEP,
+    Found,
+    Subject,
+    default_elasticities,
+    elasticities,
+    last_crossings,
+    sensitivity_rows,
+    varied_inputs,
+)
+from thirdbody.sobol import ResponseSurface, Sampling, quadratic_terms
+from thirdbody.tables import TABLES, read_csv, write_csv
+from thirdbody.transitions import LIMITS, transitions
+
+ROOT = Path(__file__).parents[2]
+CONFIG = ROOT / "config"
+SETTINGS = read_yaml(CONFIG / "sensitivity.yaml")
+EXPONENTS = np.array([[2.0, -0.5, 0.0], [14.0, 1.0, -3.0]])
+INPUTS = {"first": 0.3, "second": -2.0, "third": 5e-6}
+
+
+@pytest.fixture(scope="module")
+def subject():
+    return Subject.of(SETTINGS)
+
+
+def power_laws(changes):
+    """Outputs that are products of powers of the inputs over their defaults."""
+    ratios = np.array([changes.get(name, value) / value for name, value in INPUTS.items()])
+    return 7.0 * np.prod(ratios**EXPONENTS, axis=1)
+
+
+def test_elasticities_are_the_exponents_of_power_laws():
+    found, error = elasticities(power_laws, power_laws({}), INPUTS)
+    # truncation: e(e-1)(e-2)/6 of the squared step, at most 364 for an exponent of 14
+    assert_allclose(found, EXPONENTS, rtol=0, atol=364 * STEP**2)
+    assert_allclose(error, 0.0, atol=4 * 364 * STEP**2)
+
+
+def test_error_of_an_elasticity_shows_a_function_that_is_not_smooth():
+    def kinked(changes):
+        return np.array([1.0 + abs(changes["first"] / INPUTS["first"] - 1.0001)])
+
+    _, error = elasticities(kinked, np.array([1.0001]), {"first": INPUTS["first"]})
+    assert error > 0.01
+
+
+def test_outputs_that_do_not_occur_have_no_elasticity():
+    def values(changes):
+        return np.append(power_laws(changes), np.nan)
+
+    found, error = elasticities(values, values({}), INPUTS)
+    assert np.isnan(found[-1]).all() and np.isnan(error[-1]).all()
+    assert np.isfinite(found[:-1]).all()
+
+
+def test_step_balances_both_errors():
+    assert_allclose(FULL_EFFORT.rtol / STEP, STEP**2)
+
+
+def test_inputs_of_zero_are_left_out(parameters):
+    names = ["mean_ratio", "spread_ratio", "summit_parameter_exponent", "gap_ratio"]
+    given = varied_inputs(parameters, names)
+    assert given == {"spread_ratio": 1.6, "summit_parameter_exponent": -0.8}
+
+
+def curve_of(solid_fraction, particle_ratio, load):
+    """A curve with these courses; what crossings do not need is filled up."""
+    one = np.ones_like(load)
+    return Curve(
+        load, load, one, particle_ratio, solid_fraction, 1 - solid_fraction, one, one, one > 0
+    )
+
+
+def logistic(x):
+    return 1.0 / (1.0 + np.exp(-x))
+
+
+def test_crossings_of_known_courses():
+    load = np.geomspace(1e-7, 1e-4, 60)
+    x = np.log(load / 1e-5)
+    rising, falling = curve_of(logistic(2 * x), logistic(-x), load), None
+    found = last_crossings(rising)
+    wanted = [1e-5 * np.exp(np.log(level / (1 - level)) / 2) for level in (0.9, 0.03)]
+    assert_allclose(found[:2], wanted, rtol=1e-12)
+    # odds of 19 are crossed at x = -2.9; those of 1/19, at x = 2.9, lie beyond the loads
+    assert_allclose(found[2], 1e-5 / 19.0, rtol=1e-12)
+    assert np.isnan(found[3])
+    twice = curve_of(logistic(2 * x), logistic(2.0 - (x + 2.0) ** 2), load)
+    root = np.sqrt(2.0 + np.log(19.0)) - 2.0
+    assert_allclose(last_crossings(twice)[3], 1e-5 * np.exp(root), rtol=1e-5)
+    assert falling is None
+
+
+def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
+    loads = np.geomspace(0.04, 80.0, 60) / parameters.newtons_per_load
+    condition = subject.transitions[0]
+    solved = solve(loads, *condition, parameters)
+    curve = curve_of(solved.solid_load_fraction, solved.particle_contact_area_ratio, loads)
+    column = np.array(condition)[:, None]
+    compared = 0
+    for (quantity, level), found in zip(LIMITS, last_crossings(curve), strict=True):
+        values = getattr(solved, quantity)[:, None]
+        _, exact, _, _ = transitions(loads, values, column, quantity, level, parameters, 1e-9)
+        if exact.size:
+            compared += 1
+            assert_allclose(found, exact.max(), rtol=1e-4)
+    assert compared
+
+
+def test_values_belong_to_their_outputs(subject, parameters):
+    values = subject.values(parameters, QUICK_EFFORT)
+    outputs = subject.outputs
+    assert len(values) == len(outputs) == len(set(map(str, outputs)))
+    by_name = {}
+    for output, value in zip(outputs, values, strict=True):
+        by_name.setdefault(output.output, []).append(value)
+    loads, ratios = by_name["turning_point_load"], by_name["turning_point_ratio"]
+    assert loads[0] < loads[1]  # dry, then with a film that takes its share
+    assert_allclose(ratios[0], ratios[1])  # the separation alone decides on it
+    assert (np.array(by_name["window_low"]) < by_name["window_high"]).all()
+
+
+def test_what_cannot_respond_does_not(subject, parameters):
+    only = replace(subject, transitions=(), window_roughness=())
+    # A_n enters through the film alone; exponents act away from the reference roughness
+    inputs = varied_inputs(parameters, ["apparent_area", "summit_radius_exponent", "participation"])
+    _, found = default_elasticities(only, parameters, inputs)
+    dry_load, dry_ratio, wet_load, wet_ratio = found.value
+    assert dry_load[0] == dry_ratio[0] == wet_ratio[0] == 0.0
+    assert wet_load[0] < -0.1
+    assert (found.value[:, 1] == 0.0).all()
+    assert (np.abs(found.value[:2, 2]) > 0.01).all()
+    assert_allclose(found.error, 0.0, atol=1e-3)
+
+
+def test_local_search_follows_the_end_of_a_window(subject, parameters):
+    one = replace(subject, turning_points=(), transitions=(), window_roughness=(300e-9,))
+    base = one.values(parameters, FULL_EFFORT)
+    searches = one.local_searches(base)
+    assert_allclose(one.values(parameters, FULL_EFFORT, searches), base, rtol=1e-3)
+    (unknown,) = one.local_searches(np.array([np.nan, np.nan]))
+    assert unknown is FULL_EFFORT.window
+
+
+def test_response_surface_knows_its_own_kind():
+    rng = np.random.default_rng(1)
+    terms = quadratic_terms(rng.uniform(-1.0, 1.0, (80, 4)))
+    coefficients = rng.normal(size=terms.shape[1])
+    surface = ResponseSurface(terms, np.exp(terms @ coefficients))
+    assert surface.unexplained < 1e-20
+    assert_allclose(surface(terms), np.exp(terms @ coefficients))
+
+
+def test_response_surface_tells_what_it_misses():
+    rng = np.random.default_rng(2)
+    positions = rng.uniform(-1.0, 1.0, (400, 3))
+    explained, missed = positions[:, 0], 0.5 * np.sign(positions[:, 1] * positions[:, 2] - 0.3)
+    surface = ResponseSurface(quadratic_terms(positions), np.exp(explained + missed))
+    fresh = rng.uniform(-1.0, 1.0, (4000, 3))
+    wanted = fresh[:, 0] + 0.5 * np.sign(fresh[:, 1] * fresh[:, 2] - 0.3)
+    residual = wanted - np.log(surface(quadratic_terms(fresh)))
+    assert_allclose(surface.unexplained, residual.var() / wanted.var(), rtol=0.25)
+
+
+def test_response_surface_refuses_too_few_sets():
+    terms = quadratic_terms(np.random.default_rng(3).uniform(-1.0, 1.0, (30, 4)))
+    values = np.where(np.arange(30) < 17, 1.0, np.nan)
+    with pytest.raises(ValueError, match="occurs in 17 sets"):
+        ResponseSurface(terms, values)
+
+
+def test_total_indices_of_known_variances():
+    samples = Sampling(["a", "b", "c"], 1024, 1)
+    a, b, c = samples.positions.T
+    slopes = np.array([3.0, 2.0, 1.0])
+    found, half_width = samples.total_indices(samples.positions @ slopes)
+    assert (np.abs(found - slopes**2 / 14.0) < half_width).all()
+    # a product belongs to both of its inputs
+    found, half_width = samples.total_indices(a * b)
+    assert (np.abs(found - [1.0, 1.0, 0.0]) <= half_width).all()
+    assert (half_width < 0.12).all() and c.size == 1024 * 5
+
+
+def test_sampling_repeats_itself():
+    one, other = (Sampling(["a", "b"], 64, 3) for _ in range(2))
+    values = one.positions @ [1.0, 2.0]
+    assert (one.positions == other.positions).all()
+    assert (one.total_indices(values)[1] == other.total_indices(values)[1]).all()
+
+
+def found_of(subject, inputs):
+    """A measure with numbers of its own everywhere, and the outputs, one of them missing."""
+    shape = len(subject.outputs), len(inputs)
+    base = np.linspace(1.0, 2.0, shape[0])
+    base[3] = np.nan
+    value = np.linspace(-1.0, 1.0, base.size * shape[1]).reshape(shape)
+    found = Found("elasticity", value, 0.01 * value**2, 0.5 + 0.0 * base, np.nan * base)
+    return base, found
+
+
+def test_rows_of_what_is_missing_stay_and_say_so(subject, tmp_path):
+    base, found = found_of(subject, INPUTS)
+    rows = sensitivity_rows(subject, base, INPUTS, found)
+    assert len(rows) == (len(base) - 1) * len(INPUTS) + 1
+    (missing,) = (row for row in rows if not row["input"])
+    assert missing["value"] is missing["sensitivity"] is missing["input_value"] is None
+    assert missing["occurs"] == 0.5
+    path = tmp_path / "sensitivity.csv"
+    write_csv(path, rows, TABLES["sensitivity"])
+    assert "nan" not in path.read_text()
+    again = read_csv(path, TABLES["sensitivity"])
+    assert [row["output"] for row in again] == [row["output"] for row in rows]
+
+
+def test_figure_shows_every_sensitivity(subject, tmp_path):
+    base, found = found_of(subject, INPUTS)
+    rows = sensitivity_rows(subject, base, INPUTS, found)
+    indices = found._replace(measure="sobol_total", value=np.abs(found.value))
+    rows += sensitivity_rows(subject, base, INPUTS, indices)
+    path = tmp_path / "sensitivity.csv"
+    write_csv(path, rows, TABLES["sensitivity"])
+    with matplotlib.style.context(ROOT / "styles" / "paper.mplstyle", after_reset=True):
+        figure = plot(read_csv(path, TABLES["sensitivity"]))
+    for panel, values in zip(figure.axes, (found.value, indices.value), strict=True):
+        drawn = dict(drawn_points(panel))
+        assert len(drawn) == (len(base) - 1) * len(INPUTS)
+        shown = np.sort([x for ((x, _),) in drawn.values()])
+        assert_allclose(shown, np.sort(np.delete(values, 3, axis=0).ravel()), atol=1e-9)
+        assert len({y for ((_, y),) in drawn.values()}) == len(drawn)
+
+
+def test_settings_are_closed():
+    schema = read_yaml(CONFIG / "sensitivity.schema.yaml")
+    validate(SETTINGS, schema)
+    for wrong in ({"windows": [100]}, {"load_N": [0.04]}, {"also": ["elastic_depth"]}):
+        with pytest.raises(ValueError, match=next(iter(wrong))):
+            validate(SETTINGS | wrong, schema)
+
+
+def test_unpublished_inputs_exist(parameters):
+    unknowns = read_yaml(CONFIG / "calibration.yaml")["unknowns"]
+    assert set(unknowns) | set(SETTINGS["also"]) <= set(parameters.as_dict())
