@@ -1,5 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
+# make overhead    the time of a clean run against that of the same jobs if they only import
 # make lock        renew the locked dependencies (needs uv)
 
 PYTHON ?= python3
@@ -9,7 +10,7 @@ BIN := $(VENV)/bin
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test lock format clean
+.PHONY: reproduce test overhead lock format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -30,6 +31,9 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/test.txt
 	touch $@
+
+overhead: $(VENV)/test.done
+	$(BIN)/python tests/workflow/measure_overhead.py
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
