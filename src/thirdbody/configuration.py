@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 from importlib.metadata import version
 from pathlib import Path
 
@@ -157,6 +158,7 @@ def read_inputs(base, *overlays) -> dict:
     Raises ``ValueError`` for an unknown key, or a value out of the bounds that ``base`` states.
     """
     entries = read_yaml(base)
+    _check_entries(base, entries)
     values = {name: entry["value"] for name, entry in entries.items()}
     for path in (base, *overlays):
         for name, given in _input_values(path, entries).items():
@@ -165,6 +167,21 @@ def read_inputs(base, *overlays) -> dict:
             except ValueError as error:
                 raise ValueError(f"{path}: {error}") from None
     return values
+
+
+def _check_entries(path, entries: dict) -> None:
+    """Every input has an entry, with a value and with what is allowed; nothing else has one."""
+    names = [field.name for field in fields(Parameters)]
+    for name in names:
+        entry = entries.get(name)
+        if not isinstance(entry, dict) or "value" not in entry:
+            shown = _shown(entry)
+            raise ValueError(f"{path}: {name} is {shown}; allowed: an entry with a value")
+        if "allowed" not in entry and "bounds" not in entry:
+            raise ValueError(f"{path}: {name} has no bounds; allowed: bounds or allowed values")
+    for name in entries:
+        if name not in names:
+            raise ValueError(f"{path}: unknown key {name!r}; allowed: {', '.join(names)}")
 
 
 def _input_values(path, entries) -> dict:
@@ -207,7 +224,7 @@ def _checked_input(name, value, entries):
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not number or not low <= value <= high:
         raise ValueError(
-            f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry['unit']}"
+            f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry.get('unit', '')}"
         )
     return float(value)
 
@@ -257,14 +274,28 @@ def workflow_settings(config: dict) -> dict:
         _check_increasing(scene.get("load_axis", shared["load_axis"])["load_N"], f"scenes.{name}")
         for index, group in enumerate(scene["curves"]):
             _check_room(group, f"scenes.{name}.curves[{index}]")
+    for name, panels in config["schematics"].items():
+        for index, panel in enumerate(panels):
+            lists = {key: [value] for key, value in panel.items()}
+            _check_room(lists, f"schematics.{name}[{index}]")
+    _check_paper_tables(directory)
     inputs = read_inputs(directory / "inputs.yaml", config["inputs"])
     return {
         **config,
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
+        "calibration": read_yaml(directory / "calibration.yaml"),
         "parameters": Parameters(**inputs).as_dict(),
         "uncalibrated": Parameters(**read_inputs(directory / "inputs.yaml")).as_dict(),
         "software": {name: version(name) for name in ("numpy", "scipy", "netCDF4", "xarray")},
     }
+
+
+def _check_paper_tables(directory: Path) -> None:
+    path = directory / "paper_tables.yaml"
+    try:
+        validate(read_yaml(path), read_yaml(directory / "paper_tables.schema.yaml"))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}".replace(f"{path}: {path}", str(path))) from None
 
 
 def _check_increasing(ends, key) -> None:

@@ -82,7 +82,7 @@ GROUP = "scenes/fig10/curves/0"
 GROUP_SHOWN = "scenes.fig10.curves[0]"
 CASES = [
     # keys
-    put("unknown key", CONFIG, "colour", "red", "'colour'", "allowed: inputs, load_axis"),
+    put("unknown key", CONFIG, "colour", "red", "'colour'", "inputs, load_axis"),
     put("misspelt key", SCENES, "load_axis/cuont", 9, "load_axis", "'cuont'", "count"),
     put("wrong unit", SCENES, f"{GROUP}/viscosity_Pas", [0], GROUP_SHOWN, "'viscosity_Pas'", "cSt"),
     put("missing scene", SCENES, "scenes/fig09", ABSENT, "scenes", "'fig09' is missing"),
@@ -195,7 +195,7 @@ CASES = [
     text("not YAML", CONFIG, b"\nrtol: [1\n", CONFIG, "line"),
     text("tab", CONFIG, b"\nwindows:\n\tcount: 3\n", CONFIG, "line"),
     text("tag", CONFIG, b"\na: !!python/object/apply:os.getcwd []\n", CONFIG, "tag", "plain"),
-    text("alias", CONFIG, b"\na: &a [1]\nb: *a\n", CONFIG, "alias *a", "plain values"),
+    text("alias", CONFIG, b"\na: &a [1]\nb: *a\n", CONFIG, "anchor a", "plain values"),
     text("template", CONFIG, b"\n__use_yte__: true\n", CONFIG, "__use_yte__", "plain values"),
     text("number as key", CONFIG, b"\n3: 4\n", CONFIG, "key 3", "words"),
     text("not UTF-8", CONFIG, b"\nrtol: \xff\n", CONFIG, "UTF-8"),
@@ -207,12 +207,12 @@ CASES = [
     without("missing scenes", SCENES),
     without("missing model inputs", INPUTS),
     # a second file and single keys on the command line
-    second("second file: unknown key", b"colour: red\n", "'colour'", "allowed: inputs"),
+    second("second file: unknown key", b"colour: red\n", "'colour'", "inputs"),
     second("second file: value", b"rtol: 3\n", "rtol", "3", "at most 0.01"),
     second("second file: key twice", b"rtol: 1.0e-8\nrtol: 1.0e-7\n", SECOND, "'rtol' stands twice"),
-    second("second file: alias", b"a: &a [1]\nb: *a\n", SECOND, "alias *a", "plain values"),
+    second("second file: alias", b"a: &a [1]\nb: *a\n", SECOND, "anchor a", "plain values"),
     second("second file: part of a scene", b"scenes: {fig03: {curves: []}}\n", "fig03.curves", "[]"),
-    given("key on the command line", "colour=red", "'colour'", "allowed: inputs"),
+    given("key on the command line", "colour=red", "'colour'", "inputs"),
     given("value on the command line", "rtol=much", "rtol", "'much'", "a number"),
 ]
 

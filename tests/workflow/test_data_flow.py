@@ -21,7 +21,7 @@ LAYERS = (
     {"claims"},
     {"evidence"},
     {"calibration"},
-    {"posterior", "verdicts", "sensitivity", "conflict"},
+    {"posterior", "verdicts", "sensitivity", "sobol", "conflict"},
     {"verdict_text"},
     {"figures"},
     {"release"},

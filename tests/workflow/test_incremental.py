@@ -4,12 +4,14 @@ import pytest
 
 FIGURE = (
     "datasets/{0}.nc",
+    "bands/{0}.nc",
     "accuracy/solver_cost/{0}.csv",
     "extracted/*/{0}.csv",
     "figures/{0}.*",
 )
 ALL_CURVES = (
     "datasets/*",
+    "bands/*",
     "accuracy/solver_cost/*",
     "extracted/tpca_loads/*",
     "extracted/transitions/*",
@@ -20,7 +22,8 @@ GATHERED = ("accuracy/solver_cost.csv", "tables/tpca_loads.*", "tables/transitio
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("figures/fig0[12].*",)
-CLAIMS = ("claims/*",)
+SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
+CLAIMS = ("claims/*", "figures/claims.*", "figures/conflict.*")
 
 
 def of_figure(name):
@@ -114,13 +117,20 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
         ("config/scenes.yaml", "load_axis/load_N", [0.05, 80.0], (*ALL_CURVES, *GATHERED, *WINDOWS)),
         (
             "config/inputs.yaml",
-            "truncation/value",
-            2.5,
-            (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS),
+            # an input that no calibrated file gives
+            "yield_pressure_ratio/value",
+            0.41,
+            (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS, *SENSITIVITY),
+        ),
+        (
+            "config/calibrated/centred_plane_free.yaml",
+            "inputs/truncation",
+            1.8,
+            (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS, *SENSITIVITY),
         ),
         ("config/paper_tables.yaml", "table1/0/property", "Modulus", PAPER_TABLES),
     ],
-    ids=["rtol", "windows", "a drawing", "load axis", "an input", "printed tables"],
+    ids=["rtol", "windows", "a drawing", "load axis", "an input", "calibrated", "printed tables"],
 )
 def test_another_setting_reruns_what_it_enters(workspace, file, key, value, patterns):
     workspace.put(file, key, value)

@@ -2,7 +2,7 @@
 # seed, so that an interruption loses no finished search.  What it finds is then copied to
 # config/calibrated/, which is kept in git and read by the default run.
 
-CALIBRATION = read_yaml("config/calibration.yaml")
+CALIBRATION = settings["calibration"]
 
 
 rule search_reading:

@@ -53,9 +53,8 @@ def plot(rows) -> Figure:
 
 
 def _name(row) -> str:
-    return ", ".join(
-        (row["size_distribution"].replace("_", "-"), row["summit_plane"], TERMS[row["particle_term"]])
-    ).removesuffix(", as printed")
+    sizes, term = row["size_distribution"].replace("_", "-"), TERMS[row["particle_term"]]
+    return f"{sizes}, {row['summit_plane']}, {term.removesuffix(', as printed')}"
 
 
 def _draw_members(panel, rows):

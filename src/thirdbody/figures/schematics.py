@@ -29,8 +29,6 @@ OUTLINE = {"color": "0.2", "linewidth": 0.8}
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "label": FURNITURE}
 LEADER = {"color": "0.2", "linewidth": 0.6, "label": FURNITURE}
 ARROW = {"color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-CENTRED = {"ha": "center", "va": "center"}
-NAME_ROOM = 0.8e-6  # half the width of a name in the gap [m]
 
 # the modes of figure 2 in the order of its panels
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
@@ -149,42 +147,51 @@ def _name_parts(panel, section, state):
     """Write what is what into figure 1."""
     length, d = section.position[-1], state.separation
     bottom, top = panel.get_ylim()
-    panel.text(0.04 * length, 0.55 * top + 0.45 * d, "surface 1", **CENTRED | {"ha": "left"})
-    panel.text(0.04 * length, 0.55 * bottom, "surface 2", **CENTRED | {"ha": "left"})
-    panel.text(*_open_place(section), "lubricant", **CENTRED)
-    below = 0.55 * bottom
+    above, below = 0.55 * top + 0.45 * d, 0.55 * bottom
+    for height, name in ((above, "surface 1"), (below, "surface 2")):
+        panel.text(0.04 * length, height, name, va="center")
+    lubricant = _open_place(section)
+    _point_out(panel, "lubricant", (lubricant[0], above), [lubricant], SURFACE_1)
     name = 0.68 * length, below
     near = sorted(section.particles, key=lambda particle: abs(particle.position - name[0]))[:2]
-    _point_out(panel, "particles", name, [(p.position, p.height) for p in near])
+    _point_out(panel, "particles", name, [(p.position, p.height) for p in near], SURFACE_2)
     if section.touches.any():
         middle = np.flatnonzero(section.touches).mean().astype(int)
         contact = section.position[middle], section.lower[middle]
-        _point_out(panel, "contact of summits", (contact[0], below), [contact])
-    for height in (0.0, d):
+        _point_out(panel, "contact of summits", (contact[0], below), [contact], SURFACE_2)
+    _draw_arrows(panel, length, d)
+
+
+def _draw_arrows(panel, length, separation):
+    """The separation between the mean planes, and the load on both surfaces."""
+    for height in (0.0, separation):
         panel.axhline(height, **MEAN_PLANE)
     place = 0.03 * length
-    panel.annotate("", (place, 0.0), (place, d), arrowprops=ARROW | {"arrowstyle": "<|-|>"})
-    panel.text(place, 0.5 * d, "  d", style="italic", va="center")
-    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
-        arrow = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
-        panel.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=arrow)
+    span = ARROW | {"arrowstyle": "<|-|>"}
+    panel.annotate("", (place, 0.0), (place, separation), arrowprops=span)
+    panel.text(place, 0.5 * separation, "  d", style="italic", va="center")
+    bottom, top = panel.get_ylim()
+    push = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
+    for end, start in ((0.5 * (separation + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        panel.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=push)
         panel.text(0.5 * length, 0.5 * (start + end), "   Fₜ", style="italic", va="center")
 
 
 def _open_place(section):
-    """Middle of the gap where it is widest and no particle is near."""
-    gap = section.upper - section.lower
-    for particle in section.particles:
-        near = np.abs(section.position - particle.position) < 0.5 * particle.diameter + NAME_ROOM
-        gap = np.where(near, 0.0, gap)
-    inner = section.position[-1] - NAME_ROOM
-    gap = np.where((section.position > 3.0 * NAME_ROOM) & (section.position < inner), gap, 0.0)
-    widest = int(gap.argmax())
-    return section.position[widest], 0.5 * (section.lower + section.upper)[widest]
+    """Middle of the gap where it is widest, beside particles, arrows and the name of a surface."""
+    position, length = section.position, section.position[-1]
+    free = (position > 0.2 * length) & (position < 0.95 * length)
+    taken = [(0.5 * length, 0.1 * length)]
+    taken += [(p.position, 0.5 * p.diameter) for p in section.particles]
+    for place, reach in taken:
+        free &= np.abs(position - place) > reach
+    widest = int(np.where(free, section.upper - section.lower, 0.0).argmax())
+    return position[widest], 0.5 * (section.lower + section.upper)[widest]
 
 
-def _point_out(panel, name, place, targets):
-    """Write ``name`` at ``place`` with a thin line to each of ``targets``."""
+def _point_out(panel, name, place, targets, ground):
+    """Write ``name`` at ``place``, on the colour ``ground``, with a thin line to each target."""
     for target in targets:
         panel.add_line(Line2D(*zip(place, target, strict=True), zorder=2.7, **LEADER))
-    panel.text(*place, name, bbox={"facecolor": SURFACE_2, "linewidth": 0, "pad": 2}, **CENTRED)
+    box = {"facecolor": ground, "linewidth": 0, "pad": 2}
+    panel.text(*place, name, bbox=box, ha="center", va="center")

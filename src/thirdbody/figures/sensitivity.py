@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from textwrap import fill
 import textwrap
 
 from matplotlib.figure import Figure
@@ -17,6 +18,7 @@ GAP = 2.0  # lines between two inputs
 MARGINS = {"top": 0.28, "bottom": 0.48}  # inches, without the key
 KEY_ROW = 0.165  # inches
 KEY_COLUMNS = 3
+LETTERS = 20  # in a line of an input's name
 KEY_WIDTH = 110  # characters of a line
 # measure: letter, title, label of the axis, left and right edge of the axes as shares of the figure
 PANELS = {
@@ -99,12 +101,11 @@ def _looks(rows) -> dict:
 
 def _by_weight(rows) -> list[str]:
     """The inputs, those with the largest total index or else elasticity first."""
-    weights: dict = {}
+    largest: dict = {}
     for row in rows:
-        size = abs(row["sensitivity"] or 0.0)
-        weight = weights.setdefault(row["input"], dict.fromkeys(PANELS, 0.0))
-        weight[row["measure"]] = max(weight[row["measure"]], size)
-    return sorted(weights, key=lambda name: (-weights[name]["sobol_total"], -weights[name]["elasticity"]))
+        weights = largest.setdefault(row["input"], dict.fromkeys(reversed(PANELS), 0.0))
+        weights[row["measure"]] = max(weights[row["measure"]], abs(row["sensitivity"] or 0.0))
+    return sorted(largest, key=lambda name: tuple(largest[name].values()), reverse=True)
 
 
 def _draw_response(panel, line, row, look):
@@ -153,7 +154,7 @@ def _draw_key(figure, looks, missing):
 
 
 def _name_inputs(panel, inputs, band):
-    style = {"ha": "right", "va": "center", "fontsize": 7.5, "transform": panel.get_yaxis_transform()}
+    style = {"ha": "right", "va": "center", "transform": panel.get_yaxis_transform()}
     for place, name in enumerate(inputs):
-        words = name.replace("_", " ").replace(" exponent", "\nexponent").replace(" interf", "\ninterf")
-        panel.text(-0.02, (place + 0.5) * band, words, **style)
+        words = fill(name.replace("_", " "), LETTERS)
+        panel.text(-0.02, (place + 0.5) * band, words, fontsize=7.5, **style)
