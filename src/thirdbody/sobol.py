@@ -68,7 +68,7 @@ class Sampling:
         self.positions = sampling.sample(self._problem, base_samples, **self._options)
 
     def total_indices(self, values):
-        """Total index of each input from ``values`` at ``positions``, and half its 95 % interval."""
+        """Total index of each input, and half its 95 % interval, from ``values`` at ``positions``."""
         found = analysis.analyze(self._problem, values, **self._options)
         return found["ST"], found["ST_conf"]
 

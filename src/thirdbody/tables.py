@@ -109,7 +109,7 @@ TABLES = {
         Column("level", "number", "1", "of a transition: the limit"),
         Column("value", "number", "1", "the result at the default inputs; empty: does not occur"),
         Column("occurs", "number", "1", "share of the solved sets of inputs in which it occurs"),
-        Column("unexplained", "number", "1", "share of its variance that the response surface misses"),
+        Column("unexplained", "number", "1", "share of its variance lost by the response surface"),
         Column("input", "string", "", "the unpublished input, as in config/inputs.yaml"),
         Column("input_value", "number", "SI", "its default"),
         Column("sensitivity", "number", "1", "d ln(result)/d ln(input), or the total index"),

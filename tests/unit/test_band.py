@@ -11,6 +11,7 @@ from thirdbody.dataset import QUANTITIES, read_dataset, scene_dataset, write_dat
 from thirdbody.interface import solve
 from thirdbody.scene import DIMENSIONS, Scene
 
+DENSITY = 1e11
 SCENE = {
     "title": "A few curves",
     "load_axis": {"load_N": [0.04, 80.0], "count": 12},
@@ -19,13 +20,13 @@ SCENE = {
             "viscosity_cSt": [0, 90],
             "particle_diameter_nm": [500],
             "roughness_nm": [300],
-            "particle_density_per_m2": [1.0e11],
+            "particle_density_per_m2": [DENSITY],
         },
         {
             "viscosity_cSt": [0],
             "particle_diameter_nm": [0],
             "roughness_nm": [300],
-            "particle_density_per_m2": [1.0e11],
+            "particle_density_per_m2": [DENSITY],
         },
     ],
 }
@@ -66,7 +67,7 @@ def test_band_of_the_default_is_as_narrow_as_its_error(dataset, parameters):
 
 def test_band_reaches_from_the_lowest_to_the_highest_member(dataset, parameters, envelope):
     load = dataset["load"].values
-    conditions = 90e-6, 500e-9, 300e-9, 1e11
+    conditions = 90e-6, 500e-9, 300e-9, DENSITY
     place = [int(np.argmax(dataset[n].values == v)) for n, v in zip(DIMENSIONS[1:], conditions)]
     members = [parameters, *(replace(parameters, **member) for member in MEMBERS)]
     for name in QUANTITIES:
@@ -95,10 +96,10 @@ def test_members_are_compared_at_the_same_dimensionless_load(dataset, parameters
 
 
 def test_member_without_a_solution_leaves_the_band_as_it_is(dataset, parameters):
-    # at participation 1 a truncation beyond the coverage leaves no room: no point is solved
-    blind = {"participation": 1.0, "spread_ratio": 3.0, "truncation": 10.0}
-    load = dataset["load"].values
-    assert np.isnan(solve(load, 0.0, 500e-9, 300e-9, 1e11, replace(parameters, **blind)).separation).all()
+    # large particles that all take part cover more than there is
+    blind = {"participation": 1.0, "spread_ratio": 10.0, "truncation": 5.0}
+    conditions = dataset["load"].values, 0.0, 500e-9, 300e-9, DENSITY
+    assert np.isnan(solve(*conditions, replace(parameters, **blind)).separation).all()
     found = band(dataset, parameters, [blind])["separation_high"].values[:, 0, 1, 0, 0]
     assert_array_equal(found, dataset["separation"].values[:, 0, 1, 0, 0])
 

@@ -49,8 +49,8 @@ def power_laws(changes):
 def test_elasticities_are_the_exponents_of_power_laws():
     found, error = elasticities(power_laws, power_laws({}), INPUTS)
     # truncation: e(e-1)(e-2)/6 of the squared step, at most 364 for an exponent of 14
-    assert_allclose(found, EXPONENTS, rtol=0, atol=364 * STEP**2)
-    assert_allclose(error, 0.0, atol=4 * 364 * STEP**2)
+    assert_allclose(found, EXPONENTS, rtol=0, atol=365 * STEP**2)
+    assert_allclose(error, 0.0, atol=4 * 365 * STEP**2)
 
 
 def test_error_of_an_elasticity_shows_a_function_that_is_not_smooth():
@@ -95,8 +95,7 @@ def logistic(x):
 def test_crossings_of_known_courses():
     load = np.geomspace(1e-7, 1e-4, 60)
     x = np.log(load / 1e-5)
-    rising, falling = curve_of(logistic(2 * x), logistic(-x), load), None
-    found = last_crossings(rising)
+    found = last_crossings(curve_of(logistic(2 * x), logistic(-x), load))
     wanted = [1e-5 * np.exp(np.log(level / (1 - level)) / 2) for level in (0.9, 0.03)]
     assert_allclose(found[:2], wanted, rtol=1e-12)
     # odds of 19 are crossed at x = -2.9; those of 1/19, at x = 2.9, lie beyond the loads
@@ -105,11 +104,10 @@ def test_crossings_of_known_courses():
     twice = curve_of(logistic(2 * x), logistic(2.0 - (x + 2.0) ** 2), load)
     root = np.sqrt(2.0 + np.log(19.0)) - 2.0
     assert_allclose(last_crossings(twice)[3], 1e-5 * np.exp(root), rtol=1e-5)
-    assert falling is None
 
 
 def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
-    loads = np.geomspace(0.04, 80.0, 60) / parameters.newtons_per_load
+    loads = np.geomspace(0.04, 80.0, FULL_EFFORT.loads) / parameters.newtons_per_load
     condition = subject.transitions[0]
     solved = solve(loads, *condition, parameters)
     curve = curve_of(solved.solid_load_fraction, solved.particle_contact_area_ratio, loads)
@@ -120,7 +118,7 @@ def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
         _, exact, _, _ = transitions(loads, values, column, quantity, level, parameters, 1e-9)
         if exact.size:
             compared += 1
-            assert_allclose(found, exact.max(), rtol=1e-4)
+            assert_allclose(found, exact.max(), rtol=1e-5)
     assert compared
 
 
@@ -143,9 +141,9 @@ def test_what_cannot_respond_does_not(subject, parameters):
     inputs = varied_inputs(parameters, ["apparent_area", "summit_radius_exponent", "participation"])
     _, found = default_elasticities(only, parameters, inputs)
     dry_load, dry_ratio, wet_load, wet_ratio = found.value
-    assert dry_load[0] == dry_ratio[0] == wet_ratio[0] == 0.0
+    assert_allclose([dry_load[0], dry_ratio[0], wet_ratio[0]], 0.0, atol=STEP**2)
     assert wet_load[0] < -0.1
-    assert (found.value[:, 1] == 0.0).all()
+    assert_allclose(found.value[:, 1], 0.0, atol=STEP**2)
     assert (np.abs(found.value[:2, 2]) > 0.01).all()
     assert_allclose(found.error, 0.0, atol=1e-3)
 
@@ -211,7 +209,7 @@ def found_of(subject, inputs):
     base = np.linspace(1.0, 2.0, shape[0])
     base[3] = np.nan
     value = np.linspace(-1.0, 1.0, base.size * shape[1]).reshape(shape)
-    found = Found("elasticity", value, 0.01 * value**2, 0.5 + 0.0 * base, np.nan * base)
+    found = Found("elasticity", value, 0.01 * value**2, np.full(shape[0], 0.5), np.nan * base)
     return base, found
 
 

@@ -11,7 +11,7 @@ from thirdbody.tables import TABLES, read_csv
 
 
 def render(conflict, style, stem):
-    """Draw the rows of ``conflict`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    """Draw the rows of ``conflict`` in the ``style`` of a file, as ``stem``.svg, .pdf, ..."""
     rows = read_csv(conflict, TABLES["conflict"])
     with matplotlib.style.context(style, after_reset=True):
         save(plot(rows), stem)

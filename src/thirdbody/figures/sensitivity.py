@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from textwrap import fill
 import textwrap
 
 from matplotlib.figure import Figure
@@ -156,5 +155,5 @@ def _draw_key(figure, looks, missing):
 def _name_inputs(panel, inputs, band):
     style = {"ha": "right", "va": "center", "transform": panel.get_yaxis_transform()}
     for place, name in enumerate(inputs):
-        words = fill(name.replace("_", " "), LETTERS)
+        words = textwrap.fill(name.replace("_", " "), LETTERS)
         panel.text(-0.02, (place + 0.5) * band, words, fontsize=7.5, **style)
