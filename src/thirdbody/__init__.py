@@ -4,7 +4,7 @@ __all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve"]
 
 _HOMES = {
     "Parameters": "parameters",
-    "Solution": "interface",
+    "Solution": "solution",
     "grid": "dataset",
     "load_parameters": "configuration",
     "solve": "interface",

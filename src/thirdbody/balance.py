@@ -13,7 +13,7 @@ from scipy.special import log_expit
 
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
-from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
+from thirdbody.particles import ParticleLayer, log_bare_share, separation_bearing
 from thirdbody.roots import decreasing_roots
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
@@ -85,17 +85,13 @@ class Points:
         return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
 
     def areas(self, separation):
-        """A_sa/A_n, ln(A_ss/A_n) beside the particles, and whether they leave no room for summits.
-
-        ``separation`` d [m]; Eq. 5.  No room is left where a coverage of Eqs. 4-5 reaches 1.
-        """
+        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5)."""
         log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
         if self.particles is None:
-            return np.zeros_like(log_summits), log_summits, np.zeros(log_summits.shape, dtype=bool)
+            return np.zeros_like(log_summits), log_summits
         area, _, *coverage = self.particles.contact(separation)
         log_bare, _ = log_bare_share(*coverage)
-        covered = (coverage[0] >= 1.0) | (self.particles.log_bare_load(*coverage)[0] < FULL)
-        return area, log_summits + log_bare, covered
+        return area, log_summits + log_bare
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""

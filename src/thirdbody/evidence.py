@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 
 from thirdbody.claims import Condition, Curve, TurningPoint
-from thirdbody.interface import COVERAGE_EXCEEDED, DEFAULT_RTOL, solve
+from thirdbody.interface import DEFAULT_RTOL, solve
 from thirdbody.parameters import Parameters
+from thirdbody.solution import COVERAGE_EXCEEDED
 from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
 
 WINDOW_DENSITY = 1e11  # eta_a [m-2] of the paper's windows

@@ -1,56 +1,33 @@
 """The interface that a set of points describes: puts together what they need, and no more.
 
-Dry points get no film, two-body points no particles, and each roughness is prepared once.
+Dry points get no film, two-body points no particles, each roughness is prepared once, equal
+points are solved once, and only the variables that are asked for are evaluated.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from collections.abc import Collection
 from functools import lru_cache
 from numbers import Real
 
 import numpy as np
-from scipy.special import expit, log_expit
 
 from thirdbody.asperity import SummitPopulation
-from thirdbody.balance import LOAD_SHARES, Points, RoughSurface, dry_separation
+from thirdbody.balance import Points, RoughSurface
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters
 from thirdbody.particles import ParticleLayer
-from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.solution import FLAGS, VARIABLES, Solution, SolvedPoints
 from thirdbody.tabulation import PiecewisePolynomial
 
 DEFAULT_RTOL = 1e-9
-NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
+MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
 # (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
 TABLE_SIZES = ((1e-4, 90, 3), (1e-9, 180, 5), (0.0, 180, 7))
-
-CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
-
-
-@dataclass(frozen=True)
-class Solution:
-    """Solved points; every attribute has the broadcast shape of the five arguments.
-
-    Lengths in m, all else dimensionless; the last three are indices into the tuples of
-    ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
-    regime and mode, and ``solution_status`` says why.
-    """
-
-    total_contact_area: np.ndarray
-    particle_contact_area_ratio: np.ndarray
-    surface_contact_area_ratio: np.ndarray
-    solid_load_fraction: np.ndarray
-    fluid_load_fraction: np.ndarray
-    separation: np.ndarray
-    film_thickness: np.ndarray
-    lubrication_regime: np.ndarray
-    contact_mode: np.ndarray
-    solution_status: np.ndarray
 
 
 def solve(
@@ -61,16 +38,19 @@ def solve(
     particle_density,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = VARIABLES,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
     ``load`` F_t* = F_t/(A_n E_ss) [1], ``viscosity`` [m2/s] (0: dry), ``particle_diameter`` x_a
     [m] and ``particle_density`` eta_a [m-2] (0 in either: two-body), ``roughness`` sigma [m]
     broadcast against each other.  ``rtol`` in [1e-11, 1e-2] is the relative error asked for in
-    every returned variable.  Raises ``ValueError`` for a negative, non-finite or, where zero has
-    no meaning, zero argument; what cannot be solved is marked in ``solution_status`` instead.
+    every returned variable; ``variables`` names those that are wanted, the others being None.
+    Raises ``ValueError`` for a negative, non-finite or, where zero has no meaning, zero argument
+    and for an unknown variable; what cannot be solved is marked in ``solution_status`` instead.
     """
     check_rtol(rtol)
+    check_variables(variables)
     given = {
         "load": load,
         "viscosity": viscosity,
@@ -80,26 +60,27 @@ def solve(
     }
     columns = np.broadcast_arrays(*(checked_axis(name, value) for name, value in given.items()))
     shape = columns[0].shape
-    columns = [np.ravel(column) for column in columns]
-    result = {
-        field.name: np.full(columns[0].size, *_EMPTY.get(field.name, (np.nan,)))
-        for field in fields(Solution)
-    }
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
-        for roughness_value in np.unique(columns[3]):
-            chosen = np.flatnonzero(columns[3] == roughness_value)
-            table_rtol = rtol if chosen.size >= TABLE_WORTH else None
-            rough = prepare_surface(float(roughness_value), parameters, table_rtol)
-            for part in _parts(columns, chosen):
-                points = make_points(rough, parameters, *(column[part] for column in columns))
-                for name, values in _solve_points(points, rtol).items():
-                    result[name][part] = values
-    return Solution(**{name: values.reshape(shape) for name, values in result.items()})
+        columns, places = _distinct([np.ravel(column) for column in columns])
+        result = {name: np.empty(columns[0].size, _type_of(name)) for name in variables}
+        for rough, part in _parts(columns, parameters, rtol):
+            points = make_points(rough, parameters, *(column[part] for column in columns))
+            solved = SolvedPoints(points, 0.5 * rtol)
+            for name, values in result.items():
+                values[part] = getattr(solved, name)
+    return Solution(**{name: values[places].reshape(shape) for name, values in result.items()})
 
 
-_EMPTY = dict.fromkeys(
-    ("lubrication_regime", "contact_mode", "solution_status"), (NOT_CONVERGED, np.int8)
-)
+def _type_of(variable):
+    return np.int8 if variable in FLAGS else float
+
+
+def check_variables(variables) -> None:
+    """Raises ``ValueError`` unless ``variables`` is a collection of names of variables."""
+    unknown = [name for name in variables if name not in VARIABLES]
+    if isinstance(variables, str) or unknown:
+        shown = variables if isinstance(variables, str) else unknown[0]
+        raise ValueError(f"variables has {shown!r}; allowed: a list out of {', '.join(VARIABLES)}")
 
 
 def check_rtol(rtol) -> None:
@@ -148,15 +129,63 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     return RoughSurface(surface, *functions, (functions[0](samples)[0][::-1], samples[::-1]))
 
 
-def _parts(columns, chosen):
-    """The points ``chosen`` in chunks, divided by whether film and particles take part."""
-    _, viscosity, diameter, _, density = (column[chosen] for column in columns)
-    lubricated = viscosity > 0.0
-    three_body = has_particles(diameter, density)
-    for film in (False, True):
-        for particles in (False, True):
-            some = chosen[(lubricated == film) & (three_body == particles)]
-            yield from (some[start : start + CHUNK] for start in range(0, some.size, CHUNK))
+def _distinct(columns):
+    """The distinct points among ``columns``, and the place of each point among them.
+
+    Equal points have equal sums of their columns' bits in fixed proportions: whether there are any
+    shows at the cost of a sort.  Densities of particles without a size are equal, and vice versa.
+    """
+    everything = slice(None)
+    size = columns[0].size
+    three_body = has_particles(columns[2], columns[4])
+    if not three_body.all():
+        columns = list(columns)
+        for place in (2, 4):
+            columns[place] = np.where(three_body, columns[place], 0.0)
+    sums = np.zeros(size, dtype=np.uint64)
+    for factor, column in zip(MIXERS, columns, strict=True):
+        sums += np.ascontiguousarray(column).view(np.uint64) * factor
+    in_order = np.sort(sums)
+    if (in_order[1:] != in_order[:-1]).all():
+        return columns, everything
+    order = np.argsort(sums)
+    new = np.ones(size, dtype=bool)
+    new[1:] = np.any([column[order[1:]] != column[order[:-1]] for column in columns], axis=0)
+    places = np.empty(size, dtype=np.intp)
+    places[order] = np.cumsum(new) - 1
+    return [column[order[new]] for column in columns], places
+
+
+def _parts(columns, parameters, rtol):
+    """Pairs of a surface and points on it that are solved together: a chunk at a time, all with
+    or all without film and all with or all without particles, as a slice or array of indices."""
+    _, viscosity, diameter, roughness, density = columns
+    kind = 2 * (viscosity > 0.0) + has_particles(diameter, density)
+    values, surface = _labelled(roughness)
+    numbers = np.bincount(surface, minlength=values.size)
+    for some in _runs(4 * surface + kind):
+        here = surface[some][0]
+        table_rtol = rtol if numbers[here] >= TABLE_WORTH else None
+        yield prepare_surface(float(values[here]), parameters, table_rtol), some
+
+
+def _labelled(values):
+    """The distinct among 1-D ``values``, and which of them each is."""
+    if (values == values[:1]).all():
+        return values[:1], np.zeros(values.size, dtype=np.intp)
+    return np.unique(values, return_inverse=True)
+
+
+def _runs(labels):
+    """Chunks of the places of equal ``labels``: slices if all are equal, else arrays."""
+    if (labels == labels[:1]).all():
+        for start in range(0, labels.size, CHUNK):
+            yield slice(start, start + CHUNK)
+        return
+    order = np.argsort(labels, kind="stable")
+    edges = np.flatnonzero(np.diff(labels[order])) + 1
+    for run in np.split(order, edges):
+        yield from (run[start : start + CHUNK] for start in range(0, run.size, CHUNK))
 
 
 def has_particles(diameter, density):
@@ -175,44 +204,3 @@ def make_points(
     if viscosity[0] > 0.0:
         film = Film.of(viscosity, roughness, parameters)
     return Points(rough, parameters, np.log(load), particles, film)
-
-
-def _solve_points(points: Points, rtol: float) -> dict:
-    """All variables of ``Solution`` for points of one kind."""
-    tolerance = 0.5 * rtol
-    if points.film is None:
-        separation = dry_separation(points, tolerance)
-        logit = np.where(np.isnan(separation), np.nan, np.inf)
-    else:
-        logit, separation = LOAD_SHARES[points.parameters.film_load](points, tolerance)
-    particle_area, log_summit_area, covered = points.areas(separation)
-    status = _status(points, logit, separation, covered)
-    void = status >= COVERAGE_EXCEEDED
-    for values in (logit, separation, particle_area, log_summit_area):
-        values[void] = np.nan
-    odds = np.log(particle_area) - log_summit_area
-    solid, ratio = expit(logit), expit(odds)
-    return {
-        "total_contact_area": particle_area + np.exp(log_summit_area),
-        "particle_contact_area_ratio": ratio,
-        "surface_contact_area_ratio": expit(-odds),
-        "solid_load_fraction": solid,
-        "fluid_load_fraction": expit(-logit),
-        "separation": separation,
-        "film_thickness": separation / points.parameters.ball_radius,
-        "lubrication_regime": np.where(void, NO_FLAG, lubrication_regime(solid)),
-        "contact_mode": np.where(void, NO_FLAG, contact_mode(ratio, points.particles is not None)),
-        "solution_status": status,
-    }
-
-
-def _status(points: Points, logit, separation, covered):
-    """Index into ``SOLUTION_STATUSES`` of each point; what voids a point outranks a warning."""
-    status = np.full(separation.shape, CONVERGED, dtype=np.int8)
-    if points.film is not None:
-        shared = 0.0 if points.parameters.film_load == "total" else log_expit(-logit)
-        meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
-        status[~meaningful] = OUTSIDE_FILM_FORMULA
-    status[np.isnan(separation)] = NOT_CONVERGED
-    status[covered] = COVERAGE_EXCEEDED
-    return status

@@ -24,27 +24,30 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     active = np.arange(guess.size)
     x, low, high = np.clip(guess, lower, upper), lower, upper
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
+    least = np.full_like(guess, np.inf)
     for _ in range(MAX_ITERATIONS):
         value, slope = residual(x, points)
         slope = np.where(np.isfinite(slope), slope, 0.0)
         low, high = np.where(value > 0.0, x, low), np.where(value > 0.0, high, x)
+        size = np.abs(value)
         new = x - value / slope
-        newton = (new >= low) & (new <= high) & (np.abs(new - x) <= 0.5 * last)
-        new = np.where(newton, new, 0.5 * (low + high))
         step = np.abs(new - x)
+        newton = (new >= low) & (new <= high) & ((step <= 0.5 * last) | (size <= 0.5 * least))
+        new = np.where(newton, new, 0.5 * (low + high))
+        step = np.where(newton, step, 0.5 * (high - low))
         shrinking = np.where(quadratic, CAUTION * (step / last) ** 2, 1.0)
         coming = np.minimum(shrinking, 1.0) * step * np.maximum(np.abs(slope), 1.0)
-        settled = newton & (coming <= tolerance) & (np.abs(value) <= NEAR)
+        settled = newton & (coming <= tolerance) & (size <= NEAR)
         spacing = ROUNDING * (1.0 + np.abs(x))
         finished = settled | ~(high - low > spacing)
         steepest = np.maximum(tolerance, 2.0 * spacing * np.abs(slope))
-        found = settled | finished & (np.abs(value) <= steepest)
+        found = settled | finished & (size <= steepest)
         roots[active[found]] = new[found]
         left = np.flatnonzero(~finished)
         if not left.size:
             break
         if left.size < active.size:
             points = points.take(left)
-        columns = active, new, low, high, step, newton
-        active, x, low, high, last, quadratic = (column[left] for column in columns)
+        columns = active, new, low, high, step, newton, size
+        active, x, low, high, last, quadratic, least = (column[left] for column in columns)
     return roots

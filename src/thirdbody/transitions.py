@@ -31,7 +31,8 @@ def transitions(load, values, conditions, quantity, level, parameters: Parameter
         return curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
 
     def excess(log_load, *condition):
-        return getattr(solve(np.exp(log_load), *condition, parameters, rtol), quantity) - level
+        solution = solve(np.exp(log_load), *condition, parameters, rtol, [quantity])
+        return getattr(solution, quantity) - level
 
     ends = np.log(load[step]), np.log(load[step + 1])
     root = find_root(

@@ -129,7 +129,7 @@ def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
     steepest[wet] = np.maximum(steepest[wet], film_slope)
     together = np.maximum if solids.parameters.film_load == "total" else np.add
     load = together(solid, fluid)
-    particle_area, log_summit_area, _ = solids.areas(separation)
+    particle_area, log_summit_area = solids.areas(separation)
     return {
         "load": load,
         "load_error": load * (steepest * np.abs(width) + rtol),
@@ -228,7 +228,9 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
     """
     loads = np.geomspace(*load_range, search.loads)
-    solution = solve(loads[:, None], 0.0, diameter, roughness, density, parameters, search.rtol)
+    points = loads[:, None], 0.0, diameter, roughness, density
+    wanted = "separation", "particle_contact_area_ratio"
+    solution = solve(*points, parameters, search.rtol, wanted)
     same = np.ones_like(diameter)
     conditions = 0.0 * same, diameter, roughness * same, density * same
     turning = turning_points(solution.separation, *conditions, parameters, search.rtol)

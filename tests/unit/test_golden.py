@@ -9,6 +9,7 @@ import pytest
 import thirdbody as tb
 from thirdbody import interface
 from thirdbody.parameters import Parameters
+from thirdbody.solution import OUTSIDE_FILM_FORMULA
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "solutions.csv"
 VARIABLES = (
@@ -99,7 +100,7 @@ def test_every_variable_within_the_tolerance_asked_for(monkeypatch, table_worth)
     errors = {}
     for index, row in enumerate(golden_rows()):
         solution = solve_row(row, RTOL)
-        outside = interface.OUTSIDE_FILM_FORMULA if row["outside_film_formula"] == "1" else 0
+        outside = OUTSIDE_FILM_FORMULA if row["outside_film_formula"] == "1" else 0
         assert solution.solution_status == outside, row
         for name in VARIABLES:
             # what float64 can hold: below the smallest normal number only zero is asked for

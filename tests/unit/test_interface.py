@@ -10,8 +10,9 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody import interface
-from thirdbody.interface import Solution
+from thirdbody.balance import Points
 from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.solution import Solution
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -441,6 +442,57 @@ def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
     calls = counted(monkeypatch, interface, "prepare_surface")
     solve(parameters, load=loads, roughness=np.array([[1e-7], [3e-7], [1e-7]]), viscosity=0.0)
     assert len(calls) == 2
+
+
+@pytest.mark.parametrize("name", VARIABLES)
+def test_a_variable_alone_is_what_it_is_among_all(parameters, mixture, name):
+    every = tb.solve(**mixture, parameters=parameters, rtol=RTOL)
+    alone = tb.solve(**mixture, parameters=parameters, rtol=RTOL, variables=[name])
+    assert np.array_equal(getattr(alone, name), getattr(every, name), equal_nan=True)
+    assert all(getattr(alone, other) is None for other in VARIABLES if other != name)
+
+
+WITHOUT_AREAS = ("solid_load_fraction", "fluid_load_fraction", "separation", "lubrication_regime")
+
+
+@pytest.mark.parametrize("names", [WITHOUT_AREAS, ("contact_mode",), ("total_contact_area",)])
+def test_areas_are_evaluated_where_asked_for_alone(parameters, loads, monkeypatch, names):
+    calls = counted(monkeypatch, Points, "areas")
+    tb.solve(**POINT | {"load": loads}, parameters=parameters, variables=names)
+    assert len(calls) == (names != WITHOUT_AREAS)
+
+
+@pytest.mark.parametrize("names", [["total_area"], "separation", ["separation", "load"]])
+def test_an_unknown_variable_is_refused_by_its_name(parameters, names):
+    with pytest.raises(ValueError, match="variables has '.*'; allowed: a list out of total_contact"):
+        tb.solve(**POINT, parameters=parameters, variables=names)
+
+
+def test_equal_points_are_solved_once(parameters, mixture, monkeypatch):
+    sizes = []
+    solved_points = interface.SolvedPoints
+
+    def count(points, tolerance):
+        sizes.append(points.log_load.size)
+        return solved_points(points, tolerance)
+
+    monkeypatch.setattr(interface, "SolvedPoints", count)
+    once = tb.solve(**mixture, parameters=parameters)
+    distinct = sum(sizes)
+    thrice = {name: np.tile(values, (3, 1)) for name, values in mixture.items()}
+    again = tb.solve(**thrice, parameters=parameters)
+    assert sum(sizes) == 2 * distinct
+    for name in VARIABLES:
+        expected = np.broadcast_to(getattr(once, name), (3, distinct))
+        assert np.array_equal(getattr(again, name), expected, equal_nan=True), name
+
+
+def test_two_body_points_differ_by_no_particles(parameters, monkeypatch):
+    calls = counted(monkeypatch, interface, "make_points")
+    densities = np.geomspace(1e10, 1e12, 3 * interface.CHUNK)
+    solution = solve(parameters, particle_diameter=0.0, particle_density=densities)
+    assert len(calls) == 1
+    assert np.unique(solution.separation).size == 1
 
 
 def test_importing_the_package_imports_nothing_heavy():

@@ -13,6 +13,7 @@ LAYERS = (
     {"scene"},
     {"asperity", "particles", "film"},
     {"balance"},
+    {"solution"},
     {"interface"},
     {"dataset"},
     {"turning_point", "transitions"},

@@ -1,0 +1,126 @@
+"""What is known of solved points: every variable on demand, so that none costs unless asked for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from functools import cached_property
+
+import numpy as np
+from scipy.special import expit, log_expit
+
+from thirdbody.balance import LOAD_SHARES, Points, dry_separation
+from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+
+NO_FLAG = np.int8(-1)  # regime and mode of a point without values
+CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Solved points; every attribute has the broadcast shape of the five arguments of ``solve``.
+
+    Lengths in m, all else dimensionless; the last three are indices into the tuples of
+    ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
+    regime and mode, and ``solution_status`` says why.  A variable that was not asked for is None.
+    """
+
+    total_contact_area: np.ndarray | None = None
+    particle_contact_area_ratio: np.ndarray | None = None
+    surface_contact_area_ratio: np.ndarray | None = None
+    solid_load_fraction: np.ndarray | None = None
+    fluid_load_fraction: np.ndarray | None = None
+    separation: np.ndarray | None = None
+    film_thickness: np.ndarray | None = None
+    lubrication_regime: np.ndarray | None = None
+    contact_mode: np.ndarray | None = None
+    solution_status: np.ndarray | None = None
+
+
+VARIABLES = tuple(field.name for field in fields(Solution))
+FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+
+
+class SolvedPoints:
+    """``points`` of one kind with the balance of their forces solved to ``tolerance``.
+
+    Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read.
+    """
+
+    def __init__(self, points: Points, tolerance: float):
+        self.points = points
+        if points.film is None:
+            self._separation = dry_separation(points, tolerance)
+            self._logit = np.full_like(self._separation, np.inf)
+        else:
+            share = LOAD_SHARES[points.parameters.film_load]
+            self._logit, self._separation = share(points, tolerance)
+        self.solution_status = self._status()
+        self._void = self.solution_status >= COVERAGE_EXCEEDED
+        self._complete = not self._void.any()
+
+    def _status(self):
+        """Index into ``SOLUTION_STATUSES``; what voids a point outranks a warning."""
+        points = self.points
+        status = np.full(self._separation.shape, CONVERGED, dtype=np.int8)
+        if points.film is not None:
+            shared = 0.0 if points.parameters.film_load == "total" else log_expit(-self._logit)
+            meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
+            status[~meaningful] = OUTSIDE_FILM_FORMULA
+        status[np.isnan(self._separation)] = NOT_CONVERGED
+        if points.particles is not None:
+            status[points.particles.leave_no_room(self._separation)] = COVERAGE_EXCEEDED
+        return status
+
+    def _valid(self, values, otherwise=np.nan):
+        """``values`` where there is a solution, else ``otherwise``."""
+        return values if self._complete else np.where(self._void, otherwise, values)
+
+    @cached_property
+    def _areas(self):
+        """A_sa/A_n and ln(A_ss/A_n)."""
+        particles, log_summits = self.points.areas(self._separation)
+        return self._valid(particles), self._valid(log_summits)
+
+    @cached_property
+    def _log_area_odds(self):
+        """ln(A_sa/A_ss)."""
+        particles, log_summits = self._areas
+        return np.log(particles) - log_summits
+
+    @property
+    def total_contact_area(self):
+        particles, log_summits = self._areas
+        return particles + np.exp(log_summits)
+
+    @cached_property
+    def particle_contact_area_ratio(self):
+        return expit(self._log_area_odds)
+
+    @property
+    def surface_contact_area_ratio(self):
+        return expit(-self._log_area_odds)
+
+    @cached_property
+    def solid_load_fraction(self):
+        return self._valid(expit(self._logit))
+
+    @property
+    def fluid_load_fraction(self):
+        return self._valid(expit(-self._logit))
+
+    @cached_property
+    def separation(self):
+        return self._valid(self._separation)
+
+    @property
+    def film_thickness(self):
+        return self.separation / self.points.parameters.ball_radius
+
+    @property
+    def lubrication_regime(self):
+        return self._valid(lubrication_regime(self.solid_load_fraction), NO_FLAG)
+
+    @property
+    def contact_mode(self):
+        mode = contact_mode(self.particle_contact_area_ratio, self.points.particles is not None)
+        return self._valid(mode, NO_FLAG)
