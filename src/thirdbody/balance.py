@@ -13,8 +13,8 @@ from scipy.special import log_expit
 
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
-from thirdbody.particles import ParticleLayer, log_bare_share, separation_bearing
-from thirdbody.roots import decreasing_roots
+from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
+from thirdbody.roots import EPSILON, NOISE, decreasing_roots
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 TINY = np.finfo(float).tiny
@@ -25,14 +25,15 @@ class RoughSurface:
     """Summits of one roughness with the two functions of separation that stand for them.
 
     ``log_load`` and ``log_area`` map t = (d - y_s)/sigma_s to (value, slope): either those of a
-    ``SummitPopulation`` or their tables.  ``sampled`` are increasing values of ln F_ss*, and t
-    there.
+    ``SummitPopulation`` or their tables, which are wrong by ``table_error`` at most.  ``sampled``
+    are increasing values of ln F_ss*, and t there.
     """
 
     surface: Surface
     log_load: object
     log_area: object
     sampled: tuple
+    table_error: float
 
     def first_separation(self, log_load):
         """About the t [1] at which summits bear ``log_load`` ln F_t*."""
@@ -63,11 +64,12 @@ class Points:
         )
 
     def log_solid_load(self, separation):
-        """ln F_s* and its slope [m-1] at ``separation`` d [m] (Eqs. 2 and 4)."""
+        """ln F_s* at ``separation`` d [m], its slope and the steepest of its parts' [m-1] (Eqs. 2
+        and 4); a part that is zero in float64 does not count."""
         value, slope = self.rough.log_load(self.rough.summit_separation(separation))
         slope = slope / self.rough.surface.summit_deviation
         if self.particles is None:
-            return value, slope
+            return value, slope, slope
         area, area_slope, *coverage = self.particles.contact(separation)
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         value = value + log_bare
@@ -76,8 +78,13 @@ class Points:
         odds = np.exp(-np.abs(excess))  # of the smaller load to the larger
         share = np.where(excess > 0.0, 1.0, odds) / (1.0 + odds)
         total = np.maximum(value, log_particles) + np.log1p(odds)
-        particle_slope = area_slope / np.maximum(area, TINY)
-        return total, share * (slope + bare_slope) + (1.0 - share) * particle_slope
+        particle_slope = np.where(area > TINY, area_slope / area, 0.0)
+        slope = slope + bare_slope
+        return (
+            total,
+            share * slope + (1.0 - share) * particle_slope,
+            np.minimum(np.where(value > FULL, slope, 0.0), particle_slope),
+        )
 
     @property
     def particle_pressure(self) -> float:
@@ -126,26 +133,41 @@ def first_separation(points: Points):
     return np.maximum(guess, 0.0)
 
 
-def dry_separation(points: Points, tolerance: float):
-    """Separation d [m] at which the solids alone bear the load: F_s(d) = F_t, nan if d < 0.
+@dataclass(frozen=True)
+class Balance:
+    """Where the forces of 1-D points balance.
+
+    ``error`` bounds the relative error that solving and rounding leave in any variable, and
+    ``condition`` is how much a relative error of the solids' load is magnified there.
+    """
+
+    logit: np.ndarray  # ln(L_s/L_f) [1], infinite without a film
+    separation: np.ndarray  # d [m], nan where nothing balances
+    error: np.ndarray
+    condition: np.ndarray
+
+
+def dry_balance(points: Points, tolerance: float) -> Balance:
+    """The solids alone bear the load: F_s(d) = F_t, no solution if d < 0.
 
     Solved for d/sigma; a load that the solids cannot bear at d = 0 has no solution.
     """
     scale = points.rough.surface.roughness
 
     def residual(x, some):
-        value, slope = some.log_solid_load(x * scale)
-        return value - some.log_load, slope * scale
+        value, slope, steepest = some.log_solid_load(x * scale)
+        gain = np.maximum(-steepest * scale, 1.0 / x)
+        return value - some.log_load, slope * scale, gain
 
     guess = first_separation(points) / scale
-    roots = decreasing_roots(
+    roots, error, condition = decreasing_roots(
         residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points
     )
-    return scale * roots
+    return Balance(np.full_like(roots, np.inf), scale * roots, error, condition)
 
 
-def load_share(points: Points, tolerance: float):
-    """Logit of L_s and separation [m] where film and solids share the load (Eqs. 1, 2, 7).
+def shared_balance(points: Points, tolerance: float) -> Balance:
+    """Film and solids share the load (Eqs. 1, 2, 7).
 
     The film bears the fluid load alone: d = R_x H_c(W(F_f)).  With y = ln(L_s/L_f), both L_f and
     d are explicit and ln(F_s(d)/F_t) - ln L_s falls with y, so the root is unique and no digits
@@ -157,16 +179,22 @@ def load_share(points: Points, tolerance: float):
         less = -np.log1p(odds)  # ln of the larger share
         log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
         separation, widening = some.film_separation(log_fluid)
-        value, slope = some.log_solid_load(separation)
+        value, slope, steepest = some.log_solid_load(separation)
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
-        return value - some.log_load - log_solid, -solid * slope * widening - (1.0 - solid)
+        gain = np.maximum(solid * steepest * widening, 1.0)
+        return (
+            value - some.log_load - log_solid,
+            -solid * slope * widening - (1.0 - solid),
+            gain,
+        )
 
     guess = _first_logit(points)
     lower = 1.1 * np.minimum(guess, 0.0) - 50.0
     upper = np.full_like(guess, LOGIT_LIMIT)
-    logit = decreasing_roots(residual, guess, lower, upper, tolerance, points)
-    return logit, points.film_separation(log_expit(-logit))[0]
+    logit, error, condition = decreasing_roots(residual, guess, lower, upper, tolerance, points)
+    separation, _ = points.film_separation(log_expit(-logit))
+    return Balance(logit, separation, error, condition)
 
 
 def _first_logit(points: Points):
@@ -183,27 +211,31 @@ def _first_logit(points: Points):
     logit = np.log(-np.expm1(log_fluid)) - log_fluid
     wet = np.flatnonzero(~(logit > 0.0))
     some = points.take(wet)
-    log_solid, _ = some.log_solid_load(separation[wet])
+    log_solid, *_ = some.log_solid_load(separation[wet])
     logit[wet] = log_solid - some.log_load - log_fluid[wet]
     return logit
 
 
-def total_load_share(points: Points, tolerance: float):
-    """Logit of L_s and separation [m] with the printed reading, W of the total load (Eq. 8).
+def total_load_balance(points: Points, tolerance: float) -> Balance:
+    """The printed reading of Eq. 8: the film's W is that of the total load, d = R_x H_c(W(F_t)).
 
     Where the film would be thinner than the dry separation, L_s would exceed 1: the solids then
     bear everything at the dry separation.
     """
-    film, _ = points.film_separation(0.0)
-    log_solid = points.log_solid_load(film)[0] - points.log_load
+    separation, _ = points.film_separation(0.0)
+    log_solid, _, steepest = points.log_solid_load(separation)
+    log_solid -= points.log_load
     boundary = ~(log_solid < 0.0)
-    separation = film.copy()
+    logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
+    error = EPSILON * (1.0 - steepest * separation)
+    # L_f = 1 - L_s is what suffers most
+    condition = np.maximum(np.exp(logit), 1.0)
+    found = Balance(logit, separation, error + NOISE * condition, condition)
     if boundary.any():
-        separation[boundary] = dry_separation(points.take(boundary), tolerance)
-    with np.errstate(divide="ignore"):
-        logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
-    logit[boundary] = np.inf
-    return logit, separation
+        dry = dry_balance(points.take(boundary), tolerance)
+        for name, values in vars(dry).items():
+            getattr(found, name)[boundary] = values
+    return found
 
 
-LOAD_SHARES = {"fluid": load_share, "total": total_load_share}
+BALANCES = {"fluid": shared_balance, "total": total_load_balance}

@@ -7,6 +7,7 @@ points are solved once, and only the variables that are asked for are evaluated.
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 from functools import lru_cache
 from numbers import Real
 
@@ -27,7 +28,7 @@ FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
 MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
 # (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
-TABLE_SIZES = ((1e-4, 90, 3), (1e-9, 180, 5), (0.0, 180, 7))
+TABLE_SIZES = ((1e-4, 90, 3), (1e-7, 180, 5), (0.0, 180, 7))
 
 
 def solve(
@@ -63,12 +64,25 @@ def solve(
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
         columns, places = _distinct([np.ravel(column) for column in columns])
         result = {name: np.empty(columns[0].size, _type_of(name)) for name in variables}
-        for rough, part in _parts(columns, parameters, rtol):
-            points = make_points(rough, parameters, *(column[part] for column in columns))
-            solved = SolvedPoints(points, 0.5 * rtol)
+        for part, solved in _solved_parts(columns, parameters, rtol):
             for name, values in result.items():
                 values[part] = getattr(solved, name)
     return Solution(**{name: values[places].reshape(shape) for name, values in result.items()})
+
+
+def _solved_parts(columns, parameters, rtol):
+    """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
+    that magnify the error of a table beyond ``rtol`` come again, solved by quadrature."""
+    for roughness, table_rtol, part in _parts(columns, rtol):
+        rough = prepare_surface(roughness, parameters, table_rtol)
+        points = make_points(rough, parameters, *(column[part] for column in columns))
+        solved = SolvedPoints(points, rtol)
+        yield part, solved
+        if table_rtol is not None and solved.table_fails.any():
+            again = np.flatnonzero(solved.table_fails)
+            rough = prepare_surface(roughness, parameters, None)
+            exact = SolvedPoints(replace(points.take(again), rough=rough), rtol)
+            yield np.arange(columns[0].size)[part][again], exact
 
 
 def _type_of(variable):
@@ -118,15 +132,16 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     surface = parameters.surface(roughness)
     population = SummitPopulation.of(surface, parameters)
     functions = population.log_load, population.log_area
-    samples = FIRST_SAMPLES
+    samples, error = FIRST_SAMPLES, 0.0
     if rtol is not None:
         pieces, degree = next(size for least, *size in TABLE_SIZES if rtol >= least)
         functions = tuple(
             PiecewisePolynomial(function, TABLE_START, TABLE_END, pieces, degree)
             for function in functions
         )
-        samples = functions[0].centres
-    return RoughSurface(surface, *functions, (functions[0](samples)[0][::-1], samples[::-1]))
+        samples, error = functions[0].centres, max(function.error for function in functions)
+    sampled = functions[0](samples)[0][::-1], samples[::-1]
+    return RoughSurface(surface, *functions, sampled, error)
 
 
 def _distinct(columns):
@@ -156,17 +171,16 @@ def _distinct(columns):
     return [column[order[new]] for column in columns], places
 
 
-def _parts(columns, parameters, rtol):
-    """Pairs of a surface and points on it that are solved together: a chunk at a time, all with
-    or all without film and all with or all without particles, as a slice or array of indices."""
+def _parts(columns, rtol):
+    """Roughness, ``rtol`` of its table or None, and points that are solved together: a chunk at a
+    time, all with or all without film and all with or all without particles."""
     _, viscosity, diameter, roughness, density = columns
     kind = 2 * (viscosity > 0.0) + has_particles(diameter, density)
     values, surface = _labelled(roughness)
     numbers = np.bincount(surface, minlength=values.size)
     for some in _runs(4 * surface + kind):
         here = surface[some][0]
-        table_rtol = rtol if numbers[here] >= TABLE_WORTH else None
-        yield prepare_surface(float(values[here]), parameters, table_rtol), some
+        yield float(values[here]), rtol if numbers[here] >= TABLE_WORTH else None, some
 
 
 def _labelled(values):

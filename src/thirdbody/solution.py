@@ -8,9 +8,11 @@ from functools import cached_property
 import numpy as np
 from scipy.special import expit, log_expit
 
-from thirdbody.balance import LOAD_SHARES, Points, dry_separation
+from thirdbody.balance import BALANCES, Points, dry_balance
 from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 
+ROOT_SHARE = 0.5  # of the error asked for: left by the roots
+TABLE_SHARE = 0.4  # of the error asked for: left by the tables
 NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
 
@@ -21,7 +23,10 @@ class Solution:
 
     Lengths in m, all else dimensionless; the last three are indices into the tuples of
     ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
-    regime and mode, and ``solution_status`` says why.  A variable that was not asked for is None.
+    regime and mode, and ``solution_status`` says why.  ``error_bound`` is what the relative error
+    of every variable stays below; where rounding in float64 keeps it above the ``rtol`` asked for,
+    the status is that of a point that did not converge, but its values stand.  A variable that
+    was not asked for is None.
     """
 
     total_contact_area: np.ndarray | None = None
@@ -34,6 +39,7 @@ class Solution:
     lubrication_regime: np.ndarray | None = None
     contact_mode: np.ndarray | None = None
     solution_status: np.ndarray | None = None
+    error_bound: np.ndarray | None = None
 
 
 VARIABLES = tuple(field.name for field in fields(Solution))
@@ -41,44 +47,51 @@ FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
 
 
 class SolvedPoints:
-    """``points`` of one kind with the balance of their forces solved to ``tolerance``.
+    """``points`` of one kind with the balance of their forces solved to ``rtol``.
 
-    Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read.
+    Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read;
+    ``table_fails`` marks the points that magnify the error of the summits' tables beyond ``rtol``.
     """
 
-    def __init__(self, points: Points, tolerance: float):
+    def __init__(self, points: Points, rtol: float):
         self.points = points
-        if points.film is None:
-            self._separation = dry_separation(points, tolerance)
-            self._logit = np.full_like(self._separation, np.inf)
-        else:
-            share = LOAD_SHARES[points.parameters.film_load]
-            self._logit, self._separation = share(points, tolerance)
-        self.solution_status = self._status()
-        self._void = self.solution_status >= COVERAGE_EXCEEDED
+        solve = dry_balance if points.film is None else BALANCES[points.parameters.film_load]
+        self._balance = solve(points, ROOT_SHARE * rtol)
+        table_error = points.rough.table_error
+        magnified = table_error * self._balance.condition
+        self.table_fails = magnified > TABLE_SHARE * rtol
+        self._error = self._balance.error + magnified + table_error
+        self.solution_status = self._status(rtol)
+        self._void = np.isnan(self._balance.separation) | (
+            self.solution_status == COVERAGE_EXCEEDED
+        )
         self._complete = not self._void.any()
 
-    def _status(self):
+    def _status(self, rtol):
         """Index into ``SOLUTION_STATUSES``; what voids a point outranks a warning."""
-        points = self.points
-        status = np.full(self._separation.shape, CONVERGED, dtype=np.int8)
+        points, balance = self.points, self._balance
+        status = np.full(balance.separation.shape, CONVERGED, dtype=np.int8)
         if points.film is not None:
-            shared = 0.0 if points.parameters.film_load == "total" else log_expit(-self._logit)
+            shared = 0.0 if points.parameters.film_load == "total" else log_expit(-balance.logit)
             meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
             status[~meaningful] = OUTSIDE_FILM_FORMULA
-        status[np.isnan(self._separation)] = NOT_CONVERGED
+        status[~(self._error <= rtol)] = NOT_CONVERGED
         if points.particles is not None:
-            status[points.particles.leave_no_room(self._separation)] = COVERAGE_EXCEEDED
+            status[points.particles.leave_no_room(balance.separation)] = COVERAGE_EXCEEDED
         return status
 
     def _valid(self, values, otherwise=np.nan):
         """``values`` where there is a solution, else ``otherwise``."""
         return values if self._complete else np.where(self._void, otherwise, values)
 
+    @property
+    def error_bound(self):
+        return self._valid(self._error)
+
     @cached_property
     def _areas(self):
         """A_sa/A_n and ln(A_ss/A_n)."""
-        particles, log_summits = self.points.areas(self._separation)
+        particles, log_summits = self.points.areas(self._balance.separation)
         return self._valid(particles), self._valid(log_summits)
 
     @cached_property
@@ -102,15 +115,15 @@ class SolvedPoints:
 
     @cached_property
     def solid_load_fraction(self):
-        return self._valid(expit(self._logit))
+        return self._valid(expit(self._balance.logit))
 
     @property
     def fluid_load_fraction(self):
-        return self._valid(expit(-self._logit))
+        return self._valid(expit(-self._balance.logit))
 
     @cached_property
     def separation(self):
-        return self._valid(self._separation)
+        return self._valid(self._balance.separation)
 
     @property
     def film_thickness(self):

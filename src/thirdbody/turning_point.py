@@ -120,7 +120,7 @@ def _highest(curve, ratio):
 def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
     """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``, from
     functions that are good for ``rtol``."""
-    log_solid, slope = solids.log_solid_load(separation)
+    log_solid, slope, _ = solids.log_solid_load(separation)
     solid = np.exp(log_solid)
     fluid = np.zeros_like(solid)
     steepest = np.abs(slope)

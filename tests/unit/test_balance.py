@@ -123,7 +123,9 @@ def test_one_separation_alone_balances_the_load(sizes, written_again, viscosity)
 def test_the_dry_gap_closes_at_the_load_of_touching_mean_planes(reading, zero_load):
     greatest = zero_load(reading)
     solution = solve(greatest * np.array([0.5, 1.0 - 1e-6]), 0.0, reading)
-    assert (solution.solution_status == CONVERGED).all()
+    # the gap is the difference of two loads of which it is a millionth
+    assert solution.solution_status.tolist() == [CONVERGED, FAILED]
+    assert 1e-9 < solution.error_bound[1] < 1e-7
     assert 0.0 < solution.separation[1] < 1e-5 * ROUGHNESS
     assert solution.separation[1] < solution.separation[0]
 
@@ -155,7 +157,8 @@ def test_what_a_tight_request_solves_a_loose_one_solves_too(parameters, rtol, vi
     tight, loose = (
         tb.solve(load, viscosity, 1e-6, 1e-7, DENSITY, inputs, asked) for asked in (1e-9, rtol)
     )
-    assert (tight.solution_status == CONVERGED).all()
+    assert np.array_equal(tight.solution_status == CONVERGED, tight.error_bound <= 1e-9)
+    assert (tight.error_bound < 1e-8).all()
     assert (loose.solution_status == CONVERGED).all()
     assert_allclose(loose.separation, tight.separation, rtol=rtol)
     assert_allclose(loose.solid_load_fraction, tight.solid_load_fraction, rtol=rtol)

@@ -31,7 +31,7 @@ FLAGS = {
     "solution_status": SOLUTION_STATUSES,
 }
 VARIABLES = tuple(field.name for field in fields(Solution))
-QUANTITIES = tuple(name for name in VARIABLES if name not in FLAGS)
+QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
 CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
 
 
@@ -45,6 +45,15 @@ def assert_same(one, other, rtol=0.0):
         assert_allclose(getattr(one, name), getattr(other, name), rtol=rtol, err_msg=name)
     for name in FLAGS:
         assert np.array_equal(getattr(one, name), getattr(other, name)), name
+
+
+def without_solution(solution):
+    """Which points have no values; those that merely missed the error asked for say how far off
+    they are."""
+    status, bound = solution.solution_status, solution.error_bound
+    assert np.array_equal(np.isnan(bound), np.isnan(solution.separation))
+    assert np.array_equal(bound > RTOL, (status == FAILED) & np.isfinite(bound))
+    return (status == COVERED) | (status == FAILED) & np.isnan(bound)
 
 
 @pytest.fixture(scope="module")
@@ -272,7 +281,7 @@ def test_zero_diameter_and_zero_density_are_both_two_body_contact(reading, visco
 
 def test_every_nan_has_a_status_and_every_status_its_nan(reading, mixture):
     solution = solve(reading, **mixture)
-    unsolved = solution.solution_status >= COVERED
+    unsolved = without_solution(solution)
     assert {CONVERGED, OUTSIDE, FAILED} <= set(solution.solution_status)
     for name in QUANTITIES:
         assert np.array_equal(np.isnan(getattr(solution, name)), unsolved), name
@@ -362,7 +371,7 @@ def test_a_point_that_cannot_be_solved_harms_no_other(parameters):
 )
 def test_extremes_give_a_number_or_a_status_and_no_warning(reading, given):
     solution = solve(reading, **given)
-    unsolved = solution.solution_status >= COVERED
+    unsolved = without_solution(solution)
     for name in QUANTITIES:
         values = getattr(solution, name)
         assert np.array_equal(np.isfinite(values), ~unsolved), name

@@ -31,10 +31,10 @@ def solved(function, roots, guess, lower, upper, tolerance=TOLERANCE):
     def residual(x, some):
         some.sizes.append(x.size)
         value, slope = function(x)
-        return value - some.value, slope
+        return value - some.value, slope, np.ones_like(x)
 
     ends = (np.full_like(roots, end) for end in (guess, lower, upper))
-    return decreasing_roots(residual, *ends, tolerance, targets), targets.sizes
+    return decreasing_roots(residual, *ends, tolerance, targets)[0], targets.sizes
 
 
 def line(x):
@@ -85,12 +85,13 @@ def test_a_residual_that_stays_negative_has_no_root_at_any_tolerance(tolerance):
 
 def test_a_jump_over_zero_is_no_root():
     def jump(x, points):
-        return np.where(x < 0.25, 1.0, -1.0), np.zeros_like(x)
+        return np.where(x < 0.25, 1.0, -1.0), np.zeros_like(x), np.ones_like(x)
 
     zero = np.zeros(1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        found = decreasing_roots(jump, zero, zero - 1.0, zero + 1.0, TOLERANCE, Targets(zero, []))
-    assert np.isnan(found[0])
+        ends = zero, zero - 1.0, zero + 1.0
+        found, error, _ = decreasing_roots(jump, *ends, TOLERANCE, Targets(zero, []))
+    assert np.isnan([found[0], error[0]]).all()
 
 
 def test_nan_counts_as_a_value_beyond_the_root():
@@ -140,9 +141,42 @@ def test_the_given_arrays_are_left_alone():
     targets = Targets(np.array([1.0, 2.0, 3.0]), [])
 
     def residual(x, some):
-        return -x - some.value, np.full_like(x, -1.0)
+        return -x - some.value, np.full_like(x, -1.0), np.ones_like(x)
 
     decreasing_roots(residual, guess, lower, upper, TOLERANCE, targets)
     assert (guess == 5.0).all()
     assert (lower == -10.0).all()
     assert (upper == 10.0).all()
+
+
+@pytest.mark.parametrize("gain", [1.0, 1e3, 1e6])
+def test_what_is_wanted_is_as_exact_as_its_bound_says(gain):
+    roots = np.linspace(-3.0, 3.0, 50)
+    targets = Targets(np.exp(-roots), [])
+
+    def residual(x, some):
+        value, slope = exponential(x)
+        return value - some.value, slope, np.full_like(x, gain)
+
+    start = np.zeros_like(roots)
+    tolerance = 1e-6
+    found, error, condition = decreasing_roots(
+        residual, start, start - 10.0, start + 10.0, tolerance, targets
+    )
+    assert (gain * np.abs(found - roots) <= error).all()
+    assert (error <= 1.01 * tolerance).all()
+    assert_allclose(condition, gain * np.exp(roots), rtol=1e-2)
+
+
+def test_steps_as_small_as_rounding_end_the_search():
+    roots = np.array([0.1, 1.0, 3.0])
+    targets = Targets(np.exp(-roots), [])
+
+    def residual(x, some):
+        value, slope = exponential(x)
+        return value - some.value, slope, np.full_like(x, 1e9)
+
+    start = np.zeros_like(roots)
+    found, error, _ = decreasing_roots(residual, start, start - 9.0, start + 9.0, 1e-9, targets)
+    assert_allclose(found, roots, rtol=1e-13)
+    assert (error > 1e-9).all()
