@@ -1,0 +1,70 @@
+"""The errors that the library and the baselines make at points known in multiple precision."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
+from thirdbody.accuracy.classes import CLASSES, PointClass
+from thirdbody.accuracy.points import CLASS, VARIABLES, grouped, relative_errors
+from thirdbody.interface import solve
+
+
+def error_rows(rows, rtols, plain) -> list[dict]:
+    """Rows of the table ``errors``: largest and 99th-percentile error of each variable, method,
+    ``rtol`` and class at the golden ``rows``; ``plain`` is the module of plain equations."""
+    groups = [kind for group in grouped(rows) for kind in _of_one_kind(group)]
+    table = []
+    for rtol in rtols:
+        table += _rows_of("library", rtol, groups, lambda group, r=rtol: _solved(group, r))
+        table += _rows_of("elementwise_roots", rtol, groups, lambda g, r=rtol: _elementwise(g, r))
+    return table + _rows_of("nested_roots", None, groups, lambda group: _nested(group, plain))
+
+
+def _of_one_kind(group):
+    """Pairs of a class and the part of ``group`` that belongs to it."""
+    kinds = [PointClass(*(row[name] for name in CLASS)) for row in group.rows]
+    for kind in dict.fromkeys(kinds):
+        yield kind, group.take([index for index, other in enumerate(kinds) if other == kind])
+
+
+def _solved(group, rtol):
+    return solve(**group.conditions, parameters=group.parameters, rtol=rtol)
+
+
+def _elementwise(group, rtol):
+    roughness = group.conditions["roughness"][0]
+    return ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)
+
+
+def _nested(group, plain):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
+        return NestedRoots(plain, group.parameters).solve(**group.conditions)
+
+
+def _rows_of(method, rtol, groups, solver):
+    """Rows of one method and tolerance."""
+    found = {kind: [] for kind in CLASSES}
+    for kind, group in groups:
+        errors = relative_errors(solver(group), group.expected)
+        found[kind].append(np.stack([errors[name] for name in VARIABLES]))
+    return [
+        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(errors)}
+        for kind, parts in found.items()
+        if parts
+        for name, errors in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)
+    ]
+
+
+def _summary(errors):
+    """Number of points, of those without a solution, and errors of the others."""
+    solved = errors[np.isfinite(errors)]
+    return {
+        "points": errors.size,
+        "unsolved": errors.size - solved.size,
+        "largest_error": float(solved.max(initial=0.0)),
+        "percentile_99_error": float(np.percentile(solved, 99.0)) if solved.size else 0.0,
+    }

@@ -1,0 +1,87 @@
+"""The verdict on each extreme: the right number, a status that says why not, or wrong."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from thirdbody.accuracy.points import VARIABLES, grouped, parameters_of, relative_errors
+from thirdbody.interface import solve
+from thirdbody.regimes import SOLUTION_STATUSES
+
+UNSOLVED = ("coverage_exceeded", "not_converged")
+# relative error that rounding leaves in a load of summits and particles: a few of each logarithm
+LOAD_ROUNDING = 1e-14
+
+
+def judge_extremes(rows, rtol) -> list[dict]:
+    """Verdict on each of ``rows``, the lines of ``extremes.csv``, solved with ``rtol``, in order.
+
+    Points of one surface are solved together and none may harm another.  A warning or an
+    exception makes all of them wrong.
+    """
+    verdicts = {}
+    accepted = []
+    for row in rows:
+        try:
+            parameters_of(row)
+            accepted.append(row)
+        except ValueError as error:
+            verdicts[id(row)] = _found(row, rtol, "none", 0.0, "", f"refused: {error}")
+    for group in grouped(accepted):
+        verdicts |= {id(row): found for row, found in _judge_group(group, rtol)}
+    return [verdicts[id(row)] for row in rows]
+
+
+def _judge_group(group, rtol):
+    """Pairs of a row and its verdict."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            solution = solve(**group.conditions, parameters=group.parameters, rtol=rtol)
+        except (ArithmeticError, ValueError, Warning) as error:
+            text = f"wrong: {type(error).__name__}: {error}"
+            return [(row, _found(row, rtol, "none", np.inf, "", text)) for row in group.rows]
+    errors = relative_errors(solution, group.expected)
+    return [
+        (row, _judge_point(row, index, solution, errors, rtol))
+        for index, row in enumerate(group.rows)
+    ]
+
+
+def _judge_point(row, index, solution, errors, rtol):
+    """Verdict on the point ``index`` of a group."""
+    status = SOLUTION_STATUSES[solution.solution_status[index]]
+    worst = max(VARIABLES, key=lambda name: errors[name][index])
+    error = float(errors[worst][index])
+    if row["status"] in UNSOLVED:
+        error, worst = 0.0, ""
+    return _found(row, rtol, status, error, worst, verdict(row, status, error, rtol))
+
+
+def _found(row, rtol, status, error, worst, text):
+    return {
+        "item": row["item"],
+        "case": row["case"],
+        "origin": row["origin"],
+        "rtol": rtol,
+        "expected_status": row["status"],
+        "status": status,
+        "largest_error": error,
+        "variable": worst,
+        "verdict": text,
+    }
+
+
+def verdict(row, status, error, rtol) -> str:
+    """``right``, ``refused: why`` or ``wrong`` for a ``status`` and the largest relative ``error``.
+
+    A refusal is in order where rounding of the loads alone moves the gap by more than ``rtol``.
+    """
+    if status == row["status"] and error <= rtol:
+        return "right"
+    impossible = float(row["gap_conditioning"] or 0.0) * LOAD_ROUNDING > rtol
+    if impossible and status != row["status"]:
+        return f"refused: {status}"
+    return "wrong"
