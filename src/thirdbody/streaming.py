@@ -31,8 +31,19 @@ def stream(
     The arguments after ``path`` are those of ``grid``.  Nothing is compressed, which would take
     longer than solving.  The file appears whole or not at all; raises ``ValueError`` as ``grid``.
     """
-    given = (load, viscosity, particle_diameter, roughness, particle_density)
-    axes = grid_axes(*given)
+
+    def solved(*sides):
+        return solve(*np.ix_(*sides), parameters=parameters, rtol=rtol)
+
+    axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
+    write_blocks(path, axes, solved, parameters, rtol)
+
+
+def write_blocks(path, axes, solved, parameters: Parameters, rtol: float) -> None:
+    """Write to ``path`` what ``solved`` returns, a ``Solution``, for the sides of each block.
+
+    ``axes`` are the five of ``grid_axes``; the sides of a block are pieces of them.
+    """
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     empty = {name: np.broadcast_to(0.0, shape) for name in QUANTITIES}
@@ -41,8 +52,7 @@ def stream(
     with whole(path) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
         variables = _declare(file, described, lengths)
         for block in blocks(shape, lengths):
-            sides = (axis[side] for axis, side in zip(axes.values(), block, strict=True))
-            solution = solve(*np.ix_(*sides), parameters=parameters, rtol=rtol)
+            solution = solved(*sides(axes, block))
             for name, variable in variables.items():
                 variable[block] = getattr(solution, name)
 
@@ -63,6 +73,11 @@ def blocks(shape, lengths):
         yield tuple(
             slice(start, start + length) for start, length in zip(corner, lengths, strict=True)
         )
+
+
+def sides(axes, block):
+    """The pieces of ``axes`` that an index of ``blocks`` picks."""
+    return [axis[side] for axis, side in zip(axes.values(), block, strict=True)]
 
 
 def _declare(file, described, lengths):

@@ -17,12 +17,9 @@ class PointClass(NamedTuple):
     bodies: str
     span: str
 
-    @property
-    def is_heaviest(self) -> bool:
-        """Whether it is the class that all other figures are compared by."""
-        return self == ("lubricated", "three_body", "usual")
 
-
+# that which all other figures are compared by
+HEAVIEST = PointClass("lubricated", "three_body", "usual")
 CLASSES = [
     PointClass(*names)
     for names in product(("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes"))
@@ -47,9 +44,9 @@ SEED = 4
 ROUGHNESS = {"usual": (300e-9,), "extremes": (1e-9, 100e-9, 1e-6, 10e-6)}  # [m]
 
 
-def random_conditions(kind: PointClass, count: int, parameters: Parameters) -> dict:
+def random_conditions(kind: PointClass, count: int, parameters: Parameters, seed=SEED) -> dict:
     """``count`` random points of a class: the arguments of ``solve`` as 1-D arrays, by name."""
-    random = np.random.default_rng(SEED)
+    random = np.random.default_rng(seed)
     drawn = {
         name: np.exp(random.uniform(*np.log(ends), count)) for name, ends in SPANS[kind.span].items()
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from functools import partial
 
 import numpy as np
 
@@ -18,9 +19,9 @@ def error_rows(rows, rtols, plain) -> list[dict]:
     groups = [kind for group in grouped(rows) for kind in _of_one_kind(group)]
     table = []
     for rtol in rtols:
-        table += _rows_of("library", rtol, groups, lambda group, r=rtol: _solved(group, r))
-        table += _rows_of("elementwise_roots", rtol, groups, lambda g, r=rtol: _elementwise(g, r))
-    return table + _rows_of("nested_roots", None, groups, lambda group: _nested(group, plain))
+        table += _rows_of("library", rtol, groups, partial(_solved, rtol=rtol))
+        table += _rows_of("elementwise_roots", rtol, groups, partial(_elementwise, rtol=rtol))
+    return table + _rows_of("nested_roots", None, groups, partial(_nested, plain=plain))
 
 
 def _of_one_kind(group):
@@ -52,19 +53,20 @@ def _rows_of(method, rtol, groups, solver):
         errors = relative_errors(solver(group), group.expected)
         found[kind].append(np.stack([errors[name] for name in VARIABLES]))
     return [
-        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(errors)}
+        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(errors, rtol)}
         for kind, parts in found.items()
         if parts
         for name, errors in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)
     ]
 
 
-def _summary(errors):
-    """Number of points, of those without a solution, and errors of the others."""
+def _summary(errors, rtol):
+    """Number of points, of those without a solution or beyond ``rtol``, and errors of the solved."""
     solved = errors[np.isfinite(errors)]
     return {
         "points": errors.size,
         "unsolved": errors.size - solved.size,
+        "beyond_rtol": None if rtol is None else int(np.count_nonzero(solved > rtol)),
         "largest_error": float(solved.max(initial=0.0)),
         "percentile_99_error": float(np.percentile(solved, 99.0)) if solved.size else 0.0,
     }

@@ -1,4 +1,4 @@
-"""Processor time and memory of a function without arguments."""
+"""Time and memory of a function without arguments."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ import time
 import tracemalloc
 from statistics import median
 
-MEGABYTE = 1e6
+MICROSECONDS = 1e6  # of a second
+MEGABYTE = 1e6  # bytes
 
 
 def median_seconds(function, repeats: int) -> float:
@@ -14,9 +15,9 @@ def median_seconds(function, repeats: int) -> float:
     return median(_seconds(function, time.process_time) for _ in range(repeats))
 
 
-def median_wall_seconds(function, repeats: int) -> float:
-    """Median time on the clock [s] of ``repeats`` calls: for several processes or a disk."""
-    return median(_seconds(function, time.perf_counter) for _ in range(repeats))
+def wall_seconds(function) -> float:
+    """Time on the clock [s] of one call: for several processes, or a disk."""
+    return _seconds(function, time.perf_counter)
 
 
 def _seconds(function, clock):

@@ -131,5 +131,6 @@ def relative_error(value, expected):
     """|value/expected - 1|, elementwise; numbers below ``SMALLEST`` are equal to each other."""
     larger = np.maximum(np.abs(expected), SMALLEST)
     nothing = (np.abs(value) < SMALLEST) & (np.abs(expected) < SMALLEST)
-    error = np.where(nothing, 0.0, np.abs(value - expected) / larger)
+    with np.errstate(over="ignore"):
+        error = np.where(nothing, 0.0, np.abs(value - expected) / larger)
     return np.where(np.isnan(error), np.inf, error)
