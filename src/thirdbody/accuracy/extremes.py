@@ -11,8 +11,10 @@ from thirdbody.interface import solve
 from thirdbody.regimes import SOLUTION_STATUSES
 
 UNSOLVED = ("coverage_exceeded", "not_converged")
-# relative error that rounding leaves in a load of summits and particles: a few of each logarithm
+# relative errors that rounding leaves in a load of summits and particles, a few of each logarithm,
+# and in a separation
 LOAD_ROUNDING = 1e-14
+GAP_ROUNDING = 2.3e-16
 
 
 def judge_extremes(rows, rtol) -> list[dict]:
@@ -75,13 +77,18 @@ def _found(row, rtol, status, error, worst, text):
 
 
 def verdict(row, status, error, rtol) -> str:
-    """``right``, ``refused: why`` or ``wrong`` for a ``status`` and the largest relative ``error``.
-
-    A refusal is in order where rounding of the loads alone moves the gap by more than ``rtol``.
-    """
+    """``right``, ``refused: why`` or ``wrong`` for a ``status`` and the largest relative ``error``."""
     if status == row["status"] and error <= rtol:
         return "right"
-    impossible = float(row["gap_conditioning"] or 0.0) * LOAD_ROUNDING > rtol
-    if impossible and status != row["status"]:
+    if status != row["status"] and beyond_float64(row, rtol):
         return f"refused: {status}"
     return "wrong"
+
+
+def beyond_float64(row, rtol) -> bool:
+    """Whether rounding of the loads moves the gap, or rounding of the gap the loads and areas, by
+    more than ``rtol``: such a point is to be refused."""
+    conditioning = float(row["gap_conditioning"] or 0.0)
+    if conditioning == 0.0:
+        return False
+    return max(conditioning * LOAD_ROUNDING, GAP_ROUNDING / conditioning) > rtol
