@@ -1,14 +1,13 @@
-# Accuracy: `snakemake -c2 accuracy`, not part of the default run.  What is timed runs alone: it takes
-# all of the resource `quiet`, of which profiles/default gives every other job a share.
+# Accuracy: `snakemake -c2 accuracy`, not part of the default run.  What is timed runs alone: it
+# takes all of the resource `quiet`, of which profiles/default gives every other job a share.
 import sys
 
-from thirdbody.configuration import read_yaml, validate
+from thirdbody.configuration import read_valid
 
 try:
-    ACCURACY = read_yaml(settings["accuracy"])
-    validate(ACCURACY, read_yaml("config/accuracy.schema.yaml"))
+    ACCURACY = read_valid(settings["accuracy"], "config/accuracy.schema.yaml")
 except ValueError as error:
-    sys.exit(f"{settings['accuracy']}: {error}")
+    sys.exit(f"{error}")
 
 
 rule measure_errors:
