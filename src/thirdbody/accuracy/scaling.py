@@ -11,6 +11,7 @@ from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds, wall_seco
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
+FEW_REPEATS = 25  # of sizes that are over in no time
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
 
 
@@ -39,6 +40,7 @@ def _seconds_of(count, block, parameters, rtol, repeats):
     Their results are dropped, as when they are streamed; drawing the points is not timed.
     """
     seconds = 0.0
+    repeats = max(repeats, min(block // count, FEW_REPEATS)) if count <= block else 1
     for seed, start in enumerate(range(0, count, block)):
         size = min(block, count - start)
         given = random_conditions(HEAVIEST, size, parameters, seed)
@@ -48,7 +50,7 @@ def _seconds_of(count, block, parameters, rtol, repeats):
 
         if seed == 0:
             run()  # prepares the surface
-        seconds += median_seconds(run, repeats if count <= block else 1)
+        seconds += median_seconds(run, repeats)
     return seconds
 
 
