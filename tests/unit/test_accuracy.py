@@ -13,6 +13,7 @@ from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots, load_pla
 from thirdbody.accuracy.classes import CLASSES, ROUGHNESS, SPANS, random_conditions
 from thirdbody.accuracy.errors import error_rows
 from thirdbody.accuracy.extremes import beyond_float64, judge_extremes, verdict
+from thirdbody.accuracy.library import solutions
 from thirdbody.accuracy.measuring import median_seconds, peak_megabytes, wall_seconds
 from thirdbody.accuracy.points import (
     VARIABLES,
@@ -22,6 +23,7 @@ from thirdbody.accuracy.points import (
     relative_errors,
 )
 from thirdbody.accuracy.streams import stream_rows
+from thirdbody.interface import TABLE_WORTH
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
@@ -61,16 +63,33 @@ def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypa
     def spoilt(**given):
         solution = solve(**given)
         return SimpleNamespace(
-            **{name: getattr(solution, name) * (1.0 + off) for name in VARIABLES}
+            **{name: getattr(solution, name) * (1.0 + off) for name in VARIABLES},
+            solution_status=solution.solution_status,
         )
 
-    monkeypatch.setattr("thirdbody.accuracy.errors.solve", spoilt)
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", spoilt)
     table = [row for row in error_rows(rows, [1e-9], plain) if row["method"] == "library"]
     assert {row["variable"] for row in table} == set(VARIABLES)
     for row in table:
         nothing = row["variable"] in ("particle_contact_area_ratio", "fluid_load_fraction")
         assert abs(row["largest_error"] - off * (not nothing)) < 1e-9
         assert row["beyond_rtol"] == (row["points"] if off and not nothing else 0)
+
+
+def test_golden_points_are_solved_by_quadrature_and_by_tables(monkeypatch):
+    prepared = []
+
+    def noted(*given, **more):
+        prepared.append(given[0].size if given else more["load"].size)
+        return tb.solve(*given, **more)
+
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", noted)
+    (group, *_) = grouped(read_rows(GOLDEN / "accuracy_points.csv"))
+    alone, among = solutions(group, 1e-3)
+    assert prepared[0] < TABLE_WORTH <= prepared[1] - prepared[0]
+    assert alone.separation.shape == among.separation.shape == (len(group.rows),)
+    assert not np.array_equal(alone.separation, among.separation)
+    np.testing.assert_allclose(alone.separation, among.separation, rtol=1e-3)
 
 
 # ---- baselines
@@ -132,7 +151,7 @@ def test_only_what_float64_cannot_resolve_may_be_refused(status, error, conditio
 
 def test_a_warning_makes_a_point_wrong(monkeypatch):
     rows = read_rows(GOLDEN / "extremes.csv")[:1]
-    monkeypatch.setattr("thirdbody.accuracy.extremes.solve", lambda **_: np.log(np.zeros(1)))
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", lambda **_: np.log(np.zeros(1)))
     (found,) = judge_extremes(rows, 1e-9)
     assert found["verdict"].startswith("wrong: RuntimeWarning")
 

@@ -52,7 +52,7 @@ def nearly_closes(row):
 
 @pytest.mark.parametrize("rtol", RTOLS)
 @pytest.mark.parametrize("item", ITEMS)
-def test_each_extreme_is_right_or_says_why_not(item, rtol, way):
+def test_each_extreme_is_right_or_says_why_not(item, rtol):
     rows = [row for row in ROWS if row["item"] == item and not nearly_closes(row)]
     judged = judge_extremes([row for row in rows if not beyond_float64(row, rtol)], rtol)
     wrong = [found for found in judged if found["verdict"].startswith("wrong")]
@@ -66,7 +66,7 @@ NEARLY_CLOSED = [row for row in ROWS if nearly_closes(row)]
 
 @pytest.mark.xfail(reason="tables and tolerances do not follow the conditioning of a closing gap")
 @pytest.mark.parametrize("rtol", RTOLS)
-def test_a_gap_that_nearly_closes_is_right_too(rtol, way):
+def test_a_gap_that_nearly_closes_is_right_too(rtol):
     rows = [row for row in NEARLY_CLOSED if not beyond_float64(row, rtol)]
     verdicts = {found["verdict"] for found in judge_extremes(rows, rtol)}
     assert verdicts <= {"right"}
@@ -74,7 +74,7 @@ def test_a_gap_that_nearly_closes_is_right_too(rtol, way):
 
 @pytest.mark.xfail(reason="there is no status for what float64 cannot resolve", strict=True)
 @pytest.mark.parametrize("rtol", [1e-9, 1e-11])
-def test_what_rounding_makes_impossible_says_so(rtol, way):
+def test_what_rounding_makes_impossible_says_so(rtol):
     rows = [row for row in ROWS if beyond_float64(row, rtol)]
     verdicts = [found["verdict"] for found in judge_extremes(rows, rtol)]
     assert len(rows) >= 2

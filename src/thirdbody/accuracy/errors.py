@@ -9,17 +9,20 @@ import numpy as np
 
 from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
 from thirdbody.accuracy.classes import CLASSES, PointClass
+from thirdbody.accuracy.library import solutions
 from thirdbody.accuracy.points import CLASS, VARIABLES, grouped, relative_errors
-from thirdbody.interface import solve
 
 
 def error_rows(rows, rtols, plain) -> list[dict]:
     """Rows of the table ``errors``: largest and 99th-percentile error of each variable, method,
-    ``rtol`` and class at the golden ``rows``; ``plain`` is the module of plain equations."""
+    ``rtol`` and class at the golden ``rows``; ``plain`` is the module of plain equations.
+
+    Of the library's errors, alone and in company, the larger one counts.
+    """
     groups = [kind for group in grouped(rows) for kind in _of_one_kind(group)]
     table = []
     for rtol in rtols:
-        table += _rows_of("library", rtol, groups, partial(_solved, rtol=rtol))
+        table += _rows_of("library", rtol, groups, partial(solutions, rtol=rtol))
         table += _rows_of("elementwise_roots", rtol, groups, partial(_elementwise, rtol=rtol))
     return table + _rows_of("nested_roots", None, groups, partial(_nested, plain=plain))
 
@@ -31,27 +34,23 @@ def _of_one_kind(group):
         yield kind, group.take([index for index, other in enumerate(kinds) if other == kind])
 
 
-def _solved(group, rtol):
-    return solve(**group.conditions, parameters=group.parameters, rtol=rtol)
-
-
 def _elementwise(group, rtol):
     roughness = group.conditions["roughness"][0]
-    return ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)
+    return [ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)]
 
 
 def _nested(group, plain):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
-        return NestedRoots(plain, group.parameters).solve(**group.conditions)
+        return [NestedRoots(plain, group.parameters).solve(**group.conditions)]
 
 
-def _rows_of(method, rtol, groups, solver):
-    """Rows of one method and tolerance."""
+def _rows_of(method, rtol, groups, solutions_of):
+    """Rows of one method and tolerance; ``solutions_of`` a group are one or several."""
     found = {kind: [] for kind in CLASSES}
     for kind, group in groups:
-        errors = relative_errors(solver(group), group.expected)
-        found[kind].append(np.stack([errors[name] for name in VARIABLES]))
+        errors = [relative_errors(each, group.expected) for each in solutions_of(group)]
+        found[kind].append(np.stack([np.max([e[name] for e in errors], 0) for name in VARIABLES]))
     return [
         {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(errors, rtol)}
         for kind, parts in found.items()

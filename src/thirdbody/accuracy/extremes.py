@@ -6,10 +6,11 @@ import warnings
 
 import numpy as np
 
+from thirdbody.accuracy.library import solutions
 from thirdbody.accuracy.points import VARIABLES, grouped, parameters_of, relative_errors
-from thirdbody.interface import solve
 from thirdbody.regimes import SOLUTION_STATUSES
 
+VERDICTS = ("right", "refused", "wrong")
 UNSOLVED = ("coverage_exceeded", "not_converged")
 # relative errors that rounding leaves in a load of summits and particles, a few of each logarithm,
 # and in a separation
@@ -20,8 +21,8 @@ GAP_ROUNDING = 2.3e-16
 def judge_extremes(rows, rtol) -> list[dict]:
     """Verdict on each of ``rows``, the lines of ``extremes.csv``, solved with ``rtol``, in order.
 
-    Points of one surface are solved together and none may harm another.  A warning or an
-    exception makes all of them wrong.
+    Points of one surface are solved together and none may harm another; what they give alone and
+    in company must be right.  A warning or an exception makes all of them wrong.
     """
     verdicts = {}
     accepted = []
@@ -41,15 +42,22 @@ def _judge_group(group, rtol):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         try:
-            solution = solve(**group.conditions, parameters=group.parameters, rtol=rtol)
+            solved = solutions(group, rtol)
         except (ArithmeticError, ValueError, Warning) as error:
             text = f"wrong: {type(error).__name__}: {error}"
             return [(row, _found(row, rtol, "none", np.inf, "", text)) for row in group.rows]
-    errors = relative_errors(solution, group.expected)
-    return [
-        (row, _judge_point(row, index, solution, errors, rtol))
-        for index, row in enumerate(group.rows)
+    judged = [
+        [_judge_point(row, index, each, errors, rtol) for index, row in enumerate(group.rows)]
+        for each in solved
+        for errors in [relative_errors(each, group.expected)]
     ]
+    worst = [max(ways, key=_badness) for ways in zip(*judged, strict=True)]
+    return zip(group.rows, worst, strict=True)
+
+
+def _badness(found):
+    """The less right a verdict, the larger; of equals, the larger error."""
+    return VERDICTS.index(found["verdict"].partition(":")[0]), found["largest_error"]
 
 
 def _judge_point(row, index, solution, errors, rtol):
