@@ -13,7 +13,8 @@ from thirdbody.interface import DEFAULT_RTOL, solve
 from thirdbody.parameters import Parameters
 from thirdbody.scene import DIMENSIONS
 
-POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved; 2 MB a variable in the file
+POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
+ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
 
 
 def stream(
@@ -95,7 +96,12 @@ def _declare(file, described, lengths):
         fill = attributes.pop("_FillValue")
         attributes["coordinates"] = "normal_load"
         variables[name] = file.createVariable(
-            name, values.dtype, values.dims, chunksizes=lengths, fill_value=fill
+            name,
+            values.dtype,
+            values.dims,
+            chunksizes=lengths,
+            chunk_cache=ONE_CHUNK,
+            fill_value=fill,
         )
         variables[name].setncatts(attributes)
         variables[name].set_auto_maskandscale(False)

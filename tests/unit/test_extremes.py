@@ -27,7 +27,6 @@ POINT = {
 }
 # particles of next to no width: refused by the name of the input
 REFUSED = ("1e-09 dry", "1e-09 wet", "0 uncentred dry", "0 uncentred wet")
-REFUSED += ("0 gap_convolved dry", "0 gap_convolved wet")
 REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
 
 

@@ -25,6 +25,7 @@ from thirdbody.scene import DIMENSIONS
 
 LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch
+ROUNDING = 1e-15  # no bracket gets narrower, relatively
 CHUNK = 4096  # points solved together: what is fastest
 TAIL = 9.0  # summits rarer than exp(-TAIL^2/2) of the densest do not matter
 
@@ -167,7 +168,7 @@ class ElementwiseRoots:
         surface = parameters.surface(roughness)
         self.parameters = parameters
         self.rough = RoughSurface(surface, *node_sums(surface, parameters), None)
-        self.tolerances = {"xatol": 0.1 * rtol, "xrtol": 0.0, "fatol": 0.0, "frtol": 0.0}
+        self.tolerances = {"xatol": 0.1 * rtol, "xrtol": ROUNDING, "fatol": 0.0, "frtol": 0.0}
 
     def solve(self, **conditions):
         """The variables at points of 1-D arrays of ``conditions``, as attributes."""

@@ -25,9 +25,9 @@ METHODS = {
     "nested_roots": {"linestyle": "none", "fillstyle": "full", "marker": "*", "markersize": 9},
 }
 NAMES = {
-    "library": "library, a point for each rtol",
-    "elementwise_roots": "find_root on arrays",
-    "nested_roots": "quad and brentq, point by point",
+    "library": "library, each rtol",
+    "elementwise_roots": "find_root, arrays",
+    "nested_roots": "quad, brentq, one by one",
 }
 NO_DIGIT, ALL_DIGITS = 1.0, 1e-16  # errors beyond these are drawn there
 LABELLED = ("lubricated", "three_body")  # whose points are labelled with some of their rtol
