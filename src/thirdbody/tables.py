@@ -185,6 +185,13 @@ TABLES = {
         Column("variable", "string", "", "variable that has it"),
         Column("verdict", "string", "", "right; refused, and why; or wrong"),
     ),
+    "bars": (
+        Column("what", "string", "", "what is measured, and in which unit"),
+        Column("sense", "string", "", "at least or at most"),
+        Column("bar", "number", "1", "what it is to be"),
+        Column("measured", "number", "1", "what it is in this run"),
+        Column("verdict", "string", "", "holds or fails"),
+    ),
 }
 
 

@@ -8,9 +8,10 @@ from workspace import ROOT
 
 from thirdbody.tables import TABLES, read_csv
 
-NAMES = ("errors", "extremes", "times", "omissions", "scaling", "streaming")
+NAMES = ("errors", "extremes", "times", "omissions", "scaling", "streaming", "bars")
 PRODUCTS = {
     *(f"accuracy/{name}.csv" for name in NAMES),
+    "accuracy/bars.md",
     "accuracy/accuracy.nc",
     *(f"figures/accuracy.{kind}" for kind in ("svg", "pdf", "png", "csv")),
 }
@@ -96,6 +97,20 @@ def test_sweeps_hold_what_was_asked_for(tables):
     assert [row["what"] for row in tables["streaming"]] == ["streaming", "solving", "writing"]
     assert tables["streaming"][0]["points"] == 1000
     assert tables["streaming"][0]["resident_memory_MB"] < 1000.0
+
+
+def test_every_bar_is_judged_by_what_was_measured(tables):
+    assert len(tables["bars"]) == 9
+    for row in tables["bars"]:
+        holds = row["measured"] >= row["bar"] if row["sense"] == "at least" else row["measured"] <= row["bar"]
+        assert row["verdict"] == ("holds" if holds else "fails")
+    times = {
+        (row["method"], row["rtol"]): row["microseconds_per_point"]
+        for row in tables["times"]
+        if of_class(row) == ("lubricated", "three_body", "usual")
+    }
+    ratio = times["nested_roots", None] / times["library", 1e-9]
+    assert tables["bars"][0]["measured"] == pytest.approx(ratio)
 
 
 def test_the_dataset_holds_the_tables(measured, tables):

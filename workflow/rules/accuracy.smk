@@ -127,10 +127,15 @@ rule time_streaming:
 rule gather_accuracy:
     input:
         errors="results/accuracy/errors.csv",
+        extremes="results/accuracy/extremes.csv",
         times="results/accuracy/times.csv",
+        scaling="results/accuracy/scaling.csv",
+        streaming="results/accuracy/streaming.csv",
         modules=import_closure("workflow/scripts/gather_accuracy.py"),
     output:
         dataset="results/accuracy/accuracy.nc",
+        bars="results/accuracy/bars.csv",
+        text="results/accuracy/bars.md",
     log:
         "logs/gather_accuracy.log",
     benchmark:
@@ -173,5 +178,7 @@ rule accuracy:
         "results/accuracy/omissions.csv",
         "results/accuracy/scaling.csv",
         "results/accuracy/streaming.csv",
+        "results/accuracy/bars.csv",
+        "results/accuracy/bars.md",
         "results/accuracy/accuracy.nc",
         multiext("results/figures/accuracy", ".svg", ".pdf", ".png", ".csv"),
