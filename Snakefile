@@ -39,6 +39,7 @@ include: "workflow/rules/judge.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/band.smk"
+include: "workflow/rules/accuracy.smk"
 
 
 rule all:

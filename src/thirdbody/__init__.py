@@ -1,6 +1,6 @@
 """Dry and lubricated three-body contact of rough surfaces, after Chen & Horng (2024)."""
 
-__all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve"]
+__all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve", "stream"]
 
 _HOMES = {
     "Parameters": "parameters",
@@ -8,6 +8,7 @@ _HOMES = {
     "grid": "dataset",
     "load_parameters": "configuration",
     "solve": "interface",
+    "stream": "streaming",
 }
 
 

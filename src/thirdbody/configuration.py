@@ -82,6 +82,16 @@ def validate(config: dict, schema: dict) -> None:
         raise ValueError(_explained(first))
 
 
+def read_valid(path, schema) -> dict:
+    """The mapping in a YAML file that keeps to the ``schema`` in another; ``ValueError`` as both."""
+    content = read_yaml(path)
+    try:
+        validate(content, read_yaml(schema))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    return content
+
+
 def _require_finite(value, key) -> None:
     """JSON Schema lets nan and infinities pass any bound."""
     if isinstance(value, dict):
@@ -278,7 +288,7 @@ def workflow_settings(config: dict) -> dict:
         for index, panel in enumerate(panels):
             lists = {key: [value] for key, value in panel.items()}
             _check_room(lists, f"schematics.{name}[{index}]")
-    _check_paper_tables(directory)
+    read_valid(directory / "paper_tables.yaml", directory / "paper_tables.schema.yaml")
     inputs = read_inputs(directory / "inputs.yaml", config["inputs"])
     return {
         **config,
@@ -288,14 +298,6 @@ def workflow_settings(config: dict) -> dict:
         "uncalibrated": Parameters(**read_inputs(directory / "inputs.yaml")).as_dict(),
         "software": {name: version(name) for name in ("numpy", "scipy", "netCDF4", "xarray")},
     }
-
-
-def _check_paper_tables(directory: Path) -> None:
-    path = directory / "paper_tables.yaml"
-    try:
-        validate(read_yaml(path), read_yaml(directory / "paper_tables.schema.yaml"))
-    except ValueError as error:
-        raise ValueError(f"{path}: {error}".replace(f"{path}: {path}", str(path))) from None
 
 
 def _check_increasing(ends, key) -> None:

@@ -111,10 +111,19 @@ def grid(
     ``particle_density`` [m-2]; ``rtol`` is the relative error asked for in every variable.
     Raises ``ValueError`` for an axis that is not 1-D, increasing and of physical meaning.
     """
-    given = (load, viscosity, particle_diameter, roughness, particle_density)
-    axes = {name: _checked_increasing(name, v) for name, v in zip(DIMENSIONS, given, strict=True)}
+    axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
     solution = solve(*np.ix_(*axes.values()), parameters=parameters, rtol=rtol)
     values = {name: getattr(solution, name) for name in (*QUANTITIES, *FLAGS)}
+    return described_grid(axes, values, parameters, rtol)
+
+
+def grid_axes(*given) -> dict:
+    """The five axes of a grid by name; ``ValueError`` as in ``grid``."""
+    return {name: _checked_increasing(name, v) for name, v in zip(DIMENSIONS, given, strict=True)}
+
+
+def described_grid(axes, values, parameters: Parameters, rtol: float) -> xr.Dataset:
+    """The dataset of ``grid`` around ``values``, an array over all ``axes`` for each variable."""
     request = {name: axis.tolist() for name, axis in axes.items()}
     return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
 

@@ -62,11 +62,16 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
-        if self.spread_ratio < LEAST_SPREAD:
+        if self.spread_ratio < LEAST_SPREAD and not self.convolves_sizes:
             raise ValueError(
                 f"spread_ratio is {self.spread_ratio!r}; allowed: at least {LEAST_SPREAD:g}, "
                 "below which equal particles would bear any load at one separation"
             )
+
+    @property
+    def convolves_sizes(self) -> bool:
+        """Whether the spread of the gap joins that of the sizes, which may then be equal."""
+        return self.size_distribution == "gap_convolved" and self.gap_ratio >= LEAST_SPREAD
 
     @property
     def elastic_factor(self) -> float:

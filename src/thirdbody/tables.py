@@ -36,6 +36,14 @@ CONDITIONS = (
     Column("roughness_m", "number", "m", "equivalent root mean square roughness sigma"),
     Column("particle_density_per_m2", "number", "m-2", "particles per unit area eta_a"),
 )
+POINT_CLASS = (
+    Column("medium", "string", "", "dry or lubricated"),
+    Column("bodies", "string", "", "two_body or three_body"),
+    Column("span", "string", "", "usual: the ranges of Table 2; or extremes"),
+)
+METHOD = Column("method", "string", "", "library, or the baseline that it is measured against")
+RTOL = Column("rtol", "number", "1", "relative error asked for; empty: a method that is not asked")
+POINT_COST = Column("microseconds_per_point", "number", "us", "time over the number of points")
 TABLES = {
     "tpca_loads": (
         *CONDITIONS,
@@ -121,6 +129,68 @@ TABLES = {
         Column("rtol", "number", "1", "relative error asked for"),
         Column("seconds", "number", "s", "processor time of the solver, tables included"),
         Column("microseconds_per_point", "number", "us", "the same over the points"),
+    ),
+    "errors": (
+        METHOD,
+        RTOL,
+        *POINT_CLASS,
+        Column("variable", "string", "", "variable whose errors these are"),
+        Column("points", "number", "1", "points known in multiple precision"),
+        Column("unsolved", "number", "1", "those for which the method gives no number"),
+        Column("beyond_rtol", "number", "1", "solved points whose relative error is above rtol"),
+        Column("largest_error", "number", "1", "largest relative error of the solved points"),
+        Column("percentile_99_error", "number", "1", "99th percentile of these errors"),
+    ),
+    "times": (
+        METHOD,
+        RTOL,
+        *POINT_CLASS,
+        Column("points", "number", "1", "points solved as one array, or one by one"),
+        POINT_COST,
+        Column("setup_seconds", "number", "s", "time to prepare one surface, not counted above"),
+        Column("peak_memory_MB", "number", "MB", "most memory held in arrays while solving"),
+    ),
+    "omissions": (
+        Column("left_out", "string", "", "what the points do not require"),
+        Column("points", "number", "1", "points solved as one array"),
+        RTOL,
+        POINT_COST,
+        Column("share", "number", "1", "time over that of points with everything"),
+    ),
+    "scaling": (
+        Column("axis", "string", "", "points (processor time), or processes (time on the clock)"),
+        Column("points", "number", "1", "points solved"),
+        Column("processes", "number", "1", "processes that share them"),
+        RTOL,
+        POINT_COST,
+        Column("ratio", "number", "1", "time over the least of all sizes; speed over one process"),
+    ),
+    "streaming": (
+        Column("what", "string", "", "streaming to a file, or one half of it alone"),
+        Column("points", "number", "1", "points of the grid"),
+        RTOL,
+        Column("seconds", "number", "s", "time on the clock"),
+        POINT_COST,
+        Column("resident_memory_MB", "number", "MB", "most memory of the process until then"),
+        Column("file_MB", "number", "MB", "size of the file"),
+    ),
+    "extremes": (
+        Column("item", "string", "", "what is extreme"),
+        Column("case", "string", "", "how far, and in which contact"),
+        Column("origin", "string", "", "how the right answer is known"),
+        RTOL,
+        Column("expected_status", "string", "", "solution_status of the right answer"),
+        Column("status", "string", "", "solution_status that the library gives"),
+        Column("largest_error", "number", "1", "largest relative error of all variables"),
+        Column("variable", "string", "", "variable that has it"),
+        Column("verdict", "string", "", "right; refused, and why; or wrong"),
+    ),
+    "bars": (
+        Column("what", "string", "", "what is measured, and in which unit"),
+        Column("sense", "string", "", "at least or at most"),
+        Column("bar", "number", "1", "what it is to be"),
+        Column("measured", "number", "1", "what it is in this run"),
+        Column("verdict", "string", "", "holds or fails"),
     ),
 }
 

@@ -100,6 +100,13 @@ def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
         replace(parameters, spread_ratio=spread)
 
 
+def test_equal_sizes_are_fine_where_the_gap_spreads_them(parameters):
+    sizes = {"size_distribution": "gap_convolved", "spread_ratio": 0.0}
+    assert replace(parameters, **sizes, gap_ratio=1.0).spread_ratio == 0.0
+    with pytest.raises(ValueError, match="^spread_ratio is 0.0"):
+        replace(parameters, **sizes, gap_ratio=0.0)
+
+
 def test_the_attribute_holds_exactly_the_keys_of_the_contract(reading):
     assert set(attribute(reading)) == {*NUMBERS, *LISTS, *NAMES}
 

@@ -68,6 +68,29 @@ def test_a_curve_has_a_turning_point_where_a_brute_scan_has_a_maximum(reading, l
     assert np.array_equal(np.isfinite(found.load), brute)
 
 
+def test_of_several_maxima_the_highest_is_the_turning_point(parameters):
+    # large particles touch first; the summits that they cover are missing under heavy loads
+    inputs = replace(
+        parameters,
+        size_distribution="centred",
+        mean_ratio=0.4726,
+        spread_ratio=0.3146,
+        truncation=3.147,
+        coverage_limits="contacting",
+        elastic_depth_ratio=0.2,
+        participation=0.178,
+    )
+    loads = np.geomspace(1e-7, 1e-4, 400)
+    conditions = curves(0.0, 830.0 * NANOMETRE, 300.0 * NANOMETRE, 1.89e11)
+    odds = odds_at(loads[:, None], conditions, inputs)
+    maxima = np.where(inner_maxima(odds), odds[1:-1], 0.0)
+    assert np.count_nonzero(maxima) == 2
+    found = found_on(loads, conditions, inputs)
+    best = np.argmax(maxima) + 1
+    assert loads[best - 1] < found.load[0] < loads[best + 1]
+    assert_allclose(found.peak_ratio, maxima.max() / (1.0 + maxima.max()), rtol=1e-4)
+
+
 def test_beside_the_turning_point_the_ratio_is_lower(reading, loads, equal_sizes):
     found = found_on(loads, equal_sizes, reading)
     known = np.isfinite(found.load)

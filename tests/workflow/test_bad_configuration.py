@@ -15,6 +15,7 @@ from workspace import ABSENT, Workspace, run_here, with_value
 CONFIG = "config/config.yaml"
 SCENES = "config/scenes.yaml"
 INPUTS = "config/inputs.yaml"
+ACCURACY = "config/accuracy.yaml"
 SECOND = "config/second.yaml"
 # what a run makes that ought to be refused and is not
 CHEAP = "results/extracted/table1/all.csv"
@@ -189,6 +190,10 @@ CASES = [
     # settings of the calibration
     text("damaged calibration", "config/calibration.yaml", b"\na: [\n", "calibration.yaml", "line"),
     without("missing calibration", "config/calibration.yaml"),
+    put("no timings", ACCURACY, "repeats", 0, ACCURACY, "repeats", "0", "at least 1"),
+    put("accuracy of a bad rtol", ACCURACY, "rtol", [1], ACCURACY, "rtol[0]", "1", "at most 0.01"),
+    put("no accuracy file", CONFIG, "accuracy", "config/none.yaml", "config/none.yaml", "allowed"),
+    without("missing accuracy", ACCURACY),
     # YAML
     second("number without a point", b"rtol: 1e-9\n", "rtol", "'1e-9'", "a number"),
     text("key twice", CONFIG, b"\nrtol: 1.0e-8\n", CONFIG, "'rtol' stands twice"),

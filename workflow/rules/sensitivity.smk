@@ -1,13 +1,12 @@
 # Sensitivity: how results respond to the inputs that the paper does not print, at the default.
 import sys
 
-from thirdbody.configuration import read_yaml, validate
+from thirdbody.configuration import read_valid
 
 try:
-    SENSITIVITY = read_yaml("config/sensitivity.yaml")
-    validate(SENSITIVITY, read_yaml("config/sensitivity.schema.yaml"))
+    SENSITIVITY = read_valid("config/sensitivity.yaml", "config/sensitivity.schema.yaml")
 except ValueError as error:
-    sys.exit(f"config/sensitivity.yaml: {error}")
+    sys.exit(f"{error}")
 
 UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
 

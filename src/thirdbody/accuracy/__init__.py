@@ -1,0 +1,1 @@
+"""What an ``rtol`` costs and what it buys: errors against multiple precision, times, baselines."""

@@ -1,0 +1,87 @@
+"""What the solver is to achieve, beside what was measured in the same run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from thirdbody.accuracy.classes import HEAVIEST
+from thirdbody.accuracy.points import CLASS
+
+USUAL_RTOL, LOOSE_RTOL = 1e-9, 1e-3
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A number that is to be at least or at most ``limit``."""
+
+    what: str
+    limit: float
+    least: bool
+
+    def row(self, value: float) -> dict:
+        """Row of the table ``bars`` for a measured ``value``."""
+        holds = value >= self.limit if self.least else value <= self.limit
+        return {
+            "what": self.what,
+            "sense": "at least" if self.least else "at most",
+            "bar": self.limit,
+            "measured": value,
+            "verdict": "holds" if holds else "fails",
+        }
+
+
+BARS = {
+    "baseline": Bar("quad and brentq over the library at 1e-9, heaviest class", 8000.0, True),
+    "loose": Bar("time at 1e-9 over that at 1e-3, heaviest class", 2.0, True),
+    "setup": Bar("seconds to prepare a surface", 0.2, False),
+    "processes": Bar("speed of several processes over one", 1.8, True),
+    "streaming": Bar("streaming over 1.5 solving + writing", 1.0, False),
+    "memory": Bar("MB resident while streaming", 1000.0, False),
+    "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
+    "errors": Bar("largest error over the error asked for", 1.0, False),
+    "extremes": Bar("extremes with a wrong answer", 0.0, False),
+}
+
+
+def bar_rows(tables) -> list[dict]:
+    """Rows of the table ``bars`` from the rows of the other tables of the run, by name."""
+    measured = {
+        **_of_times(tables["times"]),
+        **_of_scaling(tables["scaling"]),
+        **_of_streaming(tables["streaming"]),
+        "errors": max(
+            row["largest_error"] / row["rtol"]
+            for row in tables["errors"]
+            if row["method"] == "library"
+        ),
+        "extremes": sum(row["verdict"].startswith("wrong") for row in tables["extremes"]),
+    }
+    return [bar.row(measured[name]) for name, bar in BARS.items()]
+
+
+def _of_times(rows):
+    cost = {
+        (row["method"], row["rtol"]): row["microseconds_per_point"]
+        for row in rows
+        if tuple(row[name] for name in CLASS) == HEAVIEST
+    }
+    usual = cost["library", USUAL_RTOL]
+    return {
+        "baseline": cost["nested_roots", None] / usual,
+        "loose": usual / cost["library", LOOSE_RTOL],
+        "setup": max(row["setup_seconds"] or 0.0 for row in rows),
+    }
+
+
+def _of_scaling(rows):
+    return {
+        "flat": max(row["ratio"] for row in rows if row["axis"] == "points"),
+        "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
+    }
+
+
+def _of_streaming(rows):
+    seconds = {row["what"]: row["seconds"] for row in rows}
+    allowed = 1.5 * seconds["solving"] + seconds["writing"]
+    memory = next(row["resident_memory_MB"] for row in rows if row["what"] == "streaming")
+    return {"streaming": seconds["streaming"] / allowed, "memory": memory}

@@ -1,0 +1,51 @@
+"""What it saves that nothing is computed which a scene does not require."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from thirdbody.accuracy.classes import HEAVIEST, random_conditions
+from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds
+from thirdbody.interface import solve
+from thirdbody.parameters import Parameters
+
+# what is left out: the class of points that remains
+LEFT_OUT = {
+    "nothing": HEAVIEST,
+    "film": HEAVIEST._replace(medium="dry"),
+    "particles": HEAVIEST._replace(bodies="two_body"),
+    "film and particles": HEAVIEST._replace(medium="dry", bodies="two_body"),
+}
+COPIES = 10  # of each point, where equal points are to be solved once
+
+
+def omission_rows(parameters: Parameters, budget) -> list[dict]:
+    """Rows of the table ``omissions``: time of a point where something is left out, and its share
+    of the time of a point with everything; ``budget`` as in ``config/accuracy.yaml``."""
+    settings = budget["omissions"]
+
+    def seconds(given):
+        def run():
+            solve(**given, parameters=parameters, rtol=settings["rtol"])
+
+        run()  # prepares the surface
+        return median_seconds(run, budget["repeats"])
+
+    count = settings["points"]
+    times = {
+        name: seconds(random_conditions(kind, count, parameters)) for name, kind in LEFT_OUT.items()
+    }
+    few = random_conditions(HEAVIEST, count // COPIES, parameters)
+    times[f"{COPIES - 1} of {COPIES} equal points"] = seconds(
+        {name: np.tile(values, COPIES) for name, values in few.items()}
+    )
+    return [
+        {
+            "left_out": name,
+            "points": count,
+            "rtol": settings["rtol"],
+            "microseconds_per_point": MICROSECONDS * time / count,
+            "share": time / times["nothing"],
+        }
+        for name, time in times.items()
+    ]

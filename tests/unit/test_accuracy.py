@@ -1,0 +1,170 @@
+"""What measures the accuracy is itself right: errors, verdicts, baselines, times."""
+
+import itertools
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots, load_plain_model
+from thirdbody.accuracy.classes import CLASSES, ROUGHNESS, SPANS, random_conditions
+from thirdbody.accuracy.errors import error_rows
+from thirdbody.accuracy.extremes import beyond_float64, judge_extremes, verdict
+from thirdbody.accuracy.library import solutions
+from thirdbody.accuracy.measuring import median_seconds, peak_megabytes, wall_seconds
+from thirdbody.accuracy.points import (
+    VARIABLES,
+    grouped,
+    read_rows,
+    relative_error,
+    relative_errors,
+)
+from thirdbody.accuracy.streams import stream_rows
+from thirdbody.interface import TABLE_WORTH
+
+ROOT = Path(__file__).parents[2]
+GOLDEN = ROOT / "tests" / "golden"
+USUAL = [kind for kind in CLASSES if kind.span == "usual"]
+
+
+@pytest.fixture(scope="module")
+def plain():
+    return load_plain_model(ROOT / "verification" / "plain_model.py")
+
+
+# ---- errors
+
+
+def test_a_relative_error_is_relative_and_never_nan():
+    expected = np.array([2.0, 0.0, 0.0, 1.0, 1e-320, -4.0])
+    value = np.array([2.2, 0.0, 1e-320, np.nan, 0.0, -3.0])
+    error = relative_error(value, expected)
+    np.testing.assert_allclose(error, [0.1, 0.0, 0.0, np.inf, 0.0, 0.25])
+    assert relative_error(np.array(1e-300), np.array(0.0)) > 1.0
+
+
+def test_golden_points_are_grouped_by_what_they_share():
+    rows = read_rows(GOLDEN / "accuracy_points.csv")
+    groups = grouped(rows)
+    assert sum(len(group.rows) for group in groups) == len(rows) >= 500
+    for group in groups:
+        assert len(set(group.conditions["roughness"])) == 1
+        assert all(values.shape == (len(group.rows),) for values in group.expected.values())
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-6])
+def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypatch):
+    rows = read_rows(GOLDEN / "accuracy_points.csv")[:64]
+    solve = tb.solve
+
+    def spoilt(**given):
+        solution = solve(**given)
+        return SimpleNamespace(
+            **{name: getattr(solution, name) * (1.0 + off) for name in VARIABLES},
+            solution_status=solution.solution_status,
+        )
+
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", spoilt)
+    table = [row for row in error_rows(rows, [1e-9], plain) if row["method"] == "library"]
+    assert {row["variable"] for row in table} == set(VARIABLES)
+    for row in table:
+        nothing = row["variable"] in ("particle_contact_area_ratio", "fluid_load_fraction")
+        assert abs(row["largest_error"] - off * (not nothing)) < 1e-9
+        assert row["beyond_rtol"] == (row["points"] if off and not nothing else 0)
+
+
+def test_golden_points_are_solved_by_quadrature_and_by_tables(monkeypatch):
+    prepared = []
+
+    def noted(*given, **more):
+        prepared.append(given[0].size if given else more["load"].size)
+        return tb.solve(*given, **more)
+
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", noted)
+    (group, *_) = grouped(read_rows(GOLDEN / "accuracy_points.csv"))
+    alone, among = solutions(group, 1e-3)
+    assert prepared[0] < TABLE_WORTH <= prepared[1] - prepared[0]
+    assert alone.separation.shape == among.separation.shape == (len(group.rows),)
+    assert not np.array_equal(alone.separation, among.separation)
+    np.testing.assert_allclose(alone.separation, among.separation, rtol=1e-3)
+
+
+# ---- baselines
+
+
+@pytest.mark.parametrize("kind", USUAL, ids="-".join)
+def test_the_baselines_solve_the_same_equations(kind, parameters, plain):
+    given = random_conditions(kind, 6, parameters)
+    best = tb.solve(**given, parameters=parameters, rtol=1e-11)
+    expected = {name: getattr(best, name) for name in VARIABLES}
+    nested = relative_errors(NestedRoots(plain, parameters).solve(**given), expected)
+    assert max(errors.max() for errors in nested.values()) < 1e-9
+    solver = ElementwiseRoots(parameters, ROUGHNESS["usual"][0], 1e-9)
+    elementwise = relative_errors(solver.solve(**given), expected)
+    # its nodes hold for d up to six deviations of the summits, which some points exceed
+    assert np.median(np.stack(list(elementwise.values()))) < 1e-8
+
+
+def test_a_baseline_says_nan_where_it_finds_nothing(parameters, plain):
+    given = dict(load=1.0, viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0)
+    given = {name: np.array([value]) for name, value in given.items()}
+    assert np.isnan(NestedRoots(plain, parameters).solve(**given).separation).all()
+    assert np.isnan(ElementwiseRoots(parameters, 3e-7, 1e-9).solve(**given).separation).all()
+
+
+# ---- classes, verdicts, measures
+
+
+@pytest.mark.parametrize("kind", CLASSES, ids="-".join)
+def test_the_points_of_a_class_are_what_its_name_says(kind, parameters):
+    given = random_conditions(kind, 100, parameters)
+    assert (given["viscosity"] > 0.0).all() == (kind.medium == "lubricated")
+    assert (given["particle_diameter"] > 0.0).all() == (kind.bodies == "three_body")
+    newtons = given["load"] * parameters.newtons_per_load
+    low, high = SPANS[kind.span]["normal_load"]
+    assert (low <= newtons).all() and (newtons <= high).all()
+    again, other = (random_conditions(kind, 100, parameters, seed) for seed in (4, 5))
+    assert np.array_equal(given["load"], again["load"])
+    assert not np.array_equal(given["load"], other["load"])
+
+
+@pytest.mark.parametrize(
+    ("status", "error", "conditioning", "expected"),
+    [
+        ("converged", 1e-10, "0.1", "right"),
+        ("converged", 1e-8, "0.1", "wrong"),
+        ("not_converged", 0.0, "0.1", "wrong"),
+        ("not_converged", 0.0, "1e7", "refused: not_converged"),
+        ("converged", 1e-8, "1e7", "wrong"),
+        ("not_converged", 0.0, "1e-8", "refused: not_converged"),
+        ("not_converged", 0.0, "", "wrong"),
+    ],
+)
+def test_only_what_float64_cannot_resolve_may_be_refused(status, error, conditioning, expected):
+    row = {"status": "converged", "gap_conditioning": conditioning}
+    assert verdict(row, status, error, 1e-9) == expected
+    assert beyond_float64(row, 1e-9) == (conditioning in ("1e7", "1e-8"))
+
+
+def test_a_warning_makes_a_point_wrong(monkeypatch):
+    rows = read_rows(GOLDEN / "extremes.csv")[:1]
+    monkeypatch.setattr("thirdbody.accuracy.library.solve", lambda **_: np.log(np.zeros(1)))
+    (found,) = judge_extremes(rows, 1e-9)
+    assert found["verdict"].startswith("wrong: RuntimeWarning")
+
+
+def test_times_and_memory_are_those_of_the_function():
+    waits = itertools.cycle([0.05, 0.0, 0.0])
+    assert median_seconds(lambda: time.sleep(next(waits)), 3) < 0.02
+    assert 0.02 <= wall_seconds(lambda: time.sleep(0.02)) < 1.0
+    assert 80.0 < peak_megabytes(lambda: np.ones(10**7)) < 81.0
+
+
+def test_a_grid_without_room_is_refused_before_it_is_solved(parameters, tmp_path):
+    values = {"load": 10**5, "viscosity": 10**5, "particle_diameter": 100, "particle_density": 100}
+    with pytest.raises(OSError, match="MB of free space"):
+        stream_rows(parameters, {"values": values, "rtol": 1e-3}, tmp_path)
+    assert not list(tmp_path.iterdir())

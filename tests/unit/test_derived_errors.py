@@ -1,0 +1,89 @@
+"""Turning points, windows and transitions: the error made is at most the error asked for, on few loads too."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.transitions import LIMITS, transitions
+from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+RTOLS = [10.0**-power for power in range(2, 11)]
+BEST = 1e-11
+FEW, MANY = 12, 200  # loads of a curve: two in a decade and a half, and what results may not depend on
+# viscosity, diameter, roughness, density of curves with turning points and transitions
+CURVES = np.array(
+    [
+        [0.0, 25e-6, 90e-6, 120e-6, 0.0, 0.0],
+        [300e-9, 300e-9, 300e-9, 300e-9, 500e-9, 100e-9],
+        [300e-9, 300e-9, 300e-9, 300e-9, 500e-9, 100e-9],
+        [1e11, 1e11, 1e11, 1e11, 1e11, 1e11],
+    ]
+)
+
+
+def span(count, parameters):
+    """``count`` loads over the range of Table 2."""
+    return np.geomspace(0.04, 80.0, count) / parameters.newtons_per_load
+
+
+@cache
+def turning(count, parameters, rtol):
+    separation = tb.solve(span(count, parameters)[:, None], *CURVES, parameters, rtol).separation
+    return turning_points(separation, *CURVES, parameters, rtol)
+
+
+@pytest.mark.parametrize("rtol", RTOLS)
+def test_turning_points_on_few_loads(parameters, rtol):
+    found, best = turning(FEW, parameters, rtol), turning(MANY, parameters, BEST)
+    assert np.isfinite(best.load).sum() >= 4
+    for name in ("load", "peak_ratio", "solid_load_fraction", "separation"):
+        value, reference = getattr(found, name), getattr(best, name)
+        np.testing.assert_allclose(value, reference, rtol=rtol + BEST, err_msg=name)
+    error = np.abs(found.load - best.load)
+    assert (error <= found.load_error + best.load_error)[np.isfinite(error)].all()
+
+
+@cache
+def window(count, parameters, rtol):
+    loads = span(2, parameters)
+    search = WindowSearch(np.linspace(0.6, 1.6, 15), count, tolerance=0.1 * rtol, rtol=rtol)
+    return turning_point_window(search, 300e-9, 1e11, loads, parameters)
+
+
+@pytest.mark.parametrize("rtol", RTOLS)
+@pytest.mark.parametrize("end", ["low", "high"])
+def test_the_ends_of_a_window_on_few_loads(parameters, rtol, end):
+    found, best = window(FEW, parameters, rtol), window(MANY, parameters, BEST)
+    error = abs(getattr(found, end) - getattr(best, end))
+    assert error <= (rtol + BEST) * getattr(best, end)
+    assert error <= getattr(found, f"{end}_error") + getattr(best, f"{end}_error")
+
+
+@cache
+def crossings(count, parameters, rtol):
+    """Loads and their error bounds of all transitions of all curves."""
+    load = span(count, parameters)
+    solution = tb.solve(load[:, None], *CURVES, parameters, rtol)
+    found = [
+        transitions(load, getattr(solution, quantity), CURVES, quantity, level, parameters, rtol)
+        for quantity, level in LIMITS
+    ]
+    columns = [np.lexsort((column[1], column[0])) for column in found]
+    return tuple(
+        np.concatenate([column[index][order] for column, order in zip(found, columns, strict=True)])
+        for index in (0, 1, 2)
+    )
+
+
+@pytest.mark.parametrize("rtol", RTOLS)
+def test_transition_loads_on_few_loads(parameters, rtol):
+    curve, load, error = crossings(FEW, parameters, rtol)
+    best_curve, best_load, best_error = crossings(MANY, parameters, BEST)
+    assert curve.size >= 4
+    assert np.array_equal(curve, best_curve)
+    np.testing.assert_allclose(load, best_load, rtol=rtol + BEST)
+    assert (np.abs(load - best_load) <= error + best_error).all()

@@ -1,0 +1,97 @@
+"""Numbers in the pages: exact where the results are, up to a factor where a machine is measured."""
+
+import runpy
+from pathlib import Path
+
+import pytest
+
+from thirdbody.accuracy.classes import CLASSES
+from thirdbody.tables import TABLES, write_csv
+
+TOOL = Path(__file__).parents[2] / "tools" / "readme_numbers.py"
+BLOCK = "<!-- accuracy -->\n{}\n<!-- /accuracy -->\n"
+
+
+@pytest.fixture
+def tool():
+    """The tool's names; its functions see what is changed in them."""
+    return runpy.run_path(TOOL)["main"].__globals__
+
+
+def write_results(folder, rtols, microseconds):
+    """Tables of an accuracy run in which every error is a tenth of what is asked for."""
+    given = [("library", rtol) for rtol in rtols] + [("nested_roots", None)]
+    rows = [
+        {"method": method, "rtol": rtol, **kind._asdict()} for method, rtol in given for kind in CLASSES
+    ]
+    filled = {
+        "variable": "separation",
+        "points": 64,
+        "unsolved": 0,
+        "beyond_rtol": 0,
+        "percentile_99_error": 0.0,
+        "setup_seconds": None,
+        "peak_memory_MB": None,
+    }
+    errors = [{**row, **filled, "largest_error": 0.1 * (row["rtol"] or 0.0)} for row in rows]
+    cost = {"library": microseconds, "nested_roots": 2e3}
+    times = [{**row, **filled, "microseconds_per_point": cost[row["method"]]} for row in rows]
+    write_csv(folder / "errors.csv", errors, TABLES["errors"])
+    write_csv(folder / "times.csv", times, TABLES["times"])
+
+
+@pytest.mark.parametrize(
+    ("page", "run", "same"),
+    [
+        ("takes 1.2 µs", "takes 1.2 µs", True),
+        ("takes 1.2 µs", "takes  3.5 µs", True),
+        ("takes 1.2 µs", "takes 3.7 µs", False),
+        ("takes 1.2 µs", "took 1.2 µs", False),
+        ("1e-05 of 0", "2e-05 of 0", True),
+        ("1e-05 of 0", "1e-04 of 0", False),
+        ("1e-05 of 0", "1e-05 of 1", False),
+        ("1 and 2", "1 and", False),
+    ],
+)
+def test_texts_agree_if_their_words_do_and_their_numbers_nearly(tool, page, run, same):
+    assert tool["agree"](page, run) == same
+
+
+def test_the_page_tells_what_each_rtol_costs_and_buys(tool, tmp_path):
+    tool["ACCURACY"] = tmp_path
+    write_results(tmp_path, [1e-3, 1e-6, 1e-9, 1e-11], 0.5)
+    assert tool["is_measured"]()
+    header, _, *lines, empty, sentence = tool["accuracy_block"]().splitlines()
+    assert [line.split("|")[1].strip() for line in lines] == ["0.001", "1e-06", "1e-09", "1e-11"]
+    assert [line.split("|")[3].strip() for line in lines] == ["0.5"] * 4
+    assert lines[2].split("|")[4].strip() == "1e-10"
+    assert "2.0 ms: 4000 times" in sentence
+    assert header.count("|") == 6 and empty == ""
+
+
+def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, capsys):
+    page = tmp_path / "page.md"
+    page.write_text(BLOCK.format("old"), encoding="utf-8")
+    tool.update(ACCURACY=tmp_path, PAGES=[page], BLOCKS={})
+    for rtols in ([], [1e-3]):
+        if rtols:
+            write_results(tmp_path, rtols, 0.5)
+        assert tool["main"](["--write"]) == 0
+        assert page.read_text(encoding="utf-8") == BLOCK.format("old")
+        assert "snakemake -c2 accuracy" in capsys.readouterr().out
+
+
+def test_a_page_is_stale_if_the_run_says_something_else(tool, tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(BLOCK.format("old"), encoding="utf-8")
+    tool.update(ACCURACY=tmp_path, PAGES=[page], BLOCKS={})
+    write_results(tmp_path, list(tool["USES"]), 0.5)
+    assert tool["main"]([]) == 1
+    tool["main"](["--write"])
+    written = page.read_text(encoding="utf-8")
+    assert "| 0.5 " in written
+    write_results(tmp_path, list(tool["USES"]), 0.8)
+    assert tool["main"]([]) == 0
+    write_results(tmp_path, list(tool["USES"]), 5.0)
+    assert tool["main"]([]) == 1
+    assert page.read_text(encoding="utf-8") == written

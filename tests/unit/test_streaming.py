@@ -1,0 +1,71 @@
+"""A streamed grid is the grid, in whatever blocks, and there is no half of a file."""
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody import streaming
+from thirdbody.dataset import read_dataset
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+AXES = {
+    "load": np.geomspace(1e-6, 1e-3, 7),
+    "viscosity": [0.0, 9e-5],
+    "particle_diameter": [0.0, 3e-7, 5e-7],
+    "roughness": [1e-7, 3e-7],
+    "particle_density": [1e10, 1e11, 1e12],
+}
+
+
+@pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
+def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, points):
+    monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", points)
+    tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6)
+    streamed, grid = read_dataset(tmp_path / "grid.nc"), tb.grid(**AXES, parameters=parameters, rtol=1e-6)
+    assert streamed.attrs == grid.attrs
+    assert dict(streamed.sizes) == dict(grid.sizes)
+    for name, expected in grid.variables.items():
+        # points in other company: sums in another order
+        np.testing.assert_allclose(streamed[name].values, expected.values, rtol=1e-12, err_msg=name)
+        for attribute in set(expected.attrs) - {"_FillValue"}:
+            assert np.all(streamed[name].attrs[attribute] == expected.attrs[attribute])
+
+
+@pytest.mark.parametrize("shape", [(1,), (7, 2, 3), (5, 4, 3, 2, 6), (1, 1, 9)])
+@pytest.mark.parametrize("points", [1, 2, 7, 12, 1000])
+def test_blocks_cover_an_array_once_in_pieces_of_bounded_size(shape, points):
+    lengths = streaming.block_lengths(shape, points)
+    assert np.prod(lengths) <= points
+    seen = np.zeros(shape, dtype=int)
+    for block in streaming.blocks(shape, lengths):
+        seen[block] += 1
+    assert (seen == 1).all()
+
+
+def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
+    calls = iter(range(3))
+
+    def failing(*given, **more):
+        if next(calls) == 2:
+            raise OSError("no room")
+        return tb.solve(*given, **more)
+
+    monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", 50)
+    monkeypatch.setattr(streaming, "solve", failing)
+    with pytest.raises(OSError, match="no room"):
+        tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("name", "bad"), [("load", [2.0, 1.0]), ("roughness", [0.0])])
+def test_a_bad_axis_is_refused_by_name_and_leaves_no_file(parameters, tmp_path, name, bad):
+    with pytest.raises(ValueError, match=name):
+        tb.stream(tmp_path / "grid.nc", **(AXES | {name: bad}), parameters=parameters)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_bad_rtol_is_refused(parameters, tmp_path):
+    with pytest.raises(ValueError, match="rtol"):
+        tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1.0)
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,184 @@
+# Accuracy: `snakemake -c2 accuracy`, not part of the default run.  What is timed runs alone: it
+# takes all of the resource `quiet`, of which profiles/default gives every other job a share.
+import sys
+
+from thirdbody.configuration import read_valid
+
+try:
+    ACCURACY = read_valid(settings["accuracy"], "config/accuracy.schema.yaml")
+except ValueError as error:
+    sys.exit(f"{error}")
+
+
+rule measure_errors:
+    input:
+        points="tests/golden/accuracy_points.csv",
+        plain="verification/plain_model.py",
+        modules=import_closure("workflow/scripts/measure_errors.py"),
+    output:
+        errors="results/accuracy/errors.csv",
+    log:
+        "logs/measure_errors.log",
+    benchmark:
+        "benchmarks/measure_errors.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        rtol=ACCURACY["rtol"],
+    message:
+        "Measuring errors against multiple precision"
+    script:
+        "../scripts/measure_errors.py"
+
+
+rule judge_extremes:
+    input:
+        extremes="tests/golden/extremes.csv",
+        modules=import_closure("workflow/scripts/judge_extremes.py"),
+    output:
+        verdicts="results/accuracy/extremes.csv",
+    log:
+        "logs/judge_extremes.log",
+    benchmark:
+        "benchmarks/judge_extremes.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        rtol=ACCURACY["rtol"],
+    message:
+        "Judging every extreme"
+    script:
+        "../scripts/judge_extremes.py"
+
+
+rule time_classes:
+    input:
+        plain="verification/plain_model.py",
+        modules=import_closure("workflow/scripts/time_classes.py"),
+    output:
+        times="results/accuracy/times.csv",
+    log:
+        "logs/time_classes.log",
+    benchmark:
+        "benchmarks/time_classes.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    resources:
+        quiet=100,
+    params:
+        budget=ACCURACY,
+        parameters=settings["parameters"],
+    message:
+        "Timing every class of points"
+    script:
+        "../scripts/time_classes.py"
+
+
+rule time_sweeps:
+    input:
+        modules=import_closure("workflow/scripts/time_sweeps.py"),
+    output:
+        omissions="results/accuracy/omissions.csv",
+        scaling="results/accuracy/scaling.csv",
+    log:
+        "logs/time_sweeps.log",
+    benchmark:
+        "benchmarks/time_sweeps.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    resources:
+        quiet=100,
+    params:
+        budget=ACCURACY,
+        parameters=settings["parameters"],
+    message:
+        "Timing omissions, sizes and processes"
+    script:
+        "../scripts/time_sweeps.py"
+
+
+rule time_streaming:
+    input:
+        modules=import_closure("workflow/scripts/time_streaming.py"),
+    output:
+        table="results/accuracy/streaming.csv",
+    log:
+        "logs/time_streaming.log",
+    benchmark:
+        "benchmarks/time_streaming.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    resources:
+        quiet=100,
+    params:
+        settings=ACCURACY["streaming"],
+        parameters=settings["parameters"],
+    message:
+        "Timing a grid that is streamed to a file"
+    script:
+        "../scripts/time_streaming.py"
+
+
+rule gather_accuracy:
+    input:
+        errors="results/accuracy/errors.csv",
+        extremes="results/accuracy/extremes.csv",
+        times="results/accuracy/times.csv",
+        scaling="results/accuracy/scaling.csv",
+        streaming="results/accuracy/streaming.csv",
+        modules=import_closure("workflow/scripts/gather_accuracy.py"),
+    output:
+        dataset="results/accuracy/accuracy.nc",
+        bars="results/accuracy/bars.csv",
+        text="results/accuracy/bars.md",
+    log:
+        "logs/gather_accuracy.log",
+    benchmark:
+        "benchmarks/gather_accuracy.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    message:
+        "Gathering errors and times"
+    script:
+        "../scripts/gather_accuracy.py"
+
+
+rule render_accuracy:
+    input:
+        errors="results/accuracy/errors.csv",
+        times="results/accuracy/times.csv",
+        style="styles/paper.mplstyle",
+        modules=import_closure("workflow/scripts/render_accuracy.py"),
+    output:
+        multiext("results/figures/accuracy", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+    log:
+        "logs/render_accuracy.log",
+    benchmark:
+        "benchmarks/render_accuracy.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    message:
+        "Drawing errors against times"
+    script:
+        "../scripts/render_accuracy.py"
+
+
+rule accuracy:
+    input:
+        "results/accuracy/errors.csv",
+        "results/accuracy/extremes.csv",
+        "results/accuracy/times.csv",
+        "results/accuracy/omissions.csv",
+        "results/accuracy/scaling.csv",
+        "results/accuracy/streaming.csv",
+        "results/accuracy/bars.csv",
+        "results/accuracy/bars.md",
+        "results/accuracy/accuracy.nc",
+        multiext("results/figures/accuracy", ".svg", ".pdf", ".png", ".csv"),

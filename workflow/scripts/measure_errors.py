@@ -1,0 +1,27 @@
+"""Errors of the library and of the baselines at points known in multiple precision."""
+
+from thirdbody.accuracy.baselines import load_plain_model
+from thirdbody.accuracy.errors import error_rows
+from thirdbody.accuracy.points import read_rows
+from thirdbody.files import logged, whole
+from thirdbody.tables import TABLES, write_csv
+
+
+def measure(points, plain, rtols, errors):
+    """Write the errors at the golden ``points`` for each of ``rtols``; ``plain`` is the file of
+    the plain equations."""
+    rows = error_rows(read_rows(points), rtols, load_plain_model(plain))
+    with whole(errors) as part:
+        write_csv(part, rows, TABLES["errors"])
+    worst = max(row["largest_error"] / row["rtol"] for row in rows if row["method"] == "library")
+    print(f"largest error of the library over the error asked for: {worst:.3g}")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        measure(
+            snakemake.input.points,
+            snakemake.input.plain,
+            snakemake.params.rtol,
+            snakemake.output.errors,
+        )

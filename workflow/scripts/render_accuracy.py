@@ -1,0 +1,29 @@
+"""Draw errors against times; nothing is measured here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.figures.accuracy import plot
+from thirdbody.figures.saving import save
+from thirdbody.files import logged
+from thirdbody.tables import TABLES, read_csv
+
+
+def render(errors, times, style, stem):
+    """Draw both tables in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    tables = read_csv(errors, TABLES["errors"]), read_csv(times, TABLES["times"])
+    with matplotlib.style.context(style, after_reset=True):
+        save(plot(*tables), stem)
+    print(f"{len(tables[1])} points drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.input.errors,
+            snakemake.input.times,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )

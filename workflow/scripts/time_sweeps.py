@@ -1,0 +1,26 @@
+"""Times of the heaviest class: with something left out, in any number, in several processes."""
+
+from thirdbody.accuracy.omissions import omission_rows
+from thirdbody.accuracy.scaling import scaling_rows
+from thirdbody.files import logged, whole
+from thirdbody.parameters import Parameters
+from thirdbody.tables import TABLES, write_csv
+
+
+def measure(budget, parameters, omissions, scaling):
+    """Write the times that ``budget`` asks for as the tables ``omissions`` and ``scaling``."""
+    inputs = Parameters(**parameters)
+    with whole(omissions, scaling) as (omissions_part, scaling_part):
+        write_csv(omissions_part, omission_rows(inputs, budget), TABLES["omissions"])
+        write_csv(scaling_part, scaling_rows(inputs, budget), TABLES["scaling"])
+    print("both tables written")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        measure(
+            snakemake.params.budget,
+            snakemake.params.parameters,
+            snakemake.output.omissions,
+            snakemake.output.scaling,
+        )
