@@ -14,10 +14,11 @@ from scipy.special import log_expit
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
 from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
-from thirdbody.roots import EPSILON, NOISE, decreasing_roots
+from thirdbody.roots import NOISE, decreasing_roots
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 TINY = np.finfo(float).tiny
+ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
 
 
 @dataclass(frozen=True)
@@ -69,7 +70,7 @@ class Points:
         value, slope = self.rough.log_load(self.rough.summit_separation(separation))
         slope = slope / self.rough.surface.summit_deviation
         if self.particles is None:
-            return value, slope, slope
+            return value, slope, np.where(value > FULL, slope, 0.0)
         area, area_slope, *coverage = self.particles.contact(separation)
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         value = value + log_bare
@@ -157,7 +158,7 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
     def residual(x, some):
         value, slope, steepest = some.log_solid_load(x * scale)
         gain = np.maximum(-steepest * scale, 1.0 / x)
-        return value - some.log_load, slope * scale, gain
+        return value - some.log_load, slope * scale, gain, 0.0
 
     guess = first_separation(points) / scale
     roots, error, condition = decreasing_roots(
@@ -182,11 +183,13 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         value, slope, steepest = some.log_solid_load(separation)
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
-        gain = np.maximum(solid * steepest * widening, 1.0)
+        shares = y > -LOGIT_LIMIT  # else L_s is zero in float64
+        gain = np.maximum(solid * steepest * widening, shares)
         return (
             value - some.log_load - log_solid,
             -solid * slope * widening - (1.0 - solid),
             gain,
+            ROUNDED_GAP * (1.0 - steepest * separation),
         )
 
     guess = _first_logit(points)
@@ -227,7 +230,7 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     log_solid -= points.log_load
     boundary = ~(log_solid < 0.0)
     logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
-    error = EPSILON * (1.0 - steepest * separation)
+    error = ROUNDED_GAP * (1.0 - steepest * separation)
     # L_f = 1 - L_s is what suffers most
     condition = np.maximum(np.exp(logit), 1.0)
     found = Balance(logit, separation, error + NOISE * condition, condition)

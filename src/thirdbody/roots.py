@@ -15,9 +15,9 @@ NOISE = 1e-14  # of a residual that is a difference of logarithms
 def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     """Elementwise root of a decreasing ``residual`` between ``lower`` and ``upper``.
 
-    ``residual(x, points)`` returns (value, slope, gain) for a 1-D array x and the points it
-    belongs to: ``gain`` is by how much, relative to itself, what is wanted of x changes with x at
-    the most.  ``points`` has ``take(chosen)``; a nan value counts as one beyond the root.
+    ``residual(x, points)`` returns (value, slope, gain, rounding) for a 1-D array x and the points
+    it belongs to: ``gain`` is by how much, relative to itself, what is wanted of x changes with x
+    at the most, ``rounding`` what its evaluation adds to its relative error.  ``points`` has ``take(chosen)``; a nan value counts as one beyond the root.
     ``guess`` and the finite bounds have one shape.  An element is finished once its next Newton
     step, and what the residual and the wanted change over it, would be below ``tolerance``, or
     its steps are rounding: steps shrink quadratically, and how fast shows in the last two.
@@ -33,7 +33,7 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
     least = np.full_like(guess, np.inf)
     for _ in range(MAX_ITERATIONS):
-        value, slope, gain = residual(x, points)
+        value, slope, gain, rounding = residual(x, points)
         slope = np.where(np.isfinite(slope), slope, 0.0)
         low, high = np.where(value > 0.0, x, low), np.where(value > 0.0, high, x)
         size, steepness = np.abs(value), np.abs(slope)
@@ -54,7 +54,7 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
         place = active[found]
         roots[place] = new[found]
         left_out = np.where(settled, coming, spacing)
-        errors[place] = ((left_out + noise) * gain)[found]
+        errors[place] = ((left_out + noise) * gain + rounding)[found]
         conditions[place] = (gain / steepness)[found]
         left = np.flatnonzero(~finished)
         if not left.size:

@@ -65,6 +65,7 @@ def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypa
         return SimpleNamespace(
             **{name: getattr(solution, name) * (1.0 + off) for name in VARIABLES},
             solution_status=solution.solution_status,
+            error_bound=solution.error_bound,
         )
 
     monkeypatch.setattr("thirdbody.accuracy.library.solve", spoilt)
@@ -132,21 +133,25 @@ def test_the_points_of_a_class_are_what_its_name_says(kind, parameters):
 
 
 @pytest.mark.parametrize(
-    ("status", "error", "conditioning", "expected"),
+    ("status", "error", "bound", "expected"),
     [
-        ("converged", 1e-10, "0.1", "right"),
-        ("converged", 1e-8, "0.1", "wrong"),
-        ("not_converged", 0.0, "0.1", "wrong"),
-        ("not_converged", 0.0, "1e7", "refused: not_converged"),
-        ("converged", 1e-8, "1e7", "wrong"),
-        ("not_converged", 0.0, "1e-8", "refused: not_converged"),
-        ("not_converged", 0.0, "", "wrong"),
+        ("converged", 1e-10, 2e-10, "right"),
+        ("converged", 1e-8, 2e-8, "wrong"),
+        ("not_converged", 1e-10, 2e-10, "wrong"),
+        ("not_converged", 1e-8, 2e-8, "refused: the error is below 2.0e-08 only"),
+        ("not_converged", 1e-8, 2e-9, "wrong"),
+        ("not_converged", np.nan, np.nan, "wrong"),
     ],
 )
-def test_only_what_float64_cannot_resolve_may_be_refused(status, error, conditioning, expected):
-    row = {"status": "converged", "gap_conditioning": conditioning}
-    assert verdict(row, status, error, 1e-9) == expected
-    assert beyond_float64(row, 1e-9) == (conditioning in ("1e7", "1e-8"))
+def test_a_refusal_must_give_a_bound_that_holds(status, error, bound, expected):
+    assert verdict({"status": "converged"}, status, error, bound, 1e-9) == expected
+
+
+@pytest.mark.parametrize(
+    ("conditioning", "beyond"), [("0.1", False), ("1e7", True), ("1e-8", True), ("", False)]
+)
+def test_conditioning_tells_what_float64_cannot_resolve(conditioning, beyond):
+    assert beyond_float64({"gap_conditioning": conditioning}, 1e-9) == beyond
 
 
 def test_a_warning_makes_a_point_wrong(monkeypatch):

@@ -27,6 +27,10 @@ POINT = {
 }
 # particles of next to no width: refused by the name of the input
 REFUSED = ("1e-09 dry", "1e-09 wet", "0 uncentred dry", "0 uncentred wet")
+# a film that bears 4e-299 of the load: its logarithm has few digits left for 1e-11
+REFUSED += ("x_a 1e+43, 0.01",)
+# next to rigid particles, which a gap in float64 does not resolve to 1e-9 with certainty
+REFUSED += ("psi 0.001 three-body wet",)
 REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
 
 
@@ -63,7 +67,6 @@ def test_each_extreme_is_right_or_says_why_not(item, rtol):
 NEARLY_CLOSED = [row for row in ROWS if nearly_closes(row)]
 
 
-@pytest.mark.xfail(reason="tables and tolerances do not follow the conditioning of a closing gap")
 @pytest.mark.parametrize("rtol", RTOLS)
 def test_a_gap_that_nearly_closes_is_right_too(rtol):
     rows = [row for row in NEARLY_CLOSED if not beyond_float64(row, rtol)]
@@ -71,7 +74,6 @@ def test_a_gap_that_nearly_closes_is_right_too(rtol):
     assert verdicts <= {"right"}
 
 
-@pytest.mark.xfail(reason="there is no status for what float64 cannot resolve", strict=True)
 @pytest.mark.parametrize("rtol", [1e-9, 1e-11])
 def test_what_rounding_makes_impossible_says_so(rtol):
     rows = [row for row in ROWS if beyond_float64(row, rtol)]
@@ -130,7 +132,8 @@ def test_no_point_harms_another(reading, rtol, way):
 @pytest.mark.parametrize("rtol", [1e-2, 1e-11])
 def test_a_number_or_a_status_over_the_whole_domain(reading, rtol, way):
     solution = solve(reading, rtol, **extreme_points(1000, seed=2))
-    solved = solution.solution_status < COVERED
+    solved = np.isfinite(solution.error_bound)
+    assert np.array_equal(solution.error_bound <= rtol, solution.solution_status < COVERED)
     for name in VARIABLES:
         values = getattr(solution, name)
         assert np.array_equal(np.isfinite(values), solved), name

@@ -31,7 +31,7 @@ def solved(function, roots, guess, lower, upper, tolerance=TOLERANCE):
     def residual(x, some):
         some.sizes.append(x.size)
         value, slope = function(x)
-        return value - some.value, slope, np.ones_like(x)
+        return value - some.value, slope, np.ones_like(x), 0.0
 
     ends = (np.full_like(roots, end) for end in (guess, lower, upper))
     return decreasing_roots(residual, *ends, tolerance, targets)[0], targets.sizes
@@ -85,7 +85,7 @@ def test_a_residual_that_stays_negative_has_no_root_at_any_tolerance(tolerance):
 
 def test_a_jump_over_zero_is_no_root():
     def jump(x, points):
-        return np.where(x < 0.25, 1.0, -1.0), np.zeros_like(x), np.ones_like(x)
+        return np.where(x < 0.25, 1.0, -1.0), np.zeros_like(x), np.ones_like(x), 0.0
 
     zero = np.zeros(1)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -141,7 +141,7 @@ def test_the_given_arrays_are_left_alone():
     targets = Targets(np.array([1.0, 2.0, 3.0]), [])
 
     def residual(x, some):
-        return -x - some.value, np.full_like(x, -1.0), np.ones_like(x)
+        return -x - some.value, np.full_like(x, -1.0), np.ones_like(x), 0.0
 
     decreasing_roots(residual, guess, lower, upper, TOLERANCE, targets)
     assert (guess == 5.0).all()
@@ -156,7 +156,7 @@ def test_what_is_wanted_is_as_exact_as_its_bound_says(gain):
 
     def residual(x, some):
         value, slope = exponential(x)
-        return value - some.value, slope, np.full_like(x, gain)
+        return value - some.value, slope, np.full_like(x, gain), 0.0
 
     start = np.zeros_like(roots)
     tolerance = 1e-6
@@ -174,7 +174,7 @@ def test_steps_as_small_as_rounding_end_the_search():
 
     def residual(x, some):
         value, slope = exponential(x)
-        return value - some.value, slope, np.full_like(x, 1e9)
+        return value - some.value, slope, np.full_like(x, 1e9), 0.0
 
     start = np.zeros_like(roots)
     found, error, _ = decreasing_roots(residual, start, start - 9.0, start + 9.0, 1e-9, targets)

@@ -167,7 +167,7 @@ class ElementwiseRoots:
     def __init__(self, parameters, roughness, rtol):
         surface = parameters.surface(roughness)
         self.parameters = parameters
-        self.rough = RoughSurface(surface, *node_sums(surface, parameters), None)
+        self.rough = RoughSurface(surface, *node_sums(surface, parameters), None, 0.0)
         self.tolerances = {"xatol": 0.1 * rtol, "xrtol": ROUNDING, "fatol": 0.0, "frtol": 0.0}
 
     def solve(self, **conditions):
@@ -210,7 +210,7 @@ class ElementwiseRoots:
         )
         x = np.where(found.success, found.x, np.nan)
         separation, log_solid = shares(points, x)
-        particles, log_summits, _ = points.areas(separation)
+        particles, log_summits = points.areas(separation)
         odds = np.log(particles) - log_summits
         fluid = np.zeros_like(x) if points.film is None else expit(-x)
         total = particles + np.exp(log_summits)

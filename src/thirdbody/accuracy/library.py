@@ -14,13 +14,13 @@ LIGHTER = 0.5, 0.99  # their loads over those of the golden points, so that no t
 
 
 def solutions(group: Group, rtol: float) -> list:
-    """Solutions of the points of ``group``, alone and in company, each with all of ``VARIABLES``
-    and ``solution_status`` as 1-D arrays."""
+    """Solutions of the points of ``group``, alone and in company, each with all of ``VARIABLES``,
+    ``solution_status`` and ``error_bound`` as 1-D arrays."""
     count = len(group.rows)
     company = {name: np.resize(column, count + COMPANY) for name, column in group.conditions.items()}
     company["load"][count:] *= np.linspace(*LIGHTER, COMPANY)
     alone, among = (
         solve(**given, parameters=group.parameters, rtol=rtol) for given in (group.conditions, company)
     )
-    names = (*VARIABLES, "solution_status")
+    names = (*VARIABLES, "solution_status", "error_bound")
     return [alone, SimpleNamespace(**{name: getattr(among, name)[:count] for name in names})]
