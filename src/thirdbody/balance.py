@@ -92,12 +92,15 @@ class Points:
         """F_sa/(A_sa E_ss): particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
         return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
 
-    def areas(self, separation):
-        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5)."""
+    def areas(self, separation, contact=None):
+        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5).
+
+        ``contact`` is that of the particles there, if it is known.
+        """
         log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits
-        area, _, *coverage = self.particles.contact(separation)
+        area, _, *coverage = contact or self.particles.contact(separation)
         log_bare, _ = log_bare_share(*coverage)
         return area, log_summits + log_bare
 
@@ -138,12 +141,14 @@ def first_separation(points: Points):
 class Balance:
     """Where the forces of 1-D points balance.
 
-    ``error`` bounds the relative error that solving and rounding leave in any variable, and
-    ``condition`` is how much a relative error of the solids' load is magnified there.
+    ``width`` [m] bounds the error that solving and rounding leave in the separation, ``error`` the
+    relative one in any variable, and ``condition`` is how much a relative error of the solids'
+    load is magnified there.
     """
 
     logit: np.ndarray  # ln(L_s/L_f) [1], infinite without a film
     separation: np.ndarray  # d [m], nan where nothing balances
+    width: np.ndarray
     error: np.ndarray
     condition: np.ndarray
 
@@ -161,10 +166,11 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         return value - some.log_load, slope * scale, gain, 0.0
 
     guess = first_separation(points) / scale
-    roots, error, condition = decreasing_roots(
+    roots, width, error, condition = decreasing_roots(
         residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points
     )
-    return Balance(np.full_like(roots, np.inf), scale * roots, error, condition)
+    dry = np.full_like(roots, np.inf)
+    return Balance(dry, scale * roots, scale * width, error, condition)
 
 
 def shared_balance(points: Points, tolerance: float) -> Balance:
@@ -195,9 +201,11 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     guess = _first_logit(points)
     lower = 1.1 * np.minimum(guess, 0.0) - 50.0
     upper = np.full_like(guess, LOGIT_LIMIT)
-    logit, error, condition = decreasing_roots(residual, guess, lower, upper, tolerance, points)
-    separation, _ = points.film_separation(log_expit(-logit))
-    return Balance(logit, separation, error, condition)
+    found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
+    logit, width, error, condition = found
+    separation, widening = points.film_separation(log_expit(-logit))
+    width = np.abs(widening) * width + ROUNDED_GAP * separation
+    return Balance(logit, separation, width, error, condition)
 
 
 def _first_logit(points: Points):
@@ -233,7 +241,8 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     error = ROUNDED_GAP * (1.0 - steepest * separation)
     # L_f = 1 - L_s is what suffers most
     condition = np.maximum(np.exp(logit), 1.0)
-    found = Balance(logit, separation, error + NOISE * condition, condition)
+    width = ROUNDED_GAP * separation
+    found = Balance(logit, separation, width, error + NOISE * condition, condition)
     if boundary.any():
         dry = dry_balance(points.take(boundary), tolerance)
         for name, values in vars(dry).items():

@@ -72,14 +72,14 @@ def solve(
 
 def _solved_parts(columns, parameters, rtol):
     """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
-    that magnify the error of a table beyond ``rtol`` come again, solved by quadrature."""
+    that magnify the errors of tables and roots beyond ``rtol`` come again, solved without."""
     for roughness, table_rtol, part in _parts(columns, rtol):
         rough = prepare_surface(roughness, parameters, table_rtol)
         points = make_points(rough, parameters, *(column[part] for column in columns))
         solved = SolvedPoints(points, rtol)
         yield part, solved
-        if table_rtol is not None and solved.table_fails.any():
-            again = np.flatnonzero(solved.table_fails)
+        if table_rtol is not None and solved.imprecise.any():
+            again = np.flatnonzero(solved.imprecise)
             rough = prepare_surface(roughness, parameters, None)
             exact = SolvedPoints(replace(points.take(again), rough=rough), rtol)
             yield np.arange(columns[0].size)[part][again], exact

@@ -151,13 +151,13 @@ class ParticleLayer:
             return log_bare_share(coverage, slope)
         return self.log_bare, 0.0
 
-    def leave_no_room(self, separation):
-        """Whether a coverage of Eqs. 4-5 reaches 1 at ``separation`` d [m], of its shape.
+    def leave_no_room(self, coverage):
+        """Whether a coverage of Eqs. 4-5 reaches 1 where that of ``contact`` is ``coverage``.
 
         The coverage of Eq. 5 counts the particles larger than d, that of Eq. 4 at least those.
         """
         if self.parameters.coverage_limits == "contacting":
-            return 1.0 - self.contact(separation)[2] <= np.finfo(float).eps
+            return 1.0 - coverage <= np.finfo(float).eps
         return self.log_bare < FULL
 
     def _truncated(self, alpha):

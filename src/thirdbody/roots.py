@@ -23,11 +23,11 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
     its steps are rounding: steps shrink quadratically, and how fast shows in the last two.
     Finished elements drop out.
 
-    Returns the roots, nan where the residual does not vanish between the bounds; a bound on the
-    relative error of what is wanted, from the steps left out and from rounding; and how much a
-    relative error of the residual is magnified in it.
+    Returns the roots, nan where the residual does not vanish between the bounds; how far off they
+    may be for the steps left out and for rounding; a bound on the relative error of what is
+    wanted; and how much a relative error of the residual is magnified in it.
     """
-    roots, errors, conditions = np.full((3, guess.size), np.nan)
+    roots, widths, errors, conditions = np.full((4, guess.size), np.nan)
     active = np.arange(guess.size)
     x, low, high = np.clip(guess, lower, upper), lower, upper
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
@@ -53,8 +53,9 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
         found = settled | finished & (size <= steepest)
         place = active[found]
         roots[place] = new[found]
-        left_out = np.where(settled, coming, spacing)
-        errors[place] = ((left_out + noise) * gain + rounding)[found]
+        width = np.where(settled, coming, spacing) + noise
+        widths[place] = width[found]
+        errors[place] = (width * gain + rounding)[found]
         conditions[place] = (gain / steepness)[found]
         left = np.flatnonzero(~finished)
         if not left.size:
@@ -63,4 +64,4 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
             points = points.take(left)
         columns = active, new, low, high, step, newton, size
         active, x, low, high, last, quadratic, least = (column[left] for column in columns)
-    return roots, errors, conditions
+    return roots, widths, errors, conditions

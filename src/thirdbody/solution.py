@@ -8,9 +8,10 @@ from functools import cached_property
 import numpy as np
 from scipy.special import expit, log_expit
 
-from thirdbody.balance import BALANCES, Points, dry_balance
+from thirdbody.balance import BALANCES, TINY, Points, dry_balance
 from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 
+LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
 TABLE_SHARE = 0.4  # of the error asked for: left by the tables
 NO_FLAG = np.int8(-1)  # regime and mode of a point without values
@@ -50,22 +51,36 @@ class SolvedPoints:
     """``points`` of one kind with the balance of their forces solved to ``rtol``.
 
     Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read;
-    ``table_fails`` marks the points that magnify the error of the summits' tables beyond ``rtol``.
+    ``imprecise`` marks the points that magnify the errors of tables and roots beyond ``rtol``.
+    Where there are no tables the roots are as good as float64 allows.
     """
 
     def __init__(self, points: Points, rtol: float):
         self.points = points
+        tabulated = points.rough.table_error > 0.0
         solve = dry_balance if points.film is None else BALANCES[points.parameters.film_load]
-        self._balance = solve(points, ROOT_SHARE * rtol)
-        table_error = points.rough.table_error
-        magnified = table_error * self._balance.condition
-        self.table_fails = magnified > TABLE_SHARE * rtol
-        self._error = self._balance.error + magnified + table_error
+        self._balance = solve(points, ROOT_SHARE * rtol if tabulated else LEAST_RTOL)
+        magnified = points.rough.table_error * (self._balance.condition + 1.0)
+        self._error = np.maximum(self._balance.error, self._onset_error()) + magnified
+        self.imprecise = (magnified > TABLE_SHARE * rtol) | (self._error > rtol)
         self.solution_status = self._status(rtol)
         self._void = np.isnan(self._balance.separation) | (
             self.solution_status == COVERAGE_EXCEEDED
         )
         self._complete = not self._void.any()
+
+    @cached_property
+    def _contact(self):
+        """That of the particles."""
+        return self.points.particles.contact(self._balance.separation)
+
+    def _onset_error(self):
+        """Relative error of the particles' area: where the largest begin to touch it rises so
+        steeply that its slope before the last step says little."""
+        if self.points.particles is None:
+            return 0.0
+        area, slope, *_ = self._contact
+        return np.where(area > TINY, -slope / area * self._balance.width, 0.0)
 
     def _status(self, rtol):
         """Index into ``SOLUTION_STATUSES``; what voids a point outranks a warning."""
@@ -77,7 +92,7 @@ class SolvedPoints:
             status[~meaningful] = OUTSIDE_FILM_FORMULA
         status[~(self._error <= rtol)] = NOT_CONVERGED
         if points.particles is not None:
-            status[points.particles.leave_no_room(balance.separation)] = COVERAGE_EXCEEDED
+            status[points.particles.leave_no_room(self._contact[2])] = COVERAGE_EXCEEDED
         return status
 
     def _valid(self, values, otherwise=np.nan):
@@ -91,7 +106,8 @@ class SolvedPoints:
     @cached_property
     def _areas(self):
         """A_sa/A_n and ln(A_ss/A_n)."""
-        particles, log_summits = self.points.areas(self._balance.separation)
+        contact = self.points.particles and self._contact
+        particles, log_summits = self.points.areas(self._balance.separation, contact)
         return self._valid(particles), self._valid(log_summits)
 
     @cached_property
