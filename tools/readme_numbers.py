@@ -112,7 +112,7 @@ def accuracy_block() -> str:
         for rtol, use in USES.items()
     ]
     slowest = cost("nested_roots", None)
-    ratio = slowest / cost("library", 1e-9)
+    ratio = float(f"{slowest / cost('library', 1e-9):.2g}")
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
         + f"\n\nA `quad` an integral and nested `brentq` a point take {slowest / 1e3:.1f} ms: {ratio:.0f} times "

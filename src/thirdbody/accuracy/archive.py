@@ -31,7 +31,7 @@ def accuracy_dataset(errors, times) -> xr.Dataset:
     variables = _arrays(errors, with_variables, "errors", OF_ERRORS)
     variables |= _arrays(times, axes, "times", OF_TIMES)
     coordinates = {
-        name: (name, values, {"long_name": COORDINATES[name]} | {"units": "1"})
+        name: (name, values, {"long_name": COORDINATES[name], "units": "1"})
         for name, values in with_variables.items()
     }
     attributes = {

@@ -88,7 +88,10 @@ class NestedRoots:
 
         if not point.dry and model["film_load"] == "total":
             d = self.plain.film_separation(math.log(load), model, point)
-            return d, solid(d) / load, 1.0 - solid(d) / load
+            share = solid(d) / load
+            if share < 1.0:
+                return d, share, 1.0 - share
+            point = point._replace(viscosity=0.0)  # thinner than the dry gap, it bears nothing
 
         def excess(d):
             fluid = 0.0 if point.dry else self._film_load(d, model, point)
@@ -162,7 +165,10 @@ def node_sums(surface, parameters, counts=(8, 22, 16)):
 
 class ElementwiseRoots:
     """Arrays of points of one kind on one surface: ``find_root`` for the logit of L_s, or d/sigma
-    where there is no film."""
+    where there is no film.
+
+    Films in the reading that W in Eq. 7 is of the total load have no root to find: nan.
+    """
 
     def __init__(self, parameters, roughness, rtol):
         surface = parameters.surface(roughness)
@@ -208,7 +214,8 @@ class ElementwiseRoots:
             residual, self._ends(points), args=(np.arange(points.log_load.size),),
             tolerances=self.tolerances,
         )
-        x = np.where(found.success, found.x, np.nan)
+        explicit = points.film is not None and self.parameters.film_load == "total"
+        x = np.where(found.success & (not explicit), found.x, np.nan)
         separation, log_solid = shares(points, x)
         particles, log_summits = points.areas(separation)
         odds = np.log(particles) - log_summits

@@ -10,11 +10,16 @@ from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
 # what is left out: the class of points that remains
-LEFT_OUT = {
+BODIES = {
     "nothing": HEAVIEST,
     "film": HEAVIEST._replace(medium="dry"),
     "particles": HEAVIEST._replace(bodies="two_body"),
     "film and particles": HEAVIEST._replace(medium="dry", bodies="two_body"),
+}
+# what is left out: the variables that remain
+VARIABLES = {
+    "all variables but L_s": ("solid_load_fraction",),
+    "all variables but A_t*": ("total_contact_area",),
 }
 COPIES = 10  # of each point, where equal points are to be solved once
 
@@ -23,22 +28,24 @@ def omission_rows(parameters: Parameters, budget) -> list[dict]:
     """Rows of the table ``omissions``: time of a point where something is left out, and its share
     of the time of a point with everything; ``budget`` as in ``config/accuracy.yaml``."""
     settings = budget["omissions"]
+    count = settings["points"]
 
-    def seconds(given):
+    def seconds(given, **wanted):
         def run():
-            solve(**given, parameters=parameters, rtol=settings["rtol"])
+            solve(**given, **wanted, parameters=parameters, rtol=settings["rtol"])
 
         run()  # prepares the surface
         return median_seconds(run, budget["repeats"])
 
-    count = settings["points"]
-    times = {
-        name: seconds(random_conditions(kind, count, parameters)) for name, kind in LEFT_OUT.items()
-    }
-    few = random_conditions(HEAVIEST, count // COPIES, parameters)
-    times[f"{COPIES - 1} of {COPIES} equal points"] = seconds(
-        {name: np.tile(values, COPIES) for name, values in few.items()}
+    every, tenth = (
+        random_conditions(HEAVIEST, size, parameters) for size in (count, count // COPIES)
     )
+    times = {
+        name: seconds(random_conditions(kind, count, parameters)) for name, kind in BODIES.items()
+    }
+    times |= {name: seconds(every, variables=wanted) for name, wanted in VARIABLES.items()}
+    copied = {name: np.tile(values, COPIES) for name, values in tenth.items()}
+    times[f"{COPIES - 1} of {COPIES} equal points"] = seconds(copied)
     return [
         {
             "left_out": name,

@@ -72,8 +72,9 @@ def _draw(panel, points, label, style):
 def _label(panel, points, colour):
     """The rtol asked for beside some of the points."""
     for rtol, x, y in (point for point in points if point[0] in LABELS):
-        place = {"xytext": (6, 0), "textcoords": "offset points", "va": "center"}
-        panel.annotate(power_text(rtol), (x, y), color=colour, fontsize=6, **place)
+        place = {"xytext": (7, 0), "textcoords": "offset points", "va": "center", "zorder": 5}
+        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.6}
+        panel.annotate(power_text(rtol), (x, y), color=colour, fontsize=6, bbox=paper, **place)
 
 
 def _frame(panel, title, times):
