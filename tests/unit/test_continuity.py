@@ -149,9 +149,7 @@ SWEEPS = {
 
 
 @pytest.mark.parametrize("rtol", RTOLS)
-@pytest.mark.parametrize(
-    "name", list(SWEEPS)
-)
+@pytest.mark.parametrize("name", list(SWEEPS))
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
 def test_no_jump_along_a_sweep(reading, monkeypatch, name, viscosity, rtol):
     """Tables, loose tolerances and branches leave the best solution by no more than ``rtol``."""
