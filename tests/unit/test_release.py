@@ -30,11 +30,13 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES, make_release
 
+from thirdbody.dataset import RELEASE_DATE
 from thirdbody.release.bag import files_in, seal
 from thirdbody.release.citation import Release
 from thirdbody.release.codecheck import codecheck_text, targets
 from thirdbody.release.datapackage import data_package, table_schema
 from thirdbody.release.provenance import provenance
+from thirdbody.release.sources import source_files
 from thirdbody.release.staging import whole_folder
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -110,21 +112,21 @@ def test_a_table_that_nothing_describes_is_refused(tmp_path):
         table_schema(tmp_path / "odd.csv")
 
 
-@pytest.fixture
-def terms(monkeypatch):
-    """The vocabulary of RO-Crate without the network: the edition that ``rocrate`` ships.
+@pytest.fixture(scope="module")
+def terms():
+    """The vocabulary of RO-Crate, and of schema.org in it: the edition that ``rocrate`` ships.
 
     In that edition the terms of Bioschemas lie one folder deeper than in 1.1.
     """
     text = files("rocrate").joinpath("data/ro-crate.jsonld").read_text(encoding="utf-8")
-    text = text.replace("https://bioschemas.org/terms/", "https://bioschemas.org/")
-    answer = SimpleNamespace(status_code=200, headers={"Content-Type": "application/ld+json"})
-    answer.json = lambda: json.loads(text)
-    monkeypatch.setattr(HttpRequester, "get", lambda *_, **__: answer, raising=False)
+    return json.loads(text.replace("https://bioschemas.org/terms/", "https://bioschemas.org/"))
 
 
 @pytest.mark.parametrize("profile", ["ro-crate-1.1", "workflow-run-crate-0.5"])
-def test_crate_is_valid(built, terms, profile):
+def test_crate_is_valid(built, terms, profile, monkeypatch):
+    answer = SimpleNamespace(status_code=200, headers={"Content-Type": "application/ld+json"})
+    answer.json = lambda: terms
+    monkeypatch.setattr(HttpRequester, "get", lambda *_, **__: answer, raising=False)
     found = validate(
         ValidationSettings(
             rocrate_uri=str(built / "data"),
@@ -180,10 +182,20 @@ def test_citation_is_valid(built, place):
     jsonschema.Draft7Validator(schema).validate(content)
 
 
-def test_codemeta_and_zenodo_describe_the_same_release(built, release):
+def test_codemeta_speaks_in_its_own_terms(built, terms):
+    """CodeMeta 3.0 takes its terms from schema.org, but for a few such as this one."""
+    known = terms["@context"].keys() | {"@context", "@type", "referencePublication"}
     codemeta = read_json(built / "data" / "codemeta.json")
     assert codemeta["@context"] == "https://w3id.org/codemeta/3.0"
     assert codemeta["@type"] == "SoftwareSourceCode"
+    used = [codemeta, codemeta["referencePublication"]]
+    used += codemeta["author"] + codemeta["softwareRequirements"]
+    assert {key for part in used for key in part} <= known
+    assert {part["@type"] for part in used} <= known
+
+
+def test_codemeta_and_zenodo_describe_the_same_release(built, release):
+    codemeta = read_json(built / "data" / "codemeta.json")
     zenodo = read_json(built / "data" / "zenodo.json")["metadata"]
     required = {"upload_type", "title", "creators", "description", "publication_date"}
     assert required | {"access_right", "license"} <= zenodo.keys()
@@ -191,6 +203,17 @@ def test_codemeta_and_zenodo_describe_the_same_release(built, release):
     assert zenodo["publication_date"] == codemeta["datePublished"] == release.date
     assert [one["name"] for one in zenodo["creators"]] == release.authors
     assert not (ROOT / ".zenodo.json").exists(), "Zenodo would ignore CITATION.cff"
+
+
+def test_datasets_are_dated_as_the_release(release):
+    assert release.date == RELEASE_DATE
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="not a clone")
+def test_the_sources_are_the_repository():
+    command = ["git", "ls-files", "--cached", "--others", "--exclude-standard"]
+    kept = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\n")
+    assert source_files() == sorted(name for name in kept if name and Path(name).exists())
 
 
 def test_codecheck_lists_the_targets_of_the_workflow(release):
