@@ -21,6 +21,7 @@ QUANTITIES = (
     "film_thickness",
 )
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
 UNSOLVED = ("coverage_exceeded", "not_converged")
 ROUNDING = 1e-14  # of sums and products of stored numbers
 EVALUATION = 1e-9  # of what follows from the stored separation by evaluating Eqs. 4, 5 and 7
@@ -82,7 +83,7 @@ def point_at(data, index):
     """The ``plain_model.Point`` at ``index``."""
     place = dict(zip(DIMENSIONS, index))
     conditions = (float(data.axes[name][place[name]]) for name in DIMENSIONS)
-    surface = (data.model[name][place["roughness"]] for name in ("eta_s", "R", "sigma_s", "y_s"))
+    surface = (data.model[name][place["roughness"]] for name in SUMMITS)
     return plain_model.Point(*conditions, *surface)
 
 
@@ -157,11 +158,22 @@ def solved(row, point, data):
         yield name, deviation(row[name], expected), data.tolerance
 
 
+def surface_findings(data):
+    """What is wrong between each roughness and its summits in the model."""
+    summits = zip(*(data.model[name] for name in SUMMITS))
+    for sigma, (density, radius, spread, offset) in zip(data.axes["roughness"], summits):
+        expected = plain_model.surface_roughness(density, radius, spread, offset)
+        if deviation(sigma, expected) > EVALUATION:
+            yield f"roughness {sigma:.6g} m is not that of the summits"
+        if offset and deviation(offset, plain_model.summit_plane(density, radius)) > EVALUATION:
+            yield f"y_s at roughness {sigma:.6g} m is not that of the summits"
+
+
 def check(path, count, rng):
     """The ``Outcome`` for the dataset ``path``: all points evaluated, ``count`` of them solved."""
     data = read(path)
     newtons = data.axes["load"] * data.model["A_n"] * data.model["E_ss"]
-    findings = []
+    findings = list(surface_findings(data))
     if any(deviation(*pair) > ROUNDING for pair in zip(data.axes["normal_load"], newtons)):
         findings.append("normal_load is not load A_n E_ss")
     sample = set(rng.sample(data.points, min(count, len(data.points))))
