@@ -235,6 +235,8 @@ def test_guide_names_every_dataset_quantity_and_column(built):
     with netCDF4.Dataset(built / "data/datasets/fig04.nc") as dataset:
         for name, variable in dataset.variables.items():
             assert f"| `{name}` | {variable.symbol} | {variable.units} |" in guide
+        for name in json.loads(dataset.model_parameters):
+            assert f"| `{name}` | " in guide
     for word in (*(f"`{name}.nc`" for name in SCENES), "`diameter_over_roughness`", "verification/verify.py"):
         assert word in guide
 
@@ -463,6 +465,13 @@ COORDINATES = (
     "particle_density",
     "normal_load",
 )
+
+
+def test_make_verify_looks_at_this_release(release):
+    command = ["make", "--dry-run", "verify"]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    folder = f"results/release/{release.full_name}"
+    assert told.endswith(f"python verification/verify.py {folder} --results results\n")
 
 
 def test_changed_number_is_found_though_all_sums_agree(copy, verify, release, tell):

@@ -31,7 +31,7 @@ BIOSCHEMAS = "https://bioschemas.org/profiles"
 # folders of products, in results/ as in an archive
 KINDS = {
     "datasets": "solved points, one file a figure",
-    "bands": "envelopes of the ensemble of calibrated inputs around the curves of each figure",
+    "bands": "lowest and highest value (_low, _high) of each quantity over calibrated inputs",
     "tables": "tables of the paper and what was extracted from the datasets",
     "figures": "figures, with the points drawn as CSV",
     "claims": "statements of the paper and their verdicts",

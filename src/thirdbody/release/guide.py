@@ -10,6 +10,36 @@ from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, Release
 from thirdbody.release.datapackage import DRAWN_POINTS, table_schema
 
+# unit and meaning of what the attribute ``model_parameters`` of a dataset holds
+MODEL = {
+    "E_ss": ("Pa", "composite elastic modulus of the two surfaces"),
+    "E_sa": ("Pa", "composite elastic modulus of a particle and a surface"),
+    "H_s1": ("Pa", "hardness of surface 1"),
+    "H_s2": ("Pa", "hardness of surface 2"),
+    "k": ("1", "mean pressure at first yield of a summit over H_s2"),
+    "omega_ratio": ("1", "interference of full plasticity over that of first yield"),
+    "R_x": ("m", "radius of the ball"),
+    "G": ("1", "material parameter of the film formula"),
+    "V": ("1", "hardness parameter of the film formula"),
+    "kappa": ("1", "ellipticity of the contact"),
+    "U_per_viscosity": ("s m-2", "speed parameter over kinematic viscosity"),
+    "A_n": ("m2", "apparent contact area"),
+    "eta_s": ("m-2", "summits per area"),
+    "R": ("m", "radius of the summits"),
+    "sigma_s": ("m", "standard deviation of the summits' heights"),
+    "y_s": ("m", "height of the summits' plane over the mean plane"),
+    "phi_a": ("", "reading of the size distribution: uncentred, centred, gap_convolved"),
+    "mean_ratio": ("1", "mean of the size distribution over x_a"),
+    "sigma_a_ratio": ("1", "spread of the size distribution over x_a"),
+    "gap_ratio": ("1", "spread of the gap over sigma, in the reading gap_convolved"),
+    "truncation": ("1", "largest particle: mean + truncation times spread"),
+    "participation": ("1", "share of the particles that carry load"),
+    "h_e_ratio": ("1", "elastic depth of a particle over x_a"),
+    "elastic_limits": ("", "sizes of elastic particles: below d (printed) or above it (physical)"),
+    "coverage_limits": ("", "particles that cover summits: all (printed) or contacting ones"),
+    "film_load": ("", "load in the film formula: that of the fluid, or the total"),
+}
+
 
 def guide(data: Path, kinds: dict[str, str], software: dict[str, str], release: Release) -> str:
     """The text; ``kinds`` are the titles of the folders of products in ``data``."""
@@ -150,7 +180,7 @@ _CHAPTERS = {"datasets": _datasets, "tables": _tables, "figures": _figures, "cla
 
 
 def _meaning(folder: Path) -> str:
-    """Coordinates and variables with their units, and the inputs, from the first dataset."""
+    """Coordinates and variables with their units, from the first dataset, and the inputs."""
     first = next(name for name in files_in(folder, folder) if name.endswith(".nc"))
     dataset = read_dataset(folder / first)
     variables = [
@@ -158,7 +188,10 @@ def _meaning(folder: Path) -> str:
         f"| {attrs.get('equation', '')} |"
         for name, attrs in ((name, dataset[name].attrs) for name in dataset.variables)
     ]
-    inputs = ", ".join(f"`{name}`" for name in json.loads(dataset.attrs["model_parameters"]))
+    inputs = [
+        f"| `{name}` | {MODEL[name][0]} | {MODEL[name][1]} |"
+        for name in json.loads(dataset.attrs["model_parameters"])
+    ]
     return "\n".join(
         [
             "## Quantities",
@@ -168,9 +201,13 @@ def _meaning(folder: Path) -> str:
             *variables,
             "",
             "Each dataset's attribute `model_parameters` is a JSON object of every number and reading",
-            "that its values depend on, in SI units; `eta_s`, `R`, `sigma_s` and `y_s` are lists along",
-            f"`roughness`: {inputs}.",
-            "`data/source/config/inputs.yaml` gives meaning, unit, source and bounds of each input.",
+            "that its values depend on; `eta_s`, `R`, `sigma_s` and `y_s` are lists along `roughness`.",
+            "Where each comes from is in `data/source/config/inputs.yaml` and",
+            "`data/source/docs/calibration.md`.",
+            "",
+            "| name | unit | meaning |",
+            "|---|---|---|",
+            *inputs,
             "",
         ]
     )
