@@ -123,6 +123,7 @@ def terms():
     return json.loads(text.replace("https://bioschemas.org/terms/", "https://bioschemas.org/"))
 
 
+@pytest.mark.filterwarnings("ignore:ConjunctiveGraph:DeprecationWarning")
 @pytest.mark.parametrize("profile", ["ro-crate-1.1", "workflow-run-crate-0.5"])
 def test_crate_is_valid(built, terms, profile, monkeypatch):
     answer = SimpleNamespace(status_code=200, headers={"Content-Type": "application/ld+json"})

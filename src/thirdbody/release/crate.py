@@ -163,7 +163,6 @@ def _context(software, release: Release) -> list[dict]:
                 "@type": "SoftwareApplication",
                 "name": name,
                 "version": number,
-                "url": _package(name, number),
             }
             for name, number in software.items()
         ),
@@ -171,7 +170,8 @@ def _context(software, release: Release) -> list[dict]:
 
 
 def _package(name, number) -> str:
-    return f"https://pypi.org/project/{name}/{number}/"
+    """Package URL (purl) of a Python package."""
+    return f"pkg:pypi/{name.lower()}@{number}"
 
 
 def _workflow(scripts, software, release: Release) -> dict:
