@@ -1,5 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
+# make verify      whether the release is whole, and the products are those that it holds
 # make overhead    the time of a clean run against that of the same jobs if they only import
 # make lock        renew the locked dependencies (needs uv)
 
@@ -8,9 +9,11 @@ CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
 
+VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
+
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test overhead lock format clean
+.PHONY: reproduce test verify overhead lock format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -31,6 +34,9 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/test.txt
 	touch $@
+
+verify: $(VENV)/workflow.done
+	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
 
 overhead: $(VENV)/test.done
 	$(BIN)/python tests/workflow/measure_overhead.py

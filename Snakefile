@@ -148,3 +148,6 @@ rule all:
         "results/claims/claims.md",
         "results/claims/conflict.csv",
         "results/accuracy/solver_cost.csv",
+
+
+include: "workflow/rules/archive.smk"

@@ -6,6 +6,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+COUNTED = pytest.StashKey[list]()
+
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(40)
 NODES, WEIGHTS = 0.5 * (NODES + 1.0), 0.5 * WEIGHTS
 PARTS = 6  # of each integral: 240 nodes leave errors below 1e-13
@@ -63,6 +65,21 @@ READINGS = {
         "ellipticity": 2.5,
     },
 }
+
+
+def pytest_configure(config):
+    config.stash[COUNTED] = []
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    for line in config.stash[COUNTED]:
+        terminalreporter.write_line(line)
+
+
+@pytest.fixture(scope="session")
+def tell(pytestconfig):
+    """Function that has a line printed at the end: what was counted."""
+    return pytestconfig.stash[COUNTED].append
 
 
 @pytest.fixture(scope="session")

@@ -2,8 +2,8 @@
 
 A second implementation, written from the printed equations alone: every integral is a
 `scipy.integrate.quad`, every balance a `scipy.optimize.brentq`, and nothing is tabulated or
-vectorised.  It needs numpy's standard companions only and shares no line with the library whose
-results it recomputes.  All quantities SI; loads are divided by A_n E_ss, areas by A_n.
+vectorised.  It needs scipy alone and shares no line with the library whose results it
+recomputes.  All quantities SI; loads are divided by A_n E_ss, areas by A_n.
 
 `model` is the mapping in a dataset's attribute `model_parameters`; `point` is a `Point`.
 """
@@ -81,6 +81,20 @@ def log_of_sum(first, second):
     """ln(e^first + e^second)."""
     larger, smaller = max(first, second), min(first, second)
     return larger if smaller == -math.inf else larger + math.log1p(math.exp(smaller - larger))
+
+
+# --- the summits of a rough surface (McCool 1986) ---
+
+
+def surface_roughness(density, radius, deviation, offset):
+    """sigma [m] of a surface with such summits; in the reading without offset it is theirs."""
+    lost = 3.717e-4 / (density * radius) ** 2 if offset else 0.0
+    return math.sqrt(deviation**2 + lost)
+
+
+def summit_plane(density, radius):
+    """y_s [m], the height of the summits' plane in the reading with offset."""
+    return 0.045944 / (density * radius)
 
 
 # --- rough surface against rough surface (Zhao, Maietta & Chang 2000; first half of Eq. 6) ---

@@ -156,7 +156,8 @@ def write_dataset(dataset: xr.Dataset, path) -> None:
     Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
     missing ones: the nan of an unsolved point stays what it is.
     """
-    compressed = {"zlib": True, "complevel": 4, "shuffle": True}
+    # smallest of what every NetCDF-4 library reads, by tests/performance/measure_compression.py
+    compressed = {"zlib": True, "complevel": 9, "shuffle": False}
     encoding = {name: {"_FillValue": None} for name in dataset.coords}
     encoding |= {
         name: compressed | {"chunksizes": dataset[name].shape} for name in dataset.data_vars

@@ -141,7 +141,8 @@ def last_crossings(curve: Curve) -> list[float]:
         known = excess[around]
         usable = known.size == 2 * SIDE and np.isfinite(known).all() and _is_monotonic(known)
         found.append(
-            np.exp(BarycentricInterpolator(known, np.log(curve.load[around]))(0.0))
+            # without a seed the interpolator takes its nodes in another order every time
+            np.exp(BarycentricInterpolator(known, np.log(curve.load[around]), rng=0)(0.0))
             if usable
             else np.nan
         )

@@ -229,6 +229,15 @@ def test_csv_format(datasets, tmp_path):
     assert all(line.count(b",") == 5 for line in lines)
 
 
+def test_csv_keeps_a_label_with_commas_in_one_column(datasets, tmp_path):
+    figure = CURVE_FIGURES["fig05"](datasets["fig05"])
+    data_lines(figure.axes[0])[0].set_label("dry, 300 nm")
+    save(figure, tmp_path / "labelled")
+    rows = drawn_rows(tmp_path / "labelled.csv")
+    assert "dry, 300 nm" in {row["curve"] for row in rows}
+    assert all(None not in row for row in rows)
+
+
 @pytest.mark.parametrize("name", ["fig04", "fig09"])
 def test_same_bytes_every_time(name, datasets, tmp_path):
     points = turning_points_in(datasets[name])

@@ -1,6 +1,5 @@
 """The habits of the rules: linted, formatted, logged, measured, and one literal list of products."""
 
-import ast
 import re
 import sys
 from pathlib import Path
@@ -10,31 +9,14 @@ from test_minimal_run import PRODUCTS
 from workspace import ROOT, Workspace
 
 from thirdbody.closure import import_closure
+from thirdbody.release.codecheck import targets
 
 RULES = Workspace(ROOT).rules()
 WORKING = [name for name, text in RULES.items() if "\n    output:" in text]
 
 
-def listed_products():
-    """Files that ``rule all`` names, each in a literal."""
-    snakefile = (ROOT / "Snakefile").read_text(encoding="utf-8")
-    items = snakefile.partition("rule all:\n")[2].partition("    input:\n")[2]
-    elements = ast.parse(f"[\n{items}]", mode="eval").body.elts
-    return [name for element in elements for name in _named(element)]
-
-
-def _named(element):
-    """A file name, or the names of a ``multiext`` of literals."""
-    if isinstance(element, ast.Call):
-        assert element.func.id == "multiext"
-        stem, *endings = map(ast.literal_eval, element.args)
-        return [stem + ending for ending in endings]
-    assert isinstance(element, ast.Constant), ast.unparse(element)
-    return [element.value]
-
-
 def test_rule_all_lists_every_product_once():
-    listed = listed_products()
+    listed = targets(ROOT / "Snakefile")
     assert len(listed) == len(set(listed))
     assert {name.removeprefix("results/") for name in listed} >= PRODUCTS
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+
 # the canvases that ``savefig`` takes for the formats below
 import matplotlib.backends.backend_agg  # noqa: F401
 import matplotlib.backends.backend_pdf  # noqa: F401
@@ -29,13 +31,15 @@ def save(figure, stem) -> None:
 
 def write_drawn_data(figure, path) -> None:
     """Write every drawn point as panel, curve, x_name, x, y_name, y; SI units."""
-    lines = [",".join(COLUMNS)]
-    for panel in figure.axes:
-        for label, points in drawn_points(panel):
-            before, between = f"{panel.letter},{label},{panel.x_name},", f",{panel.y_name},"
-            lines += [f"{before}{x:.10g}{between}{y:.10g}" for x, y in points]
-    with open(path, "w", encoding="utf-8", newline="\n") as stream:
-        stream.write("\n".join(lines) + "\n")
+    with open(path, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(COLUMNS)
+        for panel in figure.axes:
+            for label, points in drawn_points(panel):
+                names = panel.letter, label, panel.x_name
+                writer.writerows(
+                    (*names, f"{x:.10g}", panel.y_name, f"{y:.10g}") for x, y in points
+                )
 
 
 def drawn_points(panel):

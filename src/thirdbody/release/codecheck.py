@@ -1,0 +1,80 @@
+"""codecheck.yml: what an independent checker compares, from the targets of the workflow.
+
+    python -m thirdbody.release.codecheck > codecheck.yml
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from pathlib import Path, PurePosixPath
+
+import yaml
+
+from thirdbody.release.citation import Release
+
+SPECIFICATION = "https://codecheck.org.uk/spec/config/1.0/"
+# by folder and ending; files with other endings hold the same in another format
+COMPARED = {
+    ("datasets", ".nc"): "every value is compared, to the relative error in the attribute rtol",
+    ("tables", ".csv"): "every number is compared, to the error in its row if there is one",
+    ("figures", ".png"): "compared by eye, with the figure of the paper where it has one",
+    ("figures", ".csv"): "the points drawn; every number is compared",
+    ("claims", ".csv"): "statements of the paper; every verdict is compared",
+    ("accuracy", ".csv"): "time of solving; its order of magnitude is compared, as machines differ",
+}
+
+
+def targets(snakefile) -> list[str]:
+    """The literal list of products in ``rule all`` of ``snakefile``."""
+    text = Path(snakefile).read_text(encoding="utf-8")
+    after = text.partition("\nrule all:\n")[2].partition("    input:\n")[2]
+    items = re.match(r"(?: {8}.*\n)*", after)[0]
+    return [
+        name
+        for element in ast.parse(f"[\n{items}]", mode="eval").body.elts
+        for name in _names(element)
+    ]
+
+
+def _names(element: ast.expr) -> list[str]:
+    """A file name, or those of a ``multiext`` of literals."""
+    if isinstance(element, ast.Call):
+        stem, *endings = map(ast.literal_eval, element.args)
+        return [f"{stem}{ending}" for ending in endings]
+    return [ast.literal_eval(element)]
+
+
+def codecheck_text(products: list[str], release: Release) -> str:
+    """codecheck.yml with a manifest of ``products``; who checks adds what the check found."""
+    content = {
+        "version": SPECIFICATION,
+        "source": f"{release.citation['title']}, version {release.version}",
+        "paper": {
+            "title": release.paper["title"],
+            "authors": [
+                {"name": f"{author['given-names']} {author['family-names']}"}
+                for author in release.paper["authors"]
+            ],
+            "reference": f"https://doi.org/{release.paper['doi']}",
+        },
+        "manifest": [
+            {"file": product, "comment": COMPARED[_sort(product)]}
+            for product in products
+            if _sort(product) in COMPARED
+        ],
+    }
+    text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=10**6)
+    return f"---\n{text}"
+
+
+def _sort(product: str) -> tuple[str, str]:
+    """Folder below ``results/`` and ending of a product."""
+    path = PurePosixPath(product)
+    return path.parts[1], path.suffix
+
+
+if __name__ == "__main__":
+    release = Release.of("pyproject.toml", "CITATION.cff")
+    sys.stdout.write(codecheck_text(targets("Snakefile"), release))

@@ -1,0 +1,27 @@
+"""Media types of the files in an archive."""
+
+from __future__ import annotations
+
+from pathlib import PurePath
+
+MEDIA_TYPES = {
+    ".bib": "application/x-bibtex",
+    ".cff": "application/yaml",
+    ".csv": "text/csv",
+    ".json": "application/json",
+    ".md": "text/markdown",
+    ".nc": "application/x-netcdf",
+    ".pdf": "application/pdf",
+    ".png": "image/png",
+    ".py": "text/x-python",
+    ".svg": "image/svg+xml",
+    ".tex": "application/x-tex",
+    ".toml": "application/toml",
+    ".yaml": "application/yaml",
+    ".yml": "application/yaml",
+}
+
+
+def media_type(path) -> str:
+    """Media type by the suffix of ``path``; what has none of these is plain text."""
+    return MEDIA_TYPES.get(PurePath(path).suffix, "text/plain")

@@ -1,0 +1,38 @@
+"""Which files are the repository as it is published: what a run writes is in none of these."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+SOURCES = (
+    ".ci/*",
+    ".gitignore",
+    "CITATION.cff",
+    "LICENSE",
+    "LICENSE-DATA",
+    "Makefile",
+    "README.md",
+    "Snakefile",
+    "codecheck.yml",
+    "pyproject.toml",
+    "config/**/*.yaml",
+    "docs/*.md",
+    "docs/*.png",
+    "locks/*.txt",
+    "profiles/**/*.yaml",
+    "src/**/*.py",
+    "styles/*.mplstyle",
+    "tests/**/*.csv",
+    "tests/**/*.json",
+    "tests/**/*.py",
+    "tools/*.py",
+    "verification/*.py",
+    "workflow/**/*.py",
+    "workflow/**/*.smk",
+    "workflow/**/*.yaml",
+)
+
+
+def source_files() -> list[str]:
+    """Sorted paths of the sources, relative to the root of the repository: the current folder."""
+    return sorted({path.as_posix() for pattern in SOURCES for path in Path().glob(pattern)})

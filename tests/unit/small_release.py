@@ -1,0 +1,83 @@
+"""A release of a few points, made through the library alone.
+
+    python small_release.py FOLDER      in the root of the repository: what the tests compare
+"""
+
+import sys
+from pathlib import Path
+
+import thirdbody as tb
+from thirdbody.closure import import_closure
+from thirdbody.dataset import scene_dataset, write_dataset
+from thirdbody.release.citation import Release, software_versions
+from thirdbody.release.crate import Job, Run
+from thirdbody.release.datapackage import DRAWN_POINTS
+from thirdbody.release.pack import pack
+from thirdbody.release.staging import stage, whole_folder
+from thirdbody.scene import Scene
+from thirdbody.tables import TABLES, write_csv, write_schema
+
+SCENES = {
+    # dry, with and without particles
+    "fig03": [([0], [0, 300, 700], [100], [1.0e11])],
+    # from boundary to full film, and combinations that are not shown
+    "fig04": [([0, 1, 70, 120], [500], [300], [1.0e11]), ([90], [0], [100], [1.0e11])],
+    # more particles than there is room for
+    "fig07": [([0, 90], [1000], [300], [1.0e10, 8.0e13])],
+}
+SCRIPT = "workflow/scripts/compute_dataset.py"
+SOURCES = ("Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
+PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
+
+
+def make_products(folder):
+    """Datasets of ``SCENES`` in ``folder``, a table and a figure; their paths."""
+    parameters = tb.load_parameters()
+    products = []
+    for kind in ("datasets", "tables", "figures"):
+        (folder / kind).mkdir(parents=True)
+    for name, groups in SCENES.items():
+        keys = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
+        curves = [dict(zip(keys, group, strict=True)) for group in groups]
+        axis = {"load_N": [0.04, 80.0], "count": 7}
+        scene = {"title": f"A few points of {name}", "load_axis": axis, "curves": curves}
+        path = folder / "datasets" / f"{name}.nc"
+        shown = Scene.of(name, scene, parameters.newtons_per_load)
+        write_dataset(scene_dataset(shown, parameters), path)
+        products.append(path)
+    columns = TABLES["tpca_windows"]
+    row = {"roughness_m": 3e-7, "particle_density_per_m2": 1e11, "end": "low"}
+    row |= {"diameter_over_roughness": 0.8, "error": 1e-6}
+    table, schema = (folder / "tables" / f"tpca_windows.{kind}" for kind in ("csv", "json"))
+    write_csv(table, [row], columns)
+    write_schema(schema, columns)
+    products += [table, schema]
+    drawn = ",".join(column.name for column in DRAWN_POINTS) + "\nA,90 cSt,load,1e-5,separation,2e-7\n"
+    for kind, content in {**PICTURES, "csv": drawn.encode()}.items():
+        products.append(folder / "figures" / f"fig03.{kind}")
+        products[-1].write_bytes(content)
+    return products
+
+
+def make_release(folder):
+    """The folder of a release and its archive file below ``folder``; the path of the former."""
+    release = Release.of("pyproject.toml", "CITATION.cff")
+    products = make_products(folder / "results")
+    modules = import_closure(SCRIPT)
+    jobs = [
+        Job("compute_dataset", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
+        for path in products
+        if path.suffix == ".nc"
+        for output in [Path("results") / path.relative_to(folder / "results")]
+    ]
+    run = Run({"config": {"rtol": 1e-9}}, jobs, software_versions("pyproject.toml"))
+    programs = sorted(map(str, Path("verification").glob("*.py")))
+    place = folder / release.full_name
+    with whole_folder(place) as part:
+        stage(part, products, [*SOURCES, *modules, *programs], run, release)
+    pack(place, folder / f"{release.full_name}.zip", release.date)
+    return place
+
+
+if __name__ == "__main__":
+    make_release(Path(sys.argv[1]))

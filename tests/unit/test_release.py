@@ -1,0 +1,252 @@
+"""A release: valid in each of its formats, and the same bytes wherever it is made."""
+
+import filecmp
+import json
+import os
+import socket
+import subprocess
+import sys
+from importlib.resources import files
+from pathlib import Path
+from types import SimpleNamespace
+
+import bagit
+import frictionless
+import jsonschema
+import netCDF4
+import pytest
+import yaml
+from rocrate.rocrate import ROCrate
+from rocrate_validator.models import Severity
+from rocrate_validator.services import ValidationSettings, validate
+from rocrate_validator.utils.http import HttpRequester
+from small_release import SCENES
+
+from thirdbody.dataset import RELEASE_DATE
+from thirdbody.release.bag import files_in
+from thirdbody.release.citation import Release
+from thirdbody.release.codecheck import codecheck_text, targets
+from thirdbody.release.datapackage import table_schema
+from thirdbody.release.provenance import provenance
+from thirdbody.release.sources import source_files
+from thirdbody.release.staging import whole_folder
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMAS = ROOT / "tests" / "schemas"
+KINDS = ("datasets", "tables", "figures")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def in_root():
+    """The paths of sources are relative to the root of the repository."""
+    before = Path.cwd()
+    os.chdir(ROOT)
+    yield
+    os.chdir(before)
+
+
+def read_json(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def test_bag_is_valid(built):
+    bag = bagit.Bag(str(built))
+    bag.validate()
+    assert set(bag.algorithms) == {"sha256", "sha512"}
+
+
+def test_data_package_is_valid_and_holds_every_product(built):
+    report = frictionless.validate(str(built / "data" / "datapackage.json"))
+    assert report.valid, report.flatten(["title", "message"])
+    package = read_json(built / "data" / "datapackage.json")
+    described = {resource["path"] for resource in package["resources"]}
+    assert described == {
+        name for kind in KINDS for name in files_in(built / "data" / kind, built / "data")
+    }
+    tables = [one for one in package["resources"] if one["type"] == "table"]
+    assert {one["path"] for one in tables} == {"tables/tpca_windows.csv", "figures/fig03.csv"}
+
+
+def test_a_table_that_nothing_describes_is_refused(tmp_path):
+    (tmp_path / "odd.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(ValueError, match="odd.csv: nothing describes"):
+        table_schema(tmp_path / "odd.csv")
+
+
+@pytest.fixture(scope="module")
+def terms():
+    """The vocabulary of RO-Crate, and of schema.org in it: the edition that ``rocrate`` ships.
+
+    In that edition the terms of Bioschemas lie one folder deeper than in 1.1.
+    """
+    text = files("rocrate").joinpath("data/ro-crate.jsonld").read_text(encoding="utf-8")
+    return json.loads(text.replace("https://bioschemas.org/terms/", "https://bioschemas.org/"))
+
+
+@pytest.mark.filterwarnings("ignore:ConjunctiveGraph:DeprecationWarning")
+@pytest.mark.parametrize("profile", ["ro-crate-1.1", "workflow-run-crate-0.5"])
+def test_crate_is_valid(built, terms, profile, monkeypatch):
+    answer = SimpleNamespace(status_code=200, headers={"Content-Type": "application/ld+json"})
+    answer.json = lambda: terms
+    monkeypatch.setattr(HttpRequester, "get", lambda *_, **__: answer, raising=False)
+    found = validate(
+        ValidationSettings(
+            rocrate_uri=str(built / "data"),
+            profile_identifier=profile,
+            requirement_severity=Severity.REQUIRED,
+        )
+    )
+    assert found.passed(), [issue.message for issue in found.get_issues()]
+
+
+def test_crate_says_who_made_what_from_what(built):
+    crate = ROCrate(str(built / "data"))
+    assert crate.mainEntity.id == "source/Snakefile"
+    assert "ComputationalWorkflow" in crate.mainEntity.type
+    metadata = read_json(built / "data" / "ro-crate-metadata.json")
+    assert metadata["@context"] == "https://w3id.org/ro/crate/1.1/context"
+    conforms = {one["@id"] for one in crate.root_dataset.as_jsonld()["conformsTo"]}
+    assert "https://w3id.org/ro/wfrun/workflow/0.5" in conforms
+    actions = crate.get_by_type("CreateAction")
+    assert len(actions) == 1 + len(SCENES)
+    assert [one for one in actions if one["instrument"].id == crate.mainEntity.id]
+    made = {one["result"].id: one["instrument"].id for one in actions if one.id != "#run"}
+    script = "source/workflow/scripts/compute_dataset.py"
+    assert made == {f"datasets/{name}.nc": script for name in SCENES}
+    software = {one["name"]: one["version"] for one in crate.get_by_type("SoftwareApplication")}
+    assert {"numpy", "scipy", "snakemake"} <= software.keys()
+
+
+def test_every_reference_in_the_crate_leads_somewhere(built):
+    graph = read_json(built / "data" / "ro-crate-metadata.json")["@graph"]
+    known = {entity["@id"] for entity in graph}
+    assert len(known) == len(graph)
+    local = {one for one in references(graph) if not one.startswith("http")}
+    assert local <= known
+
+
+def references(value):
+    """Every ``@id`` that is referred to in ``value``."""
+    if isinstance(value, dict):
+        if set(value) == {"@id"}:
+            yield value["@id"]
+        value = list(value.values())
+    if isinstance(value, list):
+        for item in value:
+            yield from references(item)
+
+
+@pytest.mark.parametrize("place", ["repository", "archive"])
+def test_citation_is_valid(built, place):
+    folder = {"repository": ROOT, "archive": built / "data"}[place]
+    schema = read_json(SCHEMAS / "citation-file-format-1.2.0.json")
+    content = yaml.safe_load((folder / "CITATION.cff").read_text(encoding="utf-8"))
+    jsonschema.Draft7Validator(schema).validate(content)
+
+
+def test_codemeta_speaks_in_its_own_terms(built, terms):
+    """CodeMeta 3.0 takes its terms from schema.org, but for a few such as this one."""
+    known = terms["@context"].keys() | {"@context", "@type", "referencePublication"}
+    codemeta = read_json(built / "data" / "codemeta.json")
+    assert codemeta["@context"] == "https://w3id.org/codemeta/3.0"
+    assert codemeta["@type"] == "SoftwareSourceCode"
+    used = [codemeta, codemeta["referencePublication"]]
+    used += codemeta["author"] + codemeta["softwareRequirements"]
+    assert {key for part in used for key in part} <= known
+    assert {part["@type"] for part in used} <= known
+
+
+def test_codemeta_and_zenodo_describe_the_same_release(built, release):
+    codemeta = read_json(built / "data" / "codemeta.json")
+    zenodo = read_json(built / "data" / "zenodo.json")["metadata"]
+    required = {"upload_type", "title", "creators", "description", "publication_date"}
+    assert required | {"access_right", "license"} <= zenodo.keys()
+    assert zenodo["version"] == codemeta["version"] == release.version
+    assert zenodo["publication_date"] == codemeta["datePublished"] == release.date
+    assert [one["name"] for one in zenodo["creators"]] == release.authors
+    assert not (ROOT / ".zenodo.json").exists(), "Zenodo would ignore CITATION.cff"
+
+
+def test_datasets_are_dated_as_the_release(release):
+    assert release.date == RELEASE_DATE
+
+
+@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="not a clone")
+def test_the_sources_are_the_repository():
+    def listed(*options):
+        told = subprocess.run(["git", "ls-files", *options], capture_output=True, text=True)
+        return {name for name in told.stdout.splitlines() if Path(name).exists()}
+
+    kept = listed()
+    assert kept <= set(source_files())
+    assert set(source_files()) <= kept | listed("--others", "--exclude-standard")
+
+
+def test_codecheck_lists_the_targets_of_the_workflow(release):
+    text = (ROOT / "codecheck.yml").read_text(encoding="utf-8")
+    products = targets(ROOT / "Snakefile")
+    assert len(products) > 20
+    renew = "renew it: python -m thirdbody.release.codecheck > codecheck.yml"
+    assert text == codecheck_text(products, release), renew
+    content = yaml.safe_load(text)
+    assert text.startswith("---\n")
+    compared = {item["file"].rpartition(".")[0] for item in content["manifest"]}
+    assert compared == {name.rpartition(".")[0] for name in products}
+    assert all(author["name"] for author in content["paper"]["authors"])
+
+
+def test_guide_names_every_dataset_quantity_and_column(built):
+    guide = (built / "README.md").read_text(encoding="utf-8")
+    with netCDF4.Dataset(built / "data/datasets/fig04.nc") as dataset:
+        for name, variable in dataset.variables.items():
+            assert f"| `{name}` | {variable.symbol} | {variable.units} |" in guide
+        for name in json.loads(dataset.model_parameters):
+            assert f"| `{name}` | " in guide
+    for word in (*(f"`{name}.nc`" for name in SCENES), "`diameter_over_roughness`", "verification/verify.py"):
+        assert word in guide
+
+
+def test_versions_that_differ_are_refused(tmp_path):
+    text = (
+        (ROOT / "CITATION.cff").read_text(encoding="utf-8").replace("\nversion: ", "\nversion: 9")
+    )
+    (tmp_path / "CITATION.cff").write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match="version is 9"):
+        Release.of("pyproject.toml", tmp_path / "CITATION.cff")
+
+
+def test_same_bytes_under_another_locale_zone_seed_and_folder(built, tmp_path):
+    environment = os.environ | {"TZ": "Pacific/Kiritimati", "PYTHONHASHSEED": "1"}
+    environment |= {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    script = Path(__file__).with_name("small_release.py")
+    subprocess.run([sys.executable, script, tmp_path / "there"], env=environment, check=True)
+    again = tmp_path / "there" / built.name
+    names = files_in(built, built)
+    assert files_in(again, again) == names
+    assert filecmp.cmpfiles(built, again, names, shallow=False) == (names, [], [])
+    archives = (folder.with_name(f"{folder.name}.zip").read_bytes() for folder in (built, again))
+    assert len(set(archives)) == 1
+
+
+def test_no_trace_of_where_it_was_made(built):
+    traces = [str(ROOT).encode(), str(built.parent).encode(), socket.gethostname().encode()]
+    for name in files_in(built, built):
+        content = (built / name).read_bytes()
+        assert not [trace for trace in traces if len(trace) > 5 and trace in content], name
+
+
+def test_provenance_holds_what_the_archive_does_not(built):
+    record = provenance(built.with_name(f"{built.name}.zip"), [])
+    assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
+
+
+def test_folder_appears_whole_or_not_at_all(tmp_path):
+    place = tmp_path / "release"
+    with whole_folder(place) as part:
+        (part / "first").write_text("1")
+    with pytest.raises(OSError), whole_folder(place) as part:
+        (part / "second").write_text("2")
+        raise OSError
+    assert files_in(tmp_path, tmp_path) == ["release/first"]
+
+

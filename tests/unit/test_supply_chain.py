@@ -1,0 +1,81 @@
+"""What is installed is locked, few and named; importing it does nothing."""
+
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+EXTRAS = PROJECT["optional-dependencies"]
+LOCKS = {"workflow": EXTRAS["workflow"], "test": EXTRAS["workflow"] + EXTRAS["test"]}
+PINNED = re.compile(r"[\w.-]+==[\w.+!]+( ;[^\\]*)?( \\\n    --hash=sha256:[0-9a-f]{64})+")
+# imports every module of the library but those of matplotlib and SALib, which write when imported
+# (a cache of fonts, a probe for semaphores), and prints what was run, reached or written
+IMPORT_ALL = """
+import importlib, os, pkgutil, sys
+sys.dont_write_bytecode = True
+WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT
+DEEDS = {"subprocess.Popen", "os.system", "os.exec", "os.fork", "os.posix_spawn", "socket.connect"}
+DEEDS |= {f"os.{deed}" for deed in ("mkdir", "rename", "remove", "rmdir", "link", "symlink")}
+
+def hook(event, given):
+    if event in DEEDS or (event == "open" and given[2] & WRITING):
+        print(event, *given[:2])
+
+import thirdbody
+sys.addaudithook(hook)
+names = [module.name for module in pkgutil.walk_packages(thirdbody.__path__, "thirdbody.")]
+names = [name for name in names if not name.startswith(("thirdbody.figures", "thirdbody.sobol"))]
+for name in names:
+    importlib.import_module(name)
+print(len(names))
+"""
+
+
+def name_of(requirement):
+    return re.match(r"[\w-]+", requirement)[0].lower()
+
+
+@pytest.mark.parametrize("lock", LOCKS)
+def test_every_locked_package_has_one_version_and_its_hashes(lock):
+    text = (ROOT / "locks" / f"{lock}.txt").read_text(encoding="utf-8")
+    entries = re.split(r"(?m)^(?=\w)", re.sub(r"(?m)^ *#.*\n", "", text))
+    packages = [entry.strip() for entry in entries if entry.strip()]
+    assert [entry for entry in packages if not PINNED.fullmatch(entry)] == []
+    assert "://" not in text, "a lock names no host"
+    locked = {name_of(entry) for entry in packages}
+    wanted = {name_of(one) for one in [*PROJECT["dependencies"], *LOCKS[lock]]}
+    assert wanted - {PROJECT["name"]} <= locked
+
+
+def test_nothing_is_installed_without_hashes():
+    """The project itself has none, and then brings nothing else along."""
+    text = (ROOT / "Makefile").read_text(encoding="utf-8")
+    calls = re.findall(r"pip install (.*)", text)
+    assert len(calls) == 3
+    assert all("--require-hashes" in call or "--no-deps" in call for call in calls)
+    assert all("--no-build-isolation" in call for call in calls if "--no-deps" in call)
+    assert "--require-hashes" in (ROOT / "workflow/envs/thirdbody.yaml").read_text(encoding="utf-8")
+
+
+def test_the_readme_gives_a_reason_for_every_direct_dependency():
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    table = text.partition("\n## Dependencies\n")[2].partition("\n## ")[0]
+    rows = re.findall(r"(?m)^\| ([^|]+) \| [^|]+ \|$", table)
+    named = {name.lower() for row in rows[1:] for name in row.strip().split(", ")}
+    wanted = {name_of(one) for one in [*PROJECT["dependencies"], *LOCKS["test"]]}
+    assert named == wanted - {PROJECT["name"]}
+
+
+def test_importing_the_library_runs_nothing_and_writes_nothing(tmp_path, tell):
+    done = subprocess.run(
+        [sys.executable, "-c", IMPORT_ALL], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    *deeds, count = done.stdout.splitlines()
+    assert deeds == []
+    assert list(tmp_path.iterdir()) == []
+    tell(f"library: {count} modules imported, nothing run, reached or written")

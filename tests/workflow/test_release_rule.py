@@ -1,0 +1,116 @@
+"""`snakemake release`, run twice: what goes to an archive is the same bytes wherever it is made."""
+
+import filecmp
+import json
+import shutil
+import subprocess
+import sys
+import zipfile
+
+import pytest
+from workspace import ROOT, Workspace
+
+from thirdbody.release.bag import files_in
+from thirdbody.release.citation import Release
+from thirdbody.release.codecheck import targets
+
+NAME = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff").full_name
+ELSEWHERE = {
+    "TZ": "Pacific/Kiritimati",
+    "LC_ALL": "C",
+    "PYTHONUTF8": "0",
+    "PYTHONCOERCECLOCALE": "0",
+    "PYTHONHASHSEED": "1",
+}
+
+
+@pytest.fixture(scope="module")
+def released(finished, tmp_path_factory):
+    """The folder of a release, among the results that it was made of."""
+    workspace = finished.copied_to(tmp_path_factory.mktemp("released") / "a folder")
+    return release_of(workspace, "-c2")
+
+
+def release_of(workspace, *arguments, **settings):
+    """Make the release in ``workspace``; its folder."""
+    run = workspace.snakemake(*arguments, "release", **settings)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return workspace.root / "results" / "release" / NAME
+
+
+def verified(program, *arguments):
+    """Exit code and output of the verification ``program``."""
+    command = [sys.executable, program, *arguments]
+    done = subprocess.run(command, capture_output=True, text=True)
+    return done.returncode, done.stdout
+
+
+def verified_with_products(released):
+    program = ROOT / "verification" / "verify.py"
+    return verified(program, released, "--results", released.parents[1])
+
+
+def test_release_is_one_folder_its_archive_and_the_record(released, tell):
+    made = {path.name for path in released.parent.iterdir()}
+    assert made == {NAME, f"{NAME}.zip", "provenance.json"}
+    code, line = verified_with_products(released)
+    assert code == 0, line
+    assert "11 datasets" in line
+    tell(f"archive: {line.strip()}")
+
+
+def test_every_target_of_the_workflow_is_in_the_release(released):
+    listed = {name.removeprefix("results/") for name in targets(ROOT / "Snakefile")}
+    archived = set(files_in(released / "data", released / "data"))
+    assert {name.partition("/")[0] for name in listed - archived} == {"accuracy"}
+
+
+def test_crate_follows_every_product_to_its_rule(released):
+    graph = json.loads((released / "data/ro-crate-metadata.json").read_text(encoding="utf-8"))
+    entities = {entity["@id"]: entity for entity in graph["@graph"]}
+    jobs = [one for one in entities.values() if one["@type"] == "CreateAction"]
+    made = {one["@id"] for job in jobs if job["@id"] != "#run" for one in listed(job["result"])}
+    made_by_run = {one["@id"] for one in listed(entities["#run"]["result"])}
+    assert made_by_run - made == {"datasets/content-sha256.json"}
+    curves = entities["#extract_curves-fig09"]
+    assert curves["instrument"]["@id"] == "source/workflow/scripts/extract_curves.py"
+    assert {"@id": "datasets/fig09.nc"} in listed(curves["object"])
+    assert entities["#compute_dataset-fig09"]["object"] == {"@id": "configuration/config.json"}
+
+
+def listed(value):
+    """``value`` as a list: JSON-LD writes a list of one as the one."""
+    return value if isinstance(value, list) else [value]
+
+
+def test_damaged_products_and_archive_file_are_named(released):
+    results = released.parents[1]
+    names = "datasets/fig03.nc", "tables/table1.csv", "figures/fig08.svg", f"release/{NAME}.zip"
+    contents = {results / name: (results / name).read_bytes() for name in names}
+    for path, content in contents.items():
+        path.write_bytes(content[: len(content) // 2])
+    code, line = verified_with_products(released)
+    for path, content in contents.items():
+        path.write_bytes(content)
+    assert code == 1
+    assert all(name in line for name in names)
+
+
+def test_source_in_the_archive_makes_the_same_archive_elsewhere(
+    released, tmp_path, monkeypatch, tell
+):
+    with zipfile.ZipFile(released.with_name(f"{NAME}.zip")) as archive:
+        archive.extractall(tmp_path)
+    unpacked = tmp_path / NAME
+    assert verified(unpacked / "verification/verify.py")[0] == 0
+    source = Workspace(shutil.copytree(unpacked / "data" / "source", tmp_path / "elsewhere"))
+    shutil.copyfile(unpacked / "data/configuration/config.json", source.root / "used.json")
+    for name, value in ELSEWHERE.items():
+        monkeypatch.setenv(name, value)
+    again = release_of(source, "-c1", config=("--configfile", "used.json"))
+    names = files_in(released, released)
+    assert files_in(again, again) == names
+    assert filecmp.cmpfiles(released, again, names, shallow=False) == (names, [], [])
+    archives = {folder.with_name(f"{NAME}.zip").read_bytes() for folder in (released, again)}
+    assert len(archives) == 1
+    tell(f"archive: {len(names)} files of the same bytes from two runs")

@@ -1,0 +1,286 @@
+"""Is this archive whole, and are its numbers those of the model?  Says so in one line.
+
+    python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER]
+
+FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
+numpy, scipy and netCDF4, nothing else.  Checked are the SHA-256 and SHA-512 sums of all files,
+missing and extra files, what the package and crate descriptions say of them, the content of each
+dataset, the equations of the paper at every point, and the solution of some points from the
+inputs alone (plain_model.py).  Exit code 0: whole; 1: not.
+"""
+
+import argparse
+import csv
+import hashlib
+import json
+import random
+import sys
+import warnings
+import zipfile
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # nothing may be added to the archive, not even by checking it
+sys.path.insert(0, str(Path(__file__).resolve().parent))  # also where Python runs isolated
+
+ALGORITHMS = {"sha256": 64, "sha512": 128}  # hexadecimal digits of a digest
+BAG_DECLARATION = b"BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
+CONTENT_SUMS = "data/datasets/content-sha256.json"
+SHOWN_FAULTS = 5
+SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
+FORESEEN = (  # what reading and recomputing damaged files may raise
+    *(OSError, ValueError, LookupError, TypeError, AttributeError, ArithmeticError),
+    *(RuntimeError, ImportError, zipfile.BadZipFile),
+)
+
+
+class Faults(dict):
+    """What is wrong: one reason a file, the first that was found."""
+
+    def add(self, path, reason):
+        self.setdefault(str(path), " ".join(str(reason).split()))
+
+
+def digests(path):
+    """SHA-256 and SHA-512 of a file, read once."""
+    sums = [hashlib.new(name) for name in ALGORITHMS]
+    with open(path, "rb") as file:
+        while block := file.read(1 << 20):
+            for digest in sums:
+                digest.update(block)
+    return [digest.hexdigest() for digest in sums]
+
+
+def read_files(folder, faults):
+    """Digests of all files below ``folder`` by their names."""
+    found = {}
+    for path in sorted(folder.rglob("*")):
+        name = path.relative_to(folder).as_posix()
+        if path.is_symlink() or not (path.is_file() or path.is_dir()):
+            faults.add(name, "is no ordinary file")
+        elif path.is_file():
+            try:
+                found[name] = digests(path)
+            except OSError as error:
+                faults.add(name, f"cannot be read ({error.strerror})")
+    return found
+
+
+def read_manifest(path, digits, faults):
+    """Digests by name from the lines of a manifest."""
+    listed = {}
+    try:
+        lines = path.read_bytes().decode().split("\n")
+    except (OSError, UnicodeDecodeError):
+        faults.add(path.name, "cannot be read")
+        return listed
+    for number, line in enumerate(lines[:-1], start=1):
+        digest, gap, name = line[:digits], line[digits : digits + 2], line[digits + 2 :]
+        if gap != "  " or not name or name in listed or set(digest) - set("0123456789abcdef"):
+            faults.add(path.name, f"line {number} is damaged")
+        listed[name] = digest
+    if list(listed) != sorted(listed) or lines[-1]:
+        faults.add(path.name, "is damaged")
+    return listed
+
+
+def check_bag(folder, found, faults):
+    """BagIt: every file is listed with its sums, and nothing else is there."""
+    payload = {name for name in found if name.startswith("data/")}
+    tags = {name for name in found if name not in payload and not name.startswith("tagmanifest-")}
+    for number, (algorithm, digits) in enumerate(ALGORITHMS.items()):
+        for kind, present in (("tagmanifest", tags), ("manifest", payload)):
+            listed = read_manifest(folder / f"{kind}-{algorithm}.txt", digits, faults)
+            for name in sorted(listed.keys() | present):
+                if name not in found:
+                    faults.add(name, "is missing")
+                elif name not in listed:
+                    faults.add(name, "is not part of the archive")
+                elif listed[name] != found[name][number]:
+                    faults.add(name, f"is changed ({algorithm})")
+    expected = {f"tagmanifest-{algorithm}.txt" for algorithm in ALGORITHMS} | tags | payload
+    for name in sorted(found.keys() - expected):
+        faults.add(name, "is not part of the archive")
+
+
+def check_declarations(folder, found, faults):
+    """The bag's declaration, and the size and number of files in its description."""
+    if (folder / "bagit.txt").read_bytes() != BAG_DECLARATION:
+        faults.add("bagit.txt", "is not the declaration of BagIt 1.0")
+    sizes = [(folder / name).stat().st_size for name in found if name.startswith("data/")]
+    if f"\nPayload-Oxum: {sum(sizes)}.{len(sizes)}\n" not in (folder / "bag-info.txt").read_text(
+        encoding="utf-8"
+    ):
+        faults.add("bag-info.txt", "gives another size of the payload")
+
+
+def check_package(data, found, faults):
+    """datapackage.json: describes every product, with its size, sum and columns."""
+    package = json.loads((data / "datapackage.json").read_text(encoding="utf-8"))
+    described = {resource["path"]: resource for resource in package["resources"]}
+    products = {name.removeprefix("data/") for name in found if is_product(name)}
+    for path in sorted(described.keys() ^ products):
+        faults.add(f"data/{path}", "is in only one of datapackage.json and the archive")
+    for path in sorted(described.keys() & products):
+        resource = described[path]
+        if resource["hash"] != f"sha256:{found[f'data/{path}'][0]}":
+            faults.add(f"data/{path}", "is not what datapackage.json describes")
+        if resource["bytes"] != (data / path).stat().st_size:
+            faults.add(f"data/{path}", "is not of the size that datapackage.json gives")
+        if "schema" in resource:
+            check_table(data / path, resource["schema"]["fields"], f"data/{path}", faults)
+
+
+def is_product(name):
+    """Whether ``name`` lies in a folder of products."""
+    top, *folders = name.split("/")[:-1] or [""]
+    return top == "data" and bool(folders) and folders[0] not in NO_PRODUCTS
+
+
+def check_table(path, fields, name, faults):
+    """The columns of a CSV file are those described, and numbers are numbers."""
+    with open(path, encoding="utf-8", newline="") as file:
+        header, *rows = csv.reader(file)
+    if header != [field["name"] for field in fields]:
+        faults.add(name, "has other columns than datapackage.json describes")
+    numbers = [index for index, field in enumerate(fields) if field["type"] == "number"]
+    for row in rows:
+        if len(row) != len(header):
+            faults.add(name, "has rows of unequal length")
+        for index in numbers:
+            if row[index]:
+                float(row[index])
+
+
+def check_crate(data, found, faults):
+    """ro-crate-metadata.json: describes every file of the payload, and no other."""
+    graph = json.loads((data / "ro-crate-metadata.json").read_text(encoding="utf-8"))["@graph"]
+    described = {entity["@id"] for entity in graph if "File" in entity["@type"]}
+    payload = {name.removeprefix("data/") for name in found if name.startswith("data/")}
+    for path in sorted(described ^ (payload - {"ro-crate-metadata.json"})):
+        faults.add(f"data/{path}", "is in only one of ro-crate-metadata.json and the archive")
+
+
+def check_datasets(folder, found, count, seed, faults):
+    """Content and numbers of every undamaged dataset; in words, what was checked and how well."""
+    import recompute
+
+    listed = json.loads((folder / CONTENT_SUMS).read_text(encoding="utf-8"))
+    present = {Path(name).name for name in found if name.startswith("data/datasets/")}
+    present.remove(Path(CONTENT_SUMS).name)
+    outcomes = []
+    for name in sorted(listed.keys() | present):
+        path = folder / "data/datasets" / name
+        place = path.relative_to(folder).as_posix()
+        if name not in listed or name not in present:
+            faults.add(place, f"is in only one of {CONTENT_SUMS} and the archive")
+        elif place not in faults:
+            rng = random.Random(f"{seed} {name}")
+            outcomes.append(check_dataset(path, place, listed[name], count, rng, faults))
+    done = [outcome for outcome in outcomes if outcome is not None]
+    worst = max([SHOWN_DEVIATION, *(outcome.worst for outcome in done)])
+    return (
+        f"{len(done)} datasets, {sum(o.evaluated for o in done)} points that fulfil the equations, "
+        f"{sum(o.solved for o in done)} of them solved again within {worst:.0e} "
+        f"(tolerance {recompute.SOLUTION:.0e}, seed {seed})"
+    )
+
+
+def check_dataset(path, place, content, count, rng, faults):
+    """Content sum ``content`` and numbers of one dataset; its outcome, if it can be read."""
+    import content_hash
+    import recompute
+
+    try:
+        if content_hash.content_sha256(path) != content:
+            faults.add(place, f"has another content than {CONTENT_SUMS} says")
+        outcome = recompute.check(path, count, rng)
+    except FORESEEN as error:
+        faults.add(place, f"cannot be recomputed ({type(error).__name__}: {error})")
+        return None
+    if outcome.findings:
+        faults.add(place, f"{outcome.findings[0]} ({len(outcome.findings)} such findings)")
+    return outcome
+
+
+def check_products(found, results, faults):
+    """The products in ``results`` are those of the archive."""
+    for name in sorted(found):
+        product = results / name.removeprefix("data/")
+        if not is_product(name) or name == CONTENT_SUMS:
+            continue
+        try:
+            if digests(product) != found[name]:
+                faults.add(product, "is not what was released")
+        except OSError as error:
+            faults.add(product, f"cannot be read ({error.strerror})")
+
+
+def check_packed(folder, found, faults):
+    """The packed archive beside ``folder`` is the one on record and holds the same files."""
+    packed = packed_beside(folder)
+    record = json.loads(folder.with_name("provenance.json").read_text(encoding="utf-8"))
+    if digests(packed)[0] != record["archive"]["sha256"]:
+        faults.add(packed, "is not the archive that provenance.json names")
+    with zipfile.ZipFile(packed) as archive:
+        members = {name.partition("/")[2]: name for name in archive.namelist()}
+        for name in sorted(members.keys() ^ found.keys()):
+            faults.add(packed, f"and the folder do not both hold {name}")
+        for name in sorted(members.keys() & found.keys()):
+            if hashlib.sha256(archive.read(members[name])).hexdigest() != found[name][0]:
+                faults.add(packed, f"holds another {name}")
+
+
+def packed_beside(folder):
+    return folder.with_name(f"{folder.name}.zip")
+
+
+def verify(folder, count, seed, results=None):
+    """``Faults`` of the archive in ``folder``, and what was checked in words."""
+    faults = Faults()
+    found = read_files(folder, faults)
+    data, counted = folder / "data", []
+    checks = {
+        "manifests": lambda: check_bag(folder, found, faults),
+        "bag-info.txt": lambda: check_declarations(folder, found, faults),
+        "data/datapackage.json": lambda: check_package(data, found, faults),
+        "data/ro-crate-metadata.json": lambda: check_crate(data, found, faults),
+        "data/datasets": lambda: counted.append(check_datasets(folder, found, count, seed, faults)),
+    }
+    if results is not None:
+        checks[results] = lambda: check_products(found, results, faults)
+        checks[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
+    for subject, check in checks.items():
+        try:
+            check()
+        except FORESEEN as error:
+            faults.add(subject, f"cannot be checked ({type(error).__name__}: {error})")
+    return faults, "; ".join([f"{len(found)} files with their SHA-256 and SHA-512 sums", *counted])
+
+
+def main(arguments=None):
+    """Exit code; prints the one line."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    here = Path(__file__).resolve().parents[1]
+    parser.add_argument("folder", nargs="?", type=Path, default=here, help="unpacked archive")
+    parser.add_argument("--seed", type=int, default=2024, help="of the choice of points")
+    parser.add_argument("--points", type=int, default=100, help="solved again, in each dataset")
+    parser.add_argument("--results", type=Path, help="folder of products that must be the same")
+    given = parser.parse_args(arguments)
+    warnings.simplefilter("ignore")  # one line is promised
+    if not (given.folder / "bagit.txt").is_file():
+        print(f"not whole: {given.folder}: bagit.txt is missing, so this is no archive")
+        return 1
+    faults, checked = verify(given.folder, given.points, given.seed, given.results)
+    name = given.folder.resolve().name
+    if not faults:
+        print(f"whole: {name}: {checked}")
+        return 0
+    shown = "; ".join(f"{path} {reason}" for path, reason in list(faults.items())[:SHOWN_FAULTS])
+    more = len(faults) - SHOWN_FAULTS
+    print(f"not whole: {name}: {shown}" + (f"; and {more} more" if more > 0 else ""))
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

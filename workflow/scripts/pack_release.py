@@ -1,0 +1,21 @@
+"""Pack the folder of a release into one archive file."""
+
+from pathlib import Path
+
+from thirdbody.files import logged, whole
+from thirdbody.release.pack import pack
+
+
+def write(folder, archive, date):
+    """Write the file ``archive`` of ``folder``, its members dated ``date``."""
+    with whole(archive) as part:
+        pack(folder, part, date)
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        write(
+            Path(snakemake.input.sealed).parent,
+            snakemake.output.archive,
+            snakemake.params.date,
+        )

@@ -1,0 +1,24 @@
+"""Record when, where and by whom a release was made."""
+
+import json
+from pathlib import Path
+
+from thirdbody.files import logged, whole
+from thirdbody.release.provenance import provenance
+from thirdbody.tables import TABLES, read_csv
+
+
+def record(archive, cost, place):
+    """Write the provenance of the file ``archive``, and what solving cost, to ``place``."""
+    content = provenance(Path(archive), read_csv(cost, TABLES["solver_cost"]))
+    with whole(place) as part:
+        part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        record(
+            snakemake.input.archive,
+            snakemake.input.cost,
+            snakemake.output.provenance,
+        )

@@ -1,0 +1,29 @@
+"""Fill the folder of a release with products, sources and their descriptions."""
+
+from pathlib import Path
+
+from thirdbody.files import logged
+from thirdbody.release.citation import Release
+from thirdbody.release.crate import Job, Run
+from thirdbody.release.staging import stage, whole_folder
+
+
+def fill(place, products, sources, run):
+    """Write the folder ``place`` of the release that the ``sources`` describe."""
+    with whole_folder(place) as folder:
+        stage(folder, products, sources, run, Release.of("pyproject.toml", "CITATION.cff"))
+    print(f"{place}: {len(products)} products, {len(sources)} sources")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        fill(
+            Path(snakemake.output.sealed).parent,
+            [*snakemake.input.products, *snakemake.input.bands],
+            snakemake.input.sources,
+            Run(
+                snakemake.params.settings,
+                [Job(**job) for job in snakemake.params.jobs],
+                snakemake.params.software,
+            ),
+        )
