@@ -9,6 +9,7 @@ from thirdbody.configuration import (
     with_one_reading,
     workflow_settings,
 )
+from thirdbody.custody import hold_alone, remove_damaged
 
 try:
     read_plain("config/config.yaml", "config/scenes.yaml", *workflow.overwrite_configfiles)
@@ -39,6 +40,16 @@ include: "workflow/rules/judge.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/band.smk"
+
+
+# jobs read this file too, while the run that started them holds the folder
+if workflow.is_main_process and not workflow.output_settings.dryrun:
+    try:
+        held = hold_alone(".snakemake/thirdbody.lock")
+        for product in remove_damaged("logs"):
+            print(f"{product} is not as it was made: removed", file=sys.stderr)
+    except OSError as error:
+        sys.exit(f"{error}")
 
 
 rule all:
