@@ -9,7 +9,7 @@ from thirdbody.configuration import (
     with_one_reading,
     workflow_settings,
 )
-from thirdbody.custody import hold_alone, remove_damaged
+from thirdbody.custody import hold_alone, remove_damaged, require_writable
 
 try:
     read_plain("config/config.yaml", "config/scenes.yaml", *workflow.overwrite_configfiles)
@@ -46,6 +46,7 @@ include: "workflow/rules/band.smk"
 if workflow.is_main_process and not workflow.output_settings.dryrun:
     try:
         held = hold_alone(".snakemake/thirdbody.lock")
+        require_writable("results")
         for product in remove_damaged("logs"):
             print(f"{product} is not as it was made: removed", file=sys.stderr)
     except OSError as error:

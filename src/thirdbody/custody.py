@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import hashlib
+import os
 import re
 from collections import defaultdict
 from pathlib import Path
@@ -25,6 +26,13 @@ def hold_alone(path):
         held.close()
         raise OSError("another run is under way in this folder; wait for its end") from None
     return held
+
+
+def require_writable(folder) -> None:
+    """Raise ``OSError`` naming ``folder``, or a folder in it, that may not be written to."""
+    for path, _, _ in os.walk(folder):
+        if not os.access(path, os.W_OK | os.X_OK):
+            raise OSError(f"{path} may not be written to; allow it, or run in a folder of your own")
 
 
 def recorded_digests(logs) -> dict[str, set[str]]:
