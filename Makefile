@@ -1,5 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
+# make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make overhead    the time of a clean run against that of the same jobs if they only import
 # make lock        renew the locked dependencies (needs uv)
 
@@ -10,7 +11,7 @@ BIN := $(VENV)/bin
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test overhead lock format clean
+.PHONY: reproduce test test-survival overhead lock format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -18,6 +19,9 @@ reproduce: $(VENV)/workflow.done
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
 	$(BIN)/python -m pytest
+
+test-survival: $(VENV)/test.done
+	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival
 
 $(BIN)/python:
 	$(PYTHON) -c "import sys; sys.exit(0 if sys.version_info >= (3, 11) else 'Python 3.11 or newer is needed, this is ' + sys.version.split()[0])"

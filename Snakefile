@@ -3,8 +3,11 @@
 import sys
 from pathlib import Path
 
+from snakemake.utils import update_config
+
 from thirdbody.closure import import_closure
 from thirdbody.configuration import (
+    read_changes,
     read_plain,
     with_one_reading,
     workflow_settings,
@@ -22,6 +25,7 @@ configfile: "config/scenes.yaml"
 
 
 try:
+    update_config(config, read_changes(config.pop("changes", None)))
     settings = workflow_settings(config)
 except ValueError as error:
     sys.exit(f"{error}")

@@ -1,14 +1,5 @@
 # Sensitivity: how results respond to the inputs that the paper does not print, at the default.
-import sys
-
-from thirdbody.configuration import read_yaml, validate
-
-try:
-    SENSITIVITY = read_yaml("config/sensitivity.yaml")
-    validate(SENSITIVITY, read_yaml("config/sensitivity.schema.yaml"))
-except ValueError as error:
-    sys.exit(f"config/sensitivity.yaml: {error}")
-
+SENSITIVITY = settings["sensitivity"]
 UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
 
 
