@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 
 import yaml
 from workspace import ABSENT, ROOT
@@ -84,6 +85,7 @@ class Mutation:
     words: tuple[str, ...]
 
 
+@cache
 def mutations() -> list[Mutation]:
     """The same files every time: those of the syntax, and a choice of those of keys and values."""
     chance = random.Random(300)
