@@ -44,8 +44,11 @@ class _StrictLoader(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-def read_yaml(path) -> dict:
-    """The mapping in a YAML file; ``ValueError`` with one line that names the file and place."""
+KINDS = {dict: "keys with values", list: "a list"}
+
+
+def read_yaml(path, kind: type = dict):
+    """The ``dict`` or ``list`` in a YAML file; ``ValueError`` in one line names file and place."""
     try:
         text = Path(path).read_bytes().decode("utf-8")
     except OSError as error:
@@ -58,8 +61,8 @@ def read_yaml(path) -> dict:
         raise ValueError(f"{path}: nested too deeply") from None
     except (yaml.YAMLError, ValueError) as error:
         raise ValueError(f"{path}: {_one_line(error)}") from None
-    if not isinstance(content, dict):
-        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: keys with values")
+    if not isinstance(content, kind):
+        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
     return content
 
 
@@ -251,6 +254,27 @@ def _checked_input(name, value, entries):
             f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry.get('unit', '')}"
         )
     return float(value)
+
+
+CALIBRATED = {"reading": str, "objective": float, "inputs": dict, "ensemble": list}
+
+
+def read_calibrated(path) -> dict:
+    """A file that `snakemake calibrate` writes: a reading, its best inputs and their ensemble.
+
+    Raises ``ValueError`` with one line for a key that is missing or no input of the model.
+    """
+    content = read_yaml(path)
+    for key, kind in CALIBRATED.items():
+        if not isinstance(content.get(key), kind):
+            shown = _shown(content.get(key))
+            raise ValueError(f"{path}: {key} is {shown}; allowed: what `snakemake calibrate` writes")
+    names = {field.name for field in fields(Parameters)}
+    for values in (content["inputs"], *content["ensemble"]):
+        unknown = sorted(set(values) - names) if isinstance(values, dict) else [values]
+        if unknown:
+            raise ValueError(f"{path}: unknown input {_shown(unknown[0])}; allowed: those of the model")
+    return content
 
 
 def config_directory() -> Path:

@@ -10,7 +10,7 @@ from collections import defaultdict
 from pathlib import Path
 
 # a line of a log as ``thirdbody.files.whole`` prints it and ``sha256sum -c`` reads it
-RECORD = re.compile(rb"^([0-9a-f]{64})  (results/[\w./-]+)$", re.MULTILINE)
+RECORD = re.compile(rb"^([0-9a-f]{64})  (results(?:/\w[\w.-]*)+)$", re.MULTILINE)
 
 
 def hold_alone(path):

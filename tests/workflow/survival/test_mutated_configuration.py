@@ -12,6 +12,7 @@ from mutations import Mutation, mutations
 from workspace import ROOT, run_here
 
 from thirdbody import configuration
+from thirdbody.claims import load_claims
 from thirdbody.parameters import Parameters
 from thirdbody.scene import Scene
 
@@ -46,6 +47,7 @@ def outcome(mutation: Mutation) -> str:
         for file in files:
             merged |= configuration.read_yaml(file)
         settings = configuration.workflow_settings(merged)
+        load_claims("config/claims.yaml")
     except ValueError as error:
         return str(error)
     inputs = Parameters(**settings["parameters"])
