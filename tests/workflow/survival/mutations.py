@@ -134,6 +134,8 @@ def _changed(file, text, way, what, new) -> Mutation:
     words = tuple(repr(part)[1:-1][:20] if isinstance(part, str) else f"[{part}]" for part in way[-3:])
     if what == "renamed":
         words = (new, way[-1])
+    if isinstance(way[0], int):  # a statement: what else it must have, or another that it contradicts
+        words += ("must be given", "contradicts")
     if what == "doubled":
         changed = f"{text}\n{_dumped({way[-1]: new})}"
     else:
