@@ -1,6 +1,7 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
 # make verify      whether the release is whole, and the products are those that it holds
+# make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make overhead    the time of a clean run against that of the same jobs if they only import
 # make lock        renew the locked dependencies (needs uv)
 
@@ -13,7 +14,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test verify overhead lock format clean
+.PHONY: reproduce test test-survival verify overhead lock format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -21,6 +22,9 @@ reproduce: $(VENV)/workflow.done
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
 	$(BIN)/python -m pytest
+
+test-survival: $(VENV)/test.done
+	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival
 
 $(BIN)/python:
 	$(PYTHON) -c "import sys; sys.exit(0 if sys.version_info >= (3, 11) else 'Python 3.11 or newer is needed, this is ' + sys.version.split()[0])"

@@ -3,12 +3,16 @@
 import sys
 from pathlib import Path
 
+from snakemake.utils import update_config
+
 from thirdbody.closure import import_closure
 from thirdbody.configuration import (
+    read_changes,
     read_plain,
     with_one_reading,
     workflow_settings,
 )
+from thirdbody.custody import hold_alone, remove_damaged, require_writable
 
 try:
     read_plain("config/config.yaml", "config/scenes.yaml", *workflow.overwrite_configfiles)
@@ -21,6 +25,7 @@ configfile: "config/scenes.yaml"
 
 
 try:
+    update_config(config, read_changes(config.pop("changes", None)))
     settings = workflow_settings(config)
 except ValueError as error:
     sys.exit(f"{error}")
@@ -40,6 +45,17 @@ include: "workflow/rules/claims.smk"
 include: "workflow/rules/sensitivity.smk"
 include: "workflow/rules/band.smk"
 include: "workflow/rules/accuracy.smk"
+
+
+# jobs read this file too, while the run that started them holds the folder
+if workflow.is_main_process and not workflow.output_settings.dryrun:
+    try:
+        held = hold_alone(".snakemake/thirdbody.lock")
+        require_writable("results")
+        for product in remove_damaged("logs"):
+            print(f"{product} is not as it was made: removed", file=sys.stderr)
+    except OSError as error:
+        sys.exit(f"{error}")
 
 
 rule all:

@@ -11,12 +11,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
-from pathlib import Path
 from typing import NamedTuple, Protocol
 
 import numpy as np
-import yaml
 
+from thirdbody.configuration import read_yaml
 from thirdbody.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 MISSING_SCORE = 10.0  # no evidence, and the most that any score reaches
@@ -211,7 +210,9 @@ class Verdict(NamedTuple):
 def load_claims(path) -> tuple[Claim, ...]:
     """Claims of a YAML file, in its order; a ``ValueError`` names file, id and key at fault."""
     claims = []
-    for entry in yaml.safe_load(Path(path).read_text(encoding="utf-8")):
+    for entry in read_yaml(path, list):
+        if not isinstance(entry, dict):
+            raise ValueError(f"{path}: {str(entry)[:60]!r} is no statement; allowed: keys with values")
         try:
             claims.append(_parsed(entry))
         except ValueError as error:
@@ -577,6 +578,11 @@ CHOICES = {
 
 
 def _parsed(entry: dict) -> Claim:
+    for key in ("id", "where", "statement", "kind", *CHOICES):
+        _require(isinstance(entry.get(key, ""), str), key, "a word")
+    for key in ("conditions", "reference", "tolerance"):
+        _require(isinstance(entry.get(key, {}), dict), key, "keys with values")
+    _require(isinstance(entry.get("contradicts", []), list), "contradicts", "a list")
     kind, tolerance = entry.get("kind"), entry.get("tolerance", {})
     _require(kind in FIELDS, "kind", f"one of {', '.join(FIELDS)}")
     required, optional = FIELDS[kind]
@@ -611,7 +617,9 @@ def _check_conditions(entry, conditions, reference):
 def _is_published(entry):
     published = entry.get("published")
     if entry["kind"].endswith("_sequence"):
-        return all(name in STATES for name in _state_names(published))
+        steps = published if isinstance(published, list) else [None]
+        words = all(isinstance(step, str) for step in steps)
+        return words and all(name in STATES for name in _state_names(steps))
     return published is None or _are_numbers(published)
 
 

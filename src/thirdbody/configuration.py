@@ -44,8 +44,11 @@ class _StrictLoader(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-def read_yaml(path) -> dict:
-    """The mapping in a YAML file; ``ValueError`` with one line that names the file and place."""
+KINDS = {dict: "keys with values", list: "a list"}
+
+
+def read_yaml(path, kind: type = dict):
+    """The ``dict`` or ``list`` in a YAML file; ``ValueError`` in one line names file and place."""
     try:
         text = Path(path).read_bytes().decode("utf-8")
     except OSError as error:
@@ -58,8 +61,8 @@ def read_yaml(path) -> dict:
         raise ValueError(f"{path}: nested too deeply") from None
     except (yaml.YAMLError, ValueError) as error:
         raise ValueError(f"{path}: {_one_line(error)}") from None
-    if not isinstance(content, dict):
-        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: keys with values")
+    if not isinstance(content, kind):
+        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
     return content
 
 
@@ -75,7 +78,7 @@ def validate(config: dict, schema: dict) -> None:
     """Raise ``ValueError`` with one line for the first key of ``config`` that breaks ``schema``."""
     from jsonschema import Draft202012Validator
 
-    _require_finite(config, "")
+    _require_reasonable(config, "")
     errors = Draft202012Validator(schema).iter_errors(config)
     first = min(errors, key=lambda error: (len(error.absolute_path), _key(error)), default=None)
     if first is not None:
@@ -92,14 +95,19 @@ def read_valid(path, schema) -> dict:
     return content
 
 
-def _require_finite(value, key) -> None:
-    """JSON Schema lets nan and infinities pass any bound."""
+LONGEST_LIST = 1000  # what the schemas allow at most
+
+
+def _require_reasonable(value, key) -> None:
+    """JSON Schema lets nan and infinities pass any bound, and takes for ever on a huge list."""
     if isinstance(value, dict):
         for name, item in value.items():
-            _require_finite(item, f"{key}.{name}".lstrip("."))
+            _require_reasonable(item, f"{key}.{name}".lstrip("."))
     elif isinstance(value, list):
+        if len(value) > LONGEST_LIST:
+            raise ValueError(f"{key} holds {len(value)} values; allowed: at most {LONGEST_LIST}")
         for index, item in enumerate(value):
-            _require_finite(item, f"{key}[{index}]")
+            _require_reasonable(item, f"{key}[{index}]")
     elif isinstance(value, float) and not math.isfinite(value):
         raise ValueError(f"{key} is {value}; allowed: finite numbers")
 
@@ -122,6 +130,8 @@ _ALLOWED = {
     "maxItems": lambda e: f"allowed: at most {e.validator_value} values",
     "uniqueItems": lambda e: "allowed: no value twice",
     "minProperties": lambda e: f"allowed: at least {e.validator_value} keys",
+    "minLength": lambda e: "allowed: at least one letter",
+    "maxLength": lambda e: f"allowed: at most {e.validator_value} letters",
     "pattern": lambda e: f"allowed: {e.schema.get('description', e.validator_value)}",
     "oneOf": lambda e: f"allowed: {e.schema.get('description', 'one of several forms')}",
 }
@@ -143,7 +153,7 @@ def _explained(error) -> str:
         extra = next(
             name for name in error.instance if name not in known and not _matches(name, patterns)
         )
-        return f"{key}: unknown key {extra!r}; allowed: {', '.join(known) or ', '.join(patterns)}"
+        return f"{key}: unknown key {_shown(extra)}; allowed: {', '.join(known) or ', '.join(patterns)}"
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
         return f"{key}: key {missing!r} is missing; allowed: it must be given"
@@ -189,9 +199,27 @@ def _check_entries(path, entries: dict) -> None:
             raise ValueError(f"{path}: {name} is {shown}; allowed: an entry with a value")
         if "allowed" not in entry and "bounds" not in entry:
             raise ValueError(f"{path}: {name} has no bounds; allowed: bounds or allowed values")
+        _check_allowed(path, name, entry)
     for name in entries:
         if name not in names:
             raise ValueError(f"{path}: unknown key {name!r}; allowed: {', '.join(names)}")
+
+
+def _check_allowed(path, name, entry: dict) -> None:
+    """An entry allows two finite numbers and all between them, or what it lists."""
+    bounds = entry.get("bounds", [0, 1])
+    two = isinstance(bounds, list) and len(bounds) == 2
+    if not two or not all(_is_number(end) and math.isfinite(end) for end in bounds):
+        shown = _shown(bounds)
+        raise ValueError(f"{path}: {name}.bounds is {shown}; allowed: two finite numbers")
+    listed = entry.get("allowed", [True])
+    if not isinstance(listed, list) or not listed or not all(type(x) in (bool, str) for x in listed):
+        shown = _shown(listed)
+        raise ValueError(f"{path}: {name}.allowed is {shown}; allowed: a list of words or truths")
+
+
+def _is_number(value) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _input_values(path, entries) -> dict:
@@ -231,12 +259,32 @@ def _checked_input(name, value, entries):
             raise ValueError(f"{name} is {_shown(value)}; allowed: {allowed}")
         return value
     low, high = entry["bounds"]
-    number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    if not number or not low <= value <= high:
+    if not _is_number(value) or not low <= value <= high:
         raise ValueError(
             f"{name} is {_shown(value)}; allowed: a number from {low:g} to {high:g} {entry.get('unit', '')}"
         )
     return float(value)
+
+
+CALIBRATED = {"reading": str, "objective": float, "inputs": dict, "ensemble": list}
+
+
+def read_calibrated(path) -> dict:
+    """A file that `snakemake calibrate` writes: a reading, its best inputs and their ensemble.
+
+    Raises ``ValueError`` with one line for a key that is missing or no input of the model.
+    """
+    content = read_yaml(path)
+    for key, kind in CALIBRATED.items():
+        if not isinstance(content.get(key), kind):
+            shown = _shown(content.get(key))
+            raise ValueError(f"{path}: {key} is {shown}; allowed: what `snakemake calibrate` writes")
+    names = {field.name for field in fields(Parameters)}
+    for values in (content["inputs"], *content["ensemble"]):
+        unknown = sorted(set(values) - names) if isinstance(values, dict) else [values]
+        if unknown:
+            raise ValueError(f"{path}: unknown input {_shown(unknown[0])}; allowed: those of the model")
+    return content
 
 
 def config_directory() -> Path:
@@ -266,6 +314,19 @@ def read_plain(*paths) -> None:
             raise ValueError(f"{path}: key '__use_yte__' runs code; allowed: plain values")
 
 
+def read_changes(path) -> dict:
+    """Keys of the file given with ``--config changes=``, none without one.
+
+    Nothing but ``read_yaml`` reads it, where Snakemake has read a ``--configfile`` before it reads
+    the workflow, templates that run code included.
+    """
+    if path is None:
+        return {}
+    if not isinstance(path, str):
+        raise ValueError(f"changes is {_shown(path)}; allowed: the path of a YAML file")
+    return read_yaml(path)
+
+
 def workflow_settings(config: dict) -> dict:
     """The configuration that the rules take their parameters from, checked as a whole.
 
@@ -289,15 +350,53 @@ def workflow_settings(config: dict) -> dict:
             lists = {key: [value] for key, value in panel.items()}
             _check_room(lists, f"schematics.{name}[{index}]")
     read_valid(directory / "paper_tables.yaml", directory / "paper_tables.schema.yaml")
-    inputs = read_inputs(directory / "inputs.yaml", config["inputs"])
+    base = directory / "inputs.yaml"
+    inputs = read_inputs(base, config["inputs"])
+    calibration = read_valid(directory / "calibration.yaml", directory / "calibration.schema.yaml")
+    sensitivity = read_valid(directory / "sensitivity.yaml", directory / "sensitivity.schema.yaml")
+    _check_increasing(sensitivity["load_N"], f"{directory / 'sensitivity.yaml'}: load_N")
+    _check_readings(directory / "calibration.yaml", calibration, read_yaml(base))
     return {
         **config,
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": read_yaml(directory / "calibration.yaml"),
+        "calibration": calibration,
+        "sensitivity": sensitivity,
         "parameters": Parameters(**inputs).as_dict(),
-        "uncalibrated": Parameters(**read_inputs(directory / "inputs.yaml")).as_dict(),
+        "uncalibrated": Parameters(**read_inputs(base)).as_dict(),
         "software": {name: version(name) for name in ("numpy", "scipy", "netCDF4", "xarray")},
     }
+
+
+def _check_readings(path: Path, calibration: dict, entries: dict) -> None:
+    """What a reading fixes is within bounds; all that it searches is an input with a range."""
+    unknowns = calibration["unknowns"]
+    places = {"unknowns": unknowns, "always": calibration["always"]}
+    for name, reading in calibration["readings"].items():
+        places[f"readings.{name}.unknowns"] = reading.get("unknowns", [])
+        places[f"readings.{name}.start"] = reading["start"]
+    try:
+        _check_increasing(calibration["newtons"], "newtons")
+        for place, names in places.items():
+            for name in names:
+                if name not in unknowns or name not in entries:
+                    shown = _shown(name)
+                    raise ValueError(f"{place}: {shown} is no unknown; allowed: {', '.join(unknowns)}")
+        for name, unknown in unknowns.items():
+            _check_increasing(unknown["bounds"], f"unknowns.{name}.bounds")
+            _check_increasing(unknown["usual"], f"unknowns.{name}.usual")
+            if unknown["scale"] == "logarithmic" and min(*unknown["bounds"], *unknown["usual"]) <= 0:
+                raise ValueError(f"unknowns.{name} is logarithmic; allowed: bounds and usual above 0")
+        for name, reading in calibration["readings"].items():
+            for key, value in reading["fixed"].items():
+                try:
+                    _checked_input(key, value, entries)
+                except ValueError as error:
+                    raise ValueError(f"readings.{name}.fixed: {error}") from None
+            for key in (*calibration["always"], *reading.get("unknowns", [])):
+                if key not in reading["start"]:
+                    raise ValueError(f"readings.{name}.start: key {key!r} is missing; allowed: a number")
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
 
 
 def _check_increasing(ends, key) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 from importlib.metadata import PackageNotFoundError, version
@@ -154,7 +155,8 @@ def write_dataset(dataset: xr.Dataset, path) -> None:
     """Write ``dataset`` as NetCDF-4: the same dataset gives the same bytes.
 
     Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
-    missing ones: the nan of an unsolved point stays what it is.
+    missing ones: the nan of an unsolved point stays what it is.  Raises ``OSError`` if there is no
+    room, however the library below says so.
     """
     # smallest of what every NetCDF-4 library reads, by tests/performance/measure_compression.py
     compressed = {"zlib": True, "complevel": 9, "shuffle": False}
@@ -162,7 +164,10 @@ def write_dataset(dataset: xr.Dataset, path) -> None:
     encoding |= {
         name: compressed | {"chunksizes": dataset[name].shape} for name in dataset.data_vars
     }
-    dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=encoding)
+    try:
+        dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=encoding)
+    except RuntimeError as error:
+        raise OSError(errno.EIO, str(error), str(path)) from None
 
 
 def read_dataset(path) -> xr.Dataset:

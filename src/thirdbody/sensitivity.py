@@ -140,8 +140,8 @@ def last_crossings(curve: Curve) -> list[float]:
         around = slice(steps[-1] + 1 - SIDE, steps[-1] + 1 + SIDE) if steps.size else slice(0)
         known = excess[around]
         usable = known.size == 2 * SIDE and np.isfinite(known).all() and _is_monotonic(known)
+        # its order of summation is drawn at random: the seed makes every run give the same bits
         found.append(
-            # without a seed the interpolator takes its nodes in another order every time
             np.exp(BarycentricInterpolator(known, np.log(curve.load[around]), rng=0)(0.0))
             if usable
             else np.nan

@@ -1,5 +1,7 @@
 """Products that appear whole or not at all, and failures of one line."""
 
+import errno
+import hashlib
 import os
 import sys
 
@@ -61,7 +63,8 @@ def test_a_failure_leaves_an_old_product_as_it_was(tmp_path):
 def test_a_product_that_was_not_written_keeps_all_of_them_away(tmp_path):
     old = tmp_path / "a"
     old.write_text("old")
-    with pytest.raises(FileNotFoundError), whole(old, tmp_path / "b") as (first, _):
+    missing = "a, .*/b cannot be written"
+    with pytest.raises(OSError, match=missing), whole(old, tmp_path / "b") as (first, _):
         first.write_text("new")
     assert old.read_text() == "old"
     assert listing(tmp_path) == ["a"]
@@ -136,3 +139,36 @@ def test_the_log_is_utf_8_whatever_the_locale(tmp_path, monkeypatch):
     with logged(tmp_path / "log"):
         print("σ = 300 nm")
     assert (tmp_path / "log").read_bytes() == f"σ = 300 nm{os.linesep}".encode()
+
+
+def test_what_a_killed_process_left_half_written_goes(tmp_path):
+    (tmp_path / ".table.partial1.csv").write_text("half")
+    with whole(tmp_path / "table.csv") as part:
+        part.write_text("new")
+    assert listing(tmp_path) == ["table.csv"]
+
+
+def test_what_is_made_is_printed_with_its_digest(tmp_path, capsys):
+    with whole(tmp_path / "table.csv") as part:
+        part.write_text("new")
+    digest = hashlib.sha256(b"new").hexdigest()
+    assert capsys.readouterr().out == f"{digest}  {tmp_path / 'table.csv'}\n"
+
+
+def test_want_of_room_names_the_product(tmp_path):
+    def fail():
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    told = "table.csv cannot be written .No space left on device"
+    with pytest.raises(OSError, match=told), whole(tmp_path / "table.csv"):
+        fail()
+
+
+def test_an_input_that_is_missing_keeps_its_own_message(tmp_path):
+    with pytest.raises(FileNotFoundError), whole(tmp_path / "table.csv"):
+        (tmp_path / "input").read_text()
+
+
+def test_a_log_that_cannot_be_written_is_named(tmp_path):
+    with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
+        pass

@@ -1,4 +1,7 @@
-"""A damaged dataset stops the rule that reads it, which says how to remake the file."""
+"""A damaged dataset stops the rule that reads it, which says how to remake the file.
+
+So it is where no log says what was made, and a run cannot tell when it starts.
+"""
 
 import random
 import re
@@ -19,6 +22,7 @@ def test_a_damaged_dataset_is_named_with_the_command_that_remakes_it(workspace):
     for figure, harm in DAMAGE.items():
         dataset = workspace.root / f"results/datasets/{figure}.nc"
         dataset.write_bytes(harm(dataset.read_bytes()))
+        (workspace.root / f"logs/compute_dataset/{figure}.log").unlink()
     before = workspace.stamps()
 
     run = workspace.snakemake(*map(target, DAMAGE))

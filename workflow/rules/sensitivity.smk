@@ -1,13 +1,5 @@
 # Sensitivity: how results respond to the inputs that the paper does not print, at the default.
-import sys
-
-from thirdbody.configuration import read_valid
-
-try:
-    SENSITIVITY = read_valid("config/sensitivity.yaml", "config/sensitivity.schema.yaml")
-except ValueError as error:
-    sys.exit(f"{error}")
-
+SENSITIVITY = settings["sensitivity"]
 UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
 
 

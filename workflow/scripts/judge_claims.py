@@ -2,7 +2,7 @@
 
 from thirdbody.calibration import Reading
 from thirdbody.claims import load_claims
-from thirdbody.configuration import read_yaml
+from thirdbody.configuration import read_calibrated
 from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
 from thirdbody.tables import TABLES, write_csv
@@ -13,7 +13,7 @@ from thirdbody.verdicts import Court, Trial, verdict_rows
 def judge_claims(claims, default, calibrated, settings, parameters, table, text):
     """Judge ``claims`` under the inputs of the file ``default`` and those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
-    main, readings = read_yaml(default), [read_yaml(path) for path in calibrated]
+    main, readings = read_calibrated(default), [read_calibrated(path) for path in calibrated]
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
     page = claims_markdown(trial, main, readings, settings["headline"])
     with whole(table, text) as (table_part, text_part):

@@ -1,7 +1,7 @@
 """Scores of the statements of Figures 4, 6 and 11 under calibrated readings."""
 
 from thirdbody.claims import load_claims
-from thirdbody.configuration import read_yaml
+from thirdbody.configuration import read_calibrated
 from thirdbody.conflict import conflict_rows
 from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
@@ -10,7 +10,7 @@ from thirdbody.tables import TABLES, write_csv
 
 def judge_conflict(claims, calibrated, newtons, parameters, table):
     """Write a row for each reading of the files ``calibrated``, member and statement."""
-    readings = [read_yaml(path) for path in calibrated]
+    readings = [read_calibrated(path) for path in calibrated]
     base = Parameters(**parameters)
     with whole(table) as part:
         rows = conflict_rows(load_claims(claims), readings, base, newtons)

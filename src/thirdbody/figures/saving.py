@@ -11,6 +11,7 @@ import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
 from thirdbody.figures.panel import NamedOutlines
+from thirdbody.files import whole
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {
@@ -24,9 +25,10 @@ COLUMNS = ("panel", "curve", "x_name", "x", "y_name", "y")
 
 def save(figure, stem) -> None:
     """Write ``stem``.svg, .pdf, .png and, as .csv, the data that ``figure`` shows."""
-    for kind, options in OPTIONS.items():
-        figure.savefig(f"{stem}.{kind}", format=kind, **options)
-    write_drawn_data(figure, f"{stem}.csv")
+    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data):
+        for drawing, (kind, options) in zip(drawings, OPTIONS.items(), strict=True):
+            figure.savefig(drawing, format=kind, **options)
+        write_drawn_data(figure, data)
 
 
 def write_drawn_data(figure, path) -> None:

@@ -1,0 +1,133 @@
+"""No room, no right to write, little memory, no solitude: a clear line, and nothing is harmed."""
+
+import os
+import re
+import resource
+import subprocess
+
+import pytest
+from harm import (
+    LONG,
+    SNAKEMAKE,
+    assert_same,
+    complete,
+    ended,
+    obey_permissions,
+    products,
+    start,
+)
+from workspace import MINIMAL
+
+GIGABYTE = 2**30
+NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
+# runs in a disk of its own: little room, what it left, more room, what it left
+ON_A_SMALL_DISK = """
+set -eu
+room=$1 disk=$2 sources=$3 kept=$4
+shift 4
+mount -t tmpfs -o size="$room"k none "$disk"
+cp -R "$sources"/. "$disk"
+cd "$disk"
+export PYTHONPATH="$disk"/src
+code=0
+"$@" > "$kept"/full.txt 2>&1 || code=$?
+echo $code > "$kept"/code
+cp -R results "$kept"/early
+mount -o remount,size=1G "$disk"
+"$@" > "$kept"/roomy.txt 2>&1
+cp -R results "$kept"/late
+"""
+long = pytest.mark.skipif(not LONG, reason="make test-survival")
+
+
+def may_mount() -> bool:
+    try:
+        return subprocess.run([*NAMESPACE, "true"], capture_output=True).returncode == 0
+    except FileNotFoundError:
+        return False
+
+
+@long
+@pytest.mark.skipif(not may_mount(), reason="no mount namespace here")
+@pytest.mark.parametrize("room", [500, 2500])
+def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
+    sources, undisturbed, tmp_path, room, tell
+):
+    """The disk holds the whole repository, so that Snakemake's own files do not fit either."""
+    disk, kept = tmp_path / "disk", tmp_path / "kept"
+    disk.mkdir()
+    kept.mkdir()
+    files = [path for path in sources.root.rglob("*") if path.is_file()]
+    needed = sum(-(-path.stat().st_size // 4096) * 4 for path in files)
+    ran = subprocess.run(
+        [*NAMESPACE, "sh", "-c", ON_A_SMALL_DISK, "sh", str(needed + room), disk, sources.root, kept]
+        + [*SNAKEMAKE, *MINIMAL],
+        capture_output=True,
+        text=True,
+    )
+    said = (kept / "full.txt").read_text(errors="replace")
+    assert ran.returncode == 0, ran.stderr + said + (kept / "roomy.txt").read_text()
+    assert (kept / "code").read_text() != "0\n"
+    assert "Traceback" not in said
+    assert re.search(r"(results|logs)/\S+ cannot be written \(", said) or "No space left" in said
+    early = products(kept / "early")
+    assert not [name for name in early if undisturbed.get(name) != early[name]]
+    assert_same(kept / "late", undisturbed)
+    tell(f"disk full after {len(early)} of {len(undisturbed)} products, {room} kB")
+
+
+@long
+def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, tell):
+    lost = workspace.root / "results/tables/table1.md"
+    lost.unlink()
+    results = workspace.root / "results"
+    folders = [results, *(path for path in results.rglob("*") if path.is_dir())]
+    for folder in folders:
+        folder.chmod(0o555)
+    code, said = ended(start(workspace, prepare=obey_permissions))
+    for folder in folders:
+        folder.chmod(0o755)
+    assert code != 0
+    assert said.splitlines()[-1].startswith("results may not be written to")
+    kept = products(workspace.root / "results")
+    assert not [name for name in kept if kept[name] != undisturbed[name]]
+    complete(workspace)
+    assert_same(workspace.root / "results", undisturbed)
+    tell(f"read-only results: {len(kept)} products as they were")
+
+
+def test_of_two_runs_at_once_one_says_that_the_other_is_running(workspace, undisturbed, tell):
+    for product in (workspace.root / "results/tables").iterdir():
+        product.unlink()
+    runs = [ended(run) for run in [start(workspace), start(workspace)]]
+    codes, said = zip(*sorted(runs), strict=True)
+    assert codes[0] == 0, said
+    assert codes[1] != 0, said
+    assert said[1].splitlines()[-1].startswith("another run is under way in this folder")
+    assert_same(workspace.root / "results", undisturbed)
+    tell("2 runs at once: 1 completed, 1 refused")
+
+
+def test_a_dry_run_may_look_on_while_another_run_is_under_way(workspace):
+    (workspace.root / "results/tables/table1.md").unlink()
+    run = start(workspace)
+    assert workspace.snakemake("--dry-run").returncode == 0
+    assert ended(run)[0] == 0
+
+
+@long
+def test_each_job_of_the_papers_run_does_with_one_gigabyte(sources, tmp_path, tell):
+    """Of data (RLIMIT_DATA): all that a process may write to.
+
+    RLIMIT_AS would count the address space that Snakemake's threads reserve and never use.
+    """
+    workspace = sources.copied_to(tmp_path / "thirdbody")
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_DATA, (GIGABYTE, GIGABYTE))
+
+    complete(workspace, config=(), prepare=limit)
+    benchmarks = list(workspace.root.glob("benchmarks/**/*.tsv"))
+    rows = [path.read_text().splitlines()[1].split("\t") for path in benchmarks]
+    largest = max(float(row[2]) for row in rows if row[2] not in ("-", "NA"))
+    tell(f"{len(rows)} jobs of the paper's run within 1 GB each; largest resident {largest:.0f} MB")
