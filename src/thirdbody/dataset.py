@@ -5,12 +5,13 @@ from __future__ import annotations
 import errno
 import hashlib
 import json
+from collections.abc import Collection
 from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 import xarray as xr
 
-from thirdbody.interface import DEFAULT_RTOL, checked_axis, solve
+from thirdbody.interface import DEFAULT_RTOL, check_variables, checked_axis, solve
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.scene import DIMENSIONS, Scene
@@ -34,7 +35,10 @@ RELEASE_DATE = "2026-11-21"
 DISCOVERY = {
     "naming_authority": "thirdbody",
     "history": "computed by thirdbody from the equations of the paper",
-    "comment": "nan: the point has no solution, and solution_status says why",
+    "comment": (
+        "nan: the point has no solution, and solution_status says why; a value beside the status "
+        "not_converged is one that float64 does not resolve to rtol"
+    ),
     "acknowledgement": "Chen & Horng (2024) for the model",
     "project": "thirdbody",
     "program": "reproduction of published models",
@@ -82,11 +86,16 @@ QUANTITIES = {
     "separation": ("m", "mean separation of the two surfaces", "d", "4"),
     "film_thickness": ("1", "central film thickness over ball radius", "H_c", "7"),
 }
+ERROR_BOUND = {
+    "error_bound": ("1", "bound on the relative error of every variable", "none", "none"),
+}
 FLAGS = {
     "lubrication_regime": ("lubrication regime", "L_s", "section 3.1", LUBRICATION_REGIMES),
     "contact_mode": ("contact mode", "A_sa,t*", "section 3.2", CONTACT_MODES),
     "solution_status": ("status of the solution", "", "1-8", SOLUTION_STATUSES),
 }
+CONTRACT = (*QUANTITIES, *FLAGS)  # variables of every dataset of a figure
+DESCRIBED = (*CONTRACT, *ERROR_BOUND)
 
 
 def software_version() -> str:
@@ -105,17 +114,27 @@ def grid(
     particle_density,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = CONTRACT,
 ) -> xr.Dataset:
     """Every combination of five 1-D axes, as a dataset with these five dimensions.
 
     ``load`` F_t* [1], ``viscosity`` [m2/s], ``particle_diameter`` [m], ``roughness`` [m],
     ``particle_density`` [m-2]; ``rtol`` is the relative error asked for in every variable.
-    Raises ``ValueError`` for an axis that is not 1-D, increasing and of physical meaning.
+    ``variables`` names those that are wanted beside ``solution_status``, out of those of
+    ``Solution``.  Raises ``ValueError`` for an axis that is not 1-D, increasing and of physical
+    meaning, and for an unknown variable.
     """
     axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
-    solution = solve(*np.ix_(*axes.values()), parameters=parameters, rtol=rtol)
-    values = {name: getattr(solution, name) for name in (*QUANTITIES, *FLAGS)}
+    names = with_status(variables)
+    solution = solve(*np.ix_(*axes.values()), parameters, rtol, names)
+    values = {name: getattr(solution, name) for name in names}
     return described_grid(axes, values, parameters, rtol)
+
+
+def with_status(variables) -> list[str]:
+    """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
+    check_variables(variables)
+    return [name for name in DESCRIBED if name in variables or name == "solution_status"]
 
 
 def grid_axes(*given) -> dict:
@@ -195,10 +214,13 @@ def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
     """Coordinates, variables and attributes of the data contract around solved ``values``."""
     variables = {
         name: (DIMENSIONS, values[name], _quantity_attributes(*row))
-        for name, row in QUANTITIES.items()
+        for name, row in (QUANTITIES | ERROR_BOUND).items()
+        if name in values
     }
     variables |= {
-        name: (DIMENSIONS, values[name], _flag_attributes(*row)) for name, row in FLAGS.items()
+        name: (DIMENSIONS, values[name], _flag_attributes(*row))
+        for name, row in FLAGS.items()
+        if name in values
     }
     coordinates = {
         name: (name, axis, _coordinate_attributes(name)) for name, axis in axes.items()

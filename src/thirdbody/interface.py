@@ -63,7 +63,7 @@ def solve(
     shape = columns[0].shape
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
         columns, places = _distinct([np.ravel(column) for column in columns])
-        result = {name: np.empty(columns[0].size, _type_of(name)) for name in variables}
+        result = {name: np.empty(columns[0].size, type_of(name)) for name in variables}
         for part, solved in _solved_parts(columns, parameters, rtol):
             for name, values in result.items():
                 values[part] = getattr(solved, name)
@@ -85,7 +85,8 @@ def _solved_parts(columns, parameters, rtol):
             yield np.arange(columns[0].size)[part][again], exact
 
 
-def _type_of(variable):
+def type_of(variable: str) -> type:
+    """Of the values of a variable of ``Solution``."""
     return np.int8 if variable in FLAGS else float
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from itertools import product
 
 import netCDF4
 import numpy as np
 
-from thirdbody.dataset import FLAGS, QUANTITIES, described_grid, grid_axes
+from thirdbody.dataset import CONTRACT, described_grid, grid_axes, with_status
 from thirdbody.files import whole
-from thirdbody.interface import DEFAULT_RTOL, solve
+from thirdbody.interface import DEFAULT_RTOL, solve, type_of
 from thirdbody.parameters import Parameters
 from thirdbody.scene import DIMENSIONS
 
@@ -26,6 +27,7 @@ def stream(
     particle_density,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = CONTRACT,
 ) -> None:
     """Write the dataset of ``grid`` to the NetCDF-4 file ``path``, in memory for a block at most.
 
@@ -33,22 +35,26 @@ def stream(
     longer than solving.  The file appears whole or not at all; raises ``ValueError`` as ``grid``.
     """
 
+    names = with_status(variables)
+
     def solved(*sides):
-        return solve(*np.ix_(*sides), parameters=parameters, rtol=rtol)
+        return solve(*np.ix_(*sides), parameters, rtol, names)
 
     axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
-    write_blocks(path, axes, solved, parameters, rtol)
+    write_blocks(path, axes, solved, parameters, rtol, names)
 
 
-def write_blocks(path, axes, solved, parameters: Parameters, rtol: float) -> None:
+def write_blocks(
+    path, axes, solved, parameters: Parameters, rtol: float, names: Collection[str] = CONTRACT
+) -> None:
     """Write to ``path`` what ``solved`` returns, a ``Solution``, for the sides of each block.
 
-    ``axes`` are the five of ``grid_axes``; the sides of a block are pieces of them.
+    ``axes`` are the five of ``grid_axes``; the sides of a block are pieces of them; ``names`` are
+    the variables to write.
     """
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
-    empty = {name: np.broadcast_to(0.0, shape) for name in QUANTITIES}
-    empty |= {name: np.broadcast_to(np.int8(0), shape) for name in FLAGS}
+    empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in names}
     described = described_grid(axes, empty, parameters, rtol)
     with whole(path) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
         variables = _declare(file, described, lengths)

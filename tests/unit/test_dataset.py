@@ -389,3 +389,9 @@ def test_a_dataset_of_something_else_is_named(tmp_path):
         stored.createVariable("y", "f8", ("x",))[:] = 1.0
     with pytest.raises(OSError, match="other.nc"):
         read_dataset(path)
+
+
+def test_a_grid_of_an_unknown_variable_is_refused(parameters):
+    axes = {name: [1e-6] for name in DIMENSIONS}
+    with pytest.raises(ValueError, match="variables has 'thickness'"):
+        tb.grid(**axes, parameters=parameters, variables=["thickness"])

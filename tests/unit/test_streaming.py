@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import thirdbody as tb
 from thirdbody import streaming
@@ -69,3 +70,12 @@ def test_a_bad_rtol_is_refused(parameters, tmp_path):
     with pytest.raises(ValueError, match="rtol"):
         tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1.0)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_streamed_grid_holds_the_variables_asked_for(parameters, tmp_path):
+    wanted = ["separation", "error_bound"]
+    tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6, variables=wanted)
+    grid = tb.grid(**AXES, parameters=parameters, rtol=1e-6, variables=wanted)
+    with xr.open_dataset(tmp_path / "grid.nc") as streamed:
+        assert set(streamed.data_vars) == set(grid.data_vars) == {*wanted, "solution_status"}
+        assert float(streamed.error_bound.max()) <= 1e-6
