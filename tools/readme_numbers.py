@@ -77,6 +77,23 @@ def identified_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
+def particle_term_block() -> str:
+    """Objectives of the printed particle term and of a free one, for sizes and summits alike."""
+    objective = {content["reading"]: content["objective"] for content in calibrated_files()}
+    table = [
+        {
+            "sizes and summits": name.removesuffix("_full"),
+            "p = 1": f"{value:.1f}",
+            "p free": f"{free:.1f}",
+            "cost of p = 1": f"{value - free:.1f}",
+        }
+        for name, value in objective.items()
+        if name.endswith("_full")
+        for free in [objective[name.removesuffix("_full") + "_free"]]
+    ]
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
 USES = {
     1e-3: "sweeps of 10⁸ points, design charts, monitoring",
     1e-6: "fits and uncertainty studies, which compare results",
@@ -125,6 +142,7 @@ BLOCKS = {
     "windows": turning_points_block,
     "readings": readings_block,
     "identified": identified_block,
+    "particle_term": particle_term_block,
 }
 MEASURED = {"accuracy": accuracy_block}
 SPREAD = 3.0  # of times, between machines and runs
