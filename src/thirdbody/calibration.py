@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import differential_evolution, least_squares
 
-from thirdbody.claims import MISSING_SCORE, Claim, assign_roles, judge, referenced_conditions
+from thirdbody.checks import MISSING_SCORE, judge
+from thirdbody.claims import Claim, assign_roles, referenced_conditions
 from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.parameters import Parameters
 

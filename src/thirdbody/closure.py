@@ -12,7 +12,8 @@ PACKAGE = Path(__file__).resolve().parent
 def import_closure(script) -> list[str]:
     """Files of this package that ``script`` imports, directly or not.
 
-    ``script`` and the result are relative to the root of the repository.  Snakemake reruns a rule whose listed inputs changed; with these it follows the library.
+    ``script`` and the result are relative to the root of the repository.  Snakemake reruns a rule
+    whose listed inputs changed; with these it follows the library.
     """
     found: set[Path] = set()
     root = PACKAGE.parents[1]

@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from thirdbody.claims import Claim, judge, referenced_conditions
+from thirdbody.checks import judge
+from thirdbody.claims import Claim, referenced_conditions
 from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.parameters import Parameters
 from thirdbody.places import part_of_paper

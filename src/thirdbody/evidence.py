@@ -7,7 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from thirdbody.claims import Condition, Curve, TurningPoint
+from thirdbody.checks import Curve, TurningPoint
+from thirdbody.claims import Condition
 from thirdbody.interface import DEFAULT_RTOL, solve
 from thirdbody.parameters import Parameters
 from thirdbody.solution import COVERAGE_EXCEEDED
@@ -34,7 +35,7 @@ QUICK_EFFORT = Effort(
 
 
 class SolvedEvidence:
-    """Evidence for claims (``thirdbody.claims.Evidence``) from the solved model.
+    """Evidence for claims (``thirdbody.checks.Evidence``) from the solved model.
 
     ``asked`` is what ``thirdbody.claims.referenced_conditions`` returns; all its curves are
     solved together over ``newtons``, the first and last normal load [N].

@@ -17,11 +17,11 @@ def decreasing_roots(residual, guess, lower, upper, tolerance, points):
 
     ``residual(x, points)`` returns (value, slope, gain, rounding) for a 1-D array x and the points
     it belongs to: ``gain`` is by how much, relative to itself, what is wanted of x changes with x
-    at the most, ``rounding`` what its evaluation adds to its relative error.  ``points`` has ``take(chosen)``; a nan value counts as one beyond the root.
-    ``guess`` and the finite bounds have one shape.  An element is finished once its next Newton
-    step, and what the residual and the wanted change over it, would be below ``tolerance``, or
-    its steps are rounding: steps shrink quadratically, and how fast shows in the last two.
-    Finished elements drop out.
+    at the most, ``rounding`` what its evaluation adds to its relative error.  ``points`` has
+    ``take(chosen)``; a nan value counts as one beyond the root.  ``guess`` and the finite bounds
+    have one shape.  An element is finished once its next Newton step, and what the residual and
+    the wanted change over it, would be below ``tolerance``, or its steps are rounding: steps
+    shrink quadratically, and how fast shows in the last two.  Finished elements drop out.
 
     Returns the roots, nan where the residual does not vanish between the bounds; how far off they
     may be for the steps left out and for rounding; a bound on the relative error of what is

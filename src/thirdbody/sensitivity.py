@@ -15,7 +15,8 @@ import numpy as np
 from scipy.interpolate import BarycentricInterpolator
 from scipy.special import logit
 
-from thirdbody.claims import AXES, Condition, Curve
+from thirdbody.checks import Curve
+from thirdbody.claims import AXES, Condition
 from thirdbody.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
 from thirdbody.parameters import Parameters
 from thirdbody.transitions import LIMITS

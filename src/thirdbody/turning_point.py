@@ -26,7 +26,6 @@ from thirdbody.interface import (
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 
-
 FARTHEST = 20.0  # a logit beyond it is as good as infinite
 
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d

@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from thirdbody.calibration import Reading
-from thirdbody.claims import Claim, Verdict, assign_roles, judge, referenced_conditions
+from thirdbody.checks import Verdict, judge
+from thirdbody.claims import Claim, assign_roles, referenced_conditions
 from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
 from thirdbody.parameters import Parameters
 

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody import claims
-from thirdbody.claims import Claim, Condition, Curve, TurningPoint, judge
+from thirdbody import checks, claims
+from thirdbody.checks import Curve, TurningPoint, judge
+from thirdbody.claims import Claim, Condition
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -213,7 +214,7 @@ def test_window_compares_both_ends_on_each_surface():
     assert judged(claim, window=lambda roughness: (0.82, 1.27)).holds
     one_off = judged(claim, window=lambda roughness: (0.8, 1.3 if roughness < 2e-7 else 1.5))
     assert not one_off.holds and one_off.deviation == pytest.approx(0.2)
-    assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == claims.MISSING_SCORE
+    assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == checks.MISSING_SCORE
 
 
 # --- ordering and coincidence ---
@@ -552,7 +553,7 @@ def test_unsolved_points_are_no_evidence():
     ]
     for claim in everywhere:
         verdict = judged(claim, half)
-        assert verdict.score == claims.MISSING_SCORE and not verdict.holds, claim.kind
+        assert verdict.score == checks.MISSING_SCORE and not verdict.holds, claim.kind
     solved_part = make_claim(
         "value",
         quantity="solid_load_fraction",
@@ -566,7 +567,7 @@ def test_unsolved_points_are_no_evidence():
 def test_missing_turning_point_is_no_evidence():
     claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
     verdict = judged(claim, turning_point=lambda _: TurningPoint(np.nan, np.nan, np.nan, False))
-    assert verdict.score == claims.MISSING_SCORE and not verdict.holds
+    assert verdict.score == checks.MISSING_SCORE and not verdict.holds
 
 
 # --- roles and conditions ---
@@ -628,7 +629,7 @@ def made_up_evidence():
 
 def test_paper_has_its_statements(paper):
     assert len(paper) >= 70
-    assert {claim.kind for claim in paper} == set(claims.CHECKS)
+    assert {claim.kind for claim in paper} == set(checks.CHECKS)
     assert max(Counter(claim.id for claim in paper).values()) == 1
     assert all(claim.statement.endswith(".") and claim.reason for claim in paper)
 
@@ -660,7 +661,7 @@ def test_every_claim_can_be_judged_and_names_what_it_needs(paper):
     for claim in paper:
         evidence = made_up_evidence()
         verdict = judge(claim, evidence)
-        assert claim.is_withheld or 0.0 <= verdict.score <= claims.MISSING_SCORE, claim.id
+        assert claim.is_withheld or 0.0 <= verdict.score <= checks.MISSING_SCORE, claim.id
         assert verdict.holds is bool(verdict.score <= 1.0) and verdict.measured
         needed = claims.referenced_conditions([claim])
         assert all(evidence.asked[method] <= needed[method] for method in needed), claim.id

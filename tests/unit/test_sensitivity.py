@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.claims import Curve
+from thirdbody.checks import Curve
 from thirdbody.configuration import read_yaml, validate
 from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.figures.saving import drawn_points

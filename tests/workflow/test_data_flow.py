@@ -21,6 +21,7 @@ LAYERS = (
     {"tables", "paper_tables", "band"},
     {"accuracy"},
     {"claims"},
+    {"checks"},
     {"evidence"},
     {"calibration"},
     {"posterior", "verdicts", "sensitivity", "sobol", "conflict"},

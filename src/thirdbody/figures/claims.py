@@ -53,7 +53,7 @@ def plot(rows) -> Figure:
 
 
 def score_of(distance: float) -> float:
-    """The score of a ``distance`` in tolerances, as ``thirdbody.claims`` counts it."""
+    """The score of a ``distance`` in tolerances, as ``thirdbody.checks`` counts it."""
     return distance if distance <= 1.0 else 1.0 + math.log(distance)
 
 
