@@ -11,12 +11,13 @@ from pathlib import Path
 
 
 @contextmanager
-def whole(*paths):
+def whole(*paths, recorded: bool = True):
     """Names beside ``paths`` to write to; they take their places together once all are written.
 
     Yields one ``Path``, or a tuple for several.  Nothing appears in its place if the block fails;
-    ``OSError`` then names the places if it was for want of room or right.  What was made is
-    printed as ``sha256sum -c`` reads it: in a log, it tells a product that was damaged later.
+    ``OSError`` then names the places if it was for want of room or right.  What was made is, if
+    ``recorded``, printed as ``sha256sum -c`` reads it: in a log, it tells a product that was
+    damaged later.
     """
     places = [Path(path) for path in paths]
     for place in places:
@@ -31,7 +32,8 @@ def whole(*paths):
         for part in beside:
             with open(part, "rb") as written:
                 os.fsync(written.fileno())
-                digests.append(hashlib.file_digest(written, "sha256").hexdigest())
+                if recorded:
+                    digests.append(hashlib.file_digest(written, "sha256").hexdigest())
         for part, place in zip(beside, places, strict=True):
             os.replace(part, place)
     except OSError as error:
@@ -43,7 +45,7 @@ def whole(*paths):
     finally:
         for part in beside:
             part.unlink(missing_ok=True)
-    for digest, place in zip(digests, places, strict=True):
+    for digest, place in zip(digests, places if recorded else [], strict=True):
         print(f"{digest}  {place}")
 
 

@@ -56,7 +56,7 @@ def write_blocks(
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in names}
     described = described_grid(axes, empty, parameters, rtol)
-    with whole(path) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
+    with whole(path, recorded=False) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
         variables = _declare(file, described, lengths)
         for block in blocks(shape, lengths):
             solution = solved(*sides(axes, block))

@@ -1,0 +1,157 @@
+"""The search for the unprinted inputs: what it minimises, what it finds, what it may not see."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from thirdbody.calibration import Objective, Reading, Unknown, acceptable, loss, search, spread_out
+from thirdbody.claims import assign_roles, load_claims, referenced_conditions
+from thirdbody.configuration import read_yaml
+from thirdbody.posterior import summary
+
+CONFIG = Path(__file__).parents[2] / "config"
+CLAIMS = load_claims(CONFIG / "claims.yaml")
+SETTINGS = read_yaml(CONFIG / "calibration.yaml")
+BUDGET = {"population": 8, "generations": 4, "starts": 2, "local": 12, "walk": 40}
+LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
+LOGARITHMIC = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
+READING = Reading("two", {}, (LINEAR, LOGARITHMIC), {"gap_ratio": 3.0, "summit_radius": 1e-5})
+
+
+class Valley:
+    """Misses of two inputs that are to be 1.5 and 1e-4, the second hardly seen."""
+
+    def misses(self, reading, positions):
+        values = reading.values(positions)
+        second = np.log10(values["summit_radius"]) + 4.0
+        return np.array([4.0 * (values["gap_ratio"] - 1.5), 0.02 * second])
+
+
+# ---- the objective
+
+
+@pytest.mark.parametrize("unknown", [LINEAR, LOGARITHMIC])
+def test_positions_and_values_are_inverse_and_span_the_bounds(unknown):
+    assert_allclose([unknown.value(0.0), unknown.value(1.0)], unknown.bounds)
+    for position in np.linspace(0.0, 1.0, 7):
+        assert unknown.position(unknown.value(position)) == pytest.approx(position, abs=1e-12)
+
+
+def test_what_is_unusual_is_penalised_and_what_is_usual_is_not():
+    assert LINEAR.penalty(1.0) == LINEAR.penalty(1.7) == LINEAR.penalty(2.0) == 0.0
+    assert LINEAR.penalty(4.0) == pytest.approx(4.0)  # two widths beyond
+    assert LOGARITHMIC.penalty(1e-6) == pytest.approx(1.0)  # a decade below
+    assert LOGARITHMIC.penalty(1e-2) == pytest.approx(4.0)
+
+
+def test_the_loss_grows_with_the_score_and_lets_no_miss_drown_the_others():
+    scores = np.linspace(0.0, 10.0, 200)
+    assert loss(0.0) == 0.0
+    assert (np.diff(loss(scores)) > 0.0).all()
+    assert loss(10.0) < 2.5
+
+
+def test_validation_statements_never_enter_the_objective(parameters):
+    objective = Objective.of(CLAIMS, SETTINGS, parameters)
+    roles = assign_roles(CLAIMS)
+    assert {roles[claim.id] for claim in objective.claims} == {"calibration"}
+    assert len(objective.claims) == sum(role == "calibration" for role in roles.values())
+    # neither by what they say nor by the conditions that they speak of
+    spoilt = tuple(
+        replace(claim, published=1e9, tolerance=1e-9) if roles[claim.id] == "validation" else claim
+        for claim in CLAIMS
+    )
+    other = Objective.of(spoilt, SETTINGS, parameters)
+    assert other.claims == objective.claims
+    assert objective.asked == referenced_conditions(objective.claims)
+
+
+def test_about_a_third_of_the_published_values_is_kept_for_validation():
+    roles = assign_roles(CLAIMS)
+    values = [c.id for c in CLAIMS if c.kind in ("value", "range", "window") and not c.is_withheld]
+    kept = [name for name in values if roles[name] == "validation"]
+    assert 0.3 < len(kept) / len(values) < 0.35
+
+
+def test_inputs_without_a_surface_miss_every_statement(parameters):
+    reading = Reading.of("centred_offset_free", SETTINGS)
+    objective = Objective.of(CLAIMS, SETTINGS, replace(parameters, summit_parameter_exponent=0.0))
+    corner = np.zeros(len(reading.unknowns))  # summits too few for the offset to leave a variance
+    corner[1] = 1.0
+    misses = objective.misses(reading, corner)
+    assert np.isfinite(misses).all()
+    assert (misses[len(reading.unknowns) :] > 1.0).all()
+
+
+def test_every_reading_of_the_configuration_starts_within_its_bounds():
+    for name in SETTINGS["readings"]:
+        reading = Reading.of(name, SETTINGS)
+        for unknown in reading.unknowns:
+            low, high = unknown.bounds
+            assert low <= reading.start[unknown.name] <= high, (name, unknown.name)
+            assert unknown.name not in reading.fixed, (name, unknown.name)
+
+
+# ---- the search
+
+
+def test_a_search_finds_what_minimises_the_misses():
+    rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
+    best = READING.values(rows[np.argmin(rows[:, -1]), :-1])
+    assert best["gap_ratio"] == pytest.approx(1.5, abs=1e-3)
+    assert best["summit_radius"] == pytest.approx(1e-4, rel=1e-2)
+
+
+def test_a_seed_fixes_every_evaluation():
+    rows = [search(READING, Valley(), BUDGET, seed, report=lambda line: None) for seed in (1, 1, 2)]
+    assert np.array_equal(rows[0], rows[1])
+    assert not np.array_equal(rows[0][: len(rows[2])], rows[2][: len(rows[0])])
+
+
+def test_progress_is_told():
+    told = []
+    search(READING, Valley(), BUDGET, 1, report=told.append)
+    assert told
+    assert told[0].startswith("two seed 1: 50 evaluations, best ")
+
+
+def test_a_search_of_the_real_model_repeats_itself(parameters):
+    settings = SETTINGS | {"always": ["summit_parameter", "spread_ratio"]}
+    settings["readings"] = {"few": {**SETTINGS["readings"]["elastic_limit"]}}
+    reading = Reading.of("few", settings)
+    objective = Objective.of(CLAIMS, settings, parameters)
+    budget = {"population": 5, "generations": 1, "starts": 1, "local": 2, "walk": 3}
+    one, other = (search(reading, objective, budget, 3, report=lambda line: None) for _ in range(2))
+    assert np.array_equal(one, other)
+    assert one[:, -1].min() < one[0, -1] + 1e-12
+
+
+# ---- what it found
+
+
+def test_acceptable_sets_are_near_the_best_each_once():
+    rows = np.array([[0.1, 3.0], [0.2, 1.0], [0.2, 1.0], [0.3, 2.5], [0.4, 9.0]])
+    assert acceptable(rows, 2.0).tolist() == [[0.2, 1.0], [0.3, 2.5], [0.1, 3.0]]
+
+
+def test_an_ensemble_starts_with_the_best_and_spreads():
+    rows = np.array([[0.5, 1.0], [0.51, 1.1], [0.0, 1.2], [1.0, 1.3]])
+    assert spread_out(rows, 3)[:, 0].tolist() in ([0.5, 0.0, 1.0], [0.5, 1.0, 0.0])
+    assert len(spread_out(rows, 9)) == 4
+
+
+def test_a_summary_tells_what_is_identified_and_what_is_not():
+    searches = [search(READING, Valley(), BUDGET, seed, report=lambda line: None) for seed in (1, 2)]
+    found = summary(READING, searches, {"acceptance": 0.02, "ensemble": 4})
+    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=1e-3)
+    assert found["identification"]["gap_ratio"]["identified"]
+    assert not found["identification"]["summit_radius"]["identified"]
+    assert found["evaluations"] == sum(map(len, searches))
+    assert found["objective"] == min(found["objective_of_each_seed"])
+    assert len(found["ensemble"]) == 4
+    assert max(found["objective_of_each_member"]) <= found["objective"] + 0.02
+    low, high = found["identification"]["summit_radius"]["acceptable"]
+    assert all(low <= member["summit_radius"] <= high for member in found["ensemble"])

@@ -1,0 +1,60 @@
+"""`snakemake calibrate` for real, with a small budget: same seeds, same files; nothing done twice."""
+
+import shutil
+
+import pytest
+import yaml
+from workspace import Workspace
+
+READINGS = ("elastic_limit", "uncentred_plane_full")
+BUDGET = {"population": 5, "generations": 1, "starts": 1, "local": 2, "walk": 3}
+
+
+@pytest.fixture(scope="module")
+def calibrated(sources, tmp_path_factory):
+    """The repository after the calibration of two readings."""
+    workspace = sources.copied_to(tmp_path_factory.mktemp("calibrated") / "thirdbody")
+
+    def smaller(text):
+        settings = yaml.safe_load(text)
+        settings["budget"] = BUDGET
+        settings["readings"] = {name: settings["readings"][name] for name in READINGS}
+        return yaml.safe_dump(settings)
+
+    workspace.rewrite("config/calibration.yaml", smaller)
+    run = workspace.snakemake("calibrate")
+    assert run.returncode == 0, run.stdout + run.stderr
+    return workspace
+
+
+def files(workspace: Workspace, pattern):
+    return {path.name: path.read_bytes() for path in (workspace.root / pattern).glob("*.yaml")}
+
+
+def test_what_is_found_is_adopted_for_the_default_run(calibrated):
+    found = files(calibrated, "results/calibration")
+    assert set(found) == {f"{name}.yaml" for name in READINGS}
+    adopted = files(calibrated, "config/calibrated")
+    assert {name: adopted[name] for name in found} == found
+
+
+def test_the_same_seeds_give_the_same_files(calibrated, tmp_path):
+    again = calibrated.copied_to(tmp_path / "thirdbody")
+    shutil.rmtree(again.root / "results")
+    run = again.snakemake("calibrate")
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert files(again, "results/calibration") == files(calibrated, "results/calibration")
+
+
+def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
+    again = calibrated.copied_to(tmp_path / "thirdbody")
+    searches = again.root / "results/calibration/elastic_limit"
+    (searches / "seed2.csv").unlink()
+    (again.root / "results/calibration/adopted.txt").unlink()
+    before = again.stamps()
+    run = again.snakemake("calibrate")
+    assert run.returncode == 0, run.stdout + run.stderr
+    after = again.stamps()
+    searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
+    assert searched == {"calibration/elastic_limit/seed2.csv"}
+    assert files(again, "results/calibration") == files(calibrated, "results/calibration")
