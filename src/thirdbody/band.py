@@ -41,7 +41,8 @@ def band(dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping]) -> 
     start = {name: dataset[name].values[:, shown] for name in QUANTITIES}
     envelope = {end: dict(start) for end in ENDS}
     for member in ensemble:
-        solution = solve(load, *conditions, replace(base, **member), BAND_RTOL)
+        inputs = replace(base, **member)
+        solution = solve(load, *conditions, inputs, BAND_RTOL, tuple(QUANTITIES))
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
                 envelope[end][name] = widest(values, getattr(solution, name))

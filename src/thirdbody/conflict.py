@@ -15,6 +15,7 @@ from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.parameters import Parameters
 from thirdbody.places import part_of_paper
 
+MEMBERS = 4  # of each ensemble: the best and those farthest from it and from each other
 PARTS = ("Figure 4", "Figure 6", "Figure 11")
 
 
@@ -24,7 +25,8 @@ def conflict_rows(
     """One row a reading, member and statement with a published value or course.
 
     ``readings`` are contents of calibrated files (``thirdbody.posterior``), whose first member is
-    the best; ``newtons`` is the first and last normal load [N].
+    the best and whose next are the farthest apart; ``newtons`` is the first and last normal load
+    [N].
     """
     chosen = [
         claim
@@ -33,7 +35,7 @@ def conflict_rows(
     ]
     asked = referenced_conditions(chosen)
     for reading in readings:
-        for member, inputs in enumerate(reading["ensemble"]):
+        for member, inputs in enumerate(reading["ensemble"][:MEMBERS]):
             parameters = replace(base, **{**reading["inputs"], **inputs})
             evidence = SolvedEvidence(parameters, asked, newtons, QUICK_EFFORT)
             same = {

@@ -39,6 +39,7 @@ rule judge_conflict:
         "logs/judge_conflict.log",
     benchmark:
         "benchmarks/judge_conflict.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -16,6 +16,7 @@ rule judge_claims:
         "logs/judge_claims.log",
     benchmark:
         "benchmarks/judge_claims.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

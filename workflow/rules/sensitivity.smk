@@ -12,6 +12,7 @@ rule compute_elasticities:
         "logs/compute_elasticities.log",
     benchmark:
         "benchmarks/compute_elasticities.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -34,6 +35,7 @@ rule compute_sobol_indices:
         "logs/compute_sobol_indices.log",
     benchmark:
         "benchmarks/compute_sobol_indices.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
