@@ -220,7 +220,7 @@ COORDINATES = (
 
 
 def test_make_verify_looks_at_this_release(release):
-    command = ["make", "--dry-run", "verify"]
+    command = ["make", "--no-print-directory", "--dry-run", "verify"]
     told = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
     folder = f"results/release/{release.full_name}"
     assert told.endswith(f"python verification/verify.py {folder} --results results\n")

@@ -50,7 +50,8 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
     searches = again.root / "results/calibration/elastic_limit"
     (searches / "seed2.csv").unlink()
-    (again.root / "results/calibration/adopted.txt").unlink()
+    for follower in ("elastic_limit.yaml", "adopted.txt"):
+        (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
     run = again.snakemake("calibrate")
     assert run.returncode == 0, run.stdout + run.stderr
