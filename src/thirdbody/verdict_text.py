@@ -39,7 +39,9 @@ def claims_markdown(
         "## Counts by figure",
         _counted(rows, "figure"),
         "## How near each reading comes",
-        "At the best inputs of each; ✓ marks what is within the statement's tolerance.",
+        "At the best inputs of each, solved as coarsely as in the calibration (windows to about "
+        "0.01); ✓ marks what is within the statement's tolerance. How far the members of each "
+        "ensemble come is drawn in `results/figures/conflict.png`.",
         tabulate(compared, headers="keys", tablefmt="github", disable_numparse=True),
         "## The statements",
         _statements(rows),
