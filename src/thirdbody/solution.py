@@ -22,7 +22,7 @@ CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SO
 class Solution:
     """Solved points; every attribute has the broadcast shape of the five arguments of ``solve``.
 
-    Lengths in m, all else dimensionless; the last three are indices into the tuples of
+    Lengths in m, all else dimensionless; the ``FLAGS`` are indices into the tuples of
     ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
     regime and mode, and ``solution_status`` says why.  ``error_bound`` is what the relative error
     of every variable stays below; where rounding in float64 keeps it above the ``rtol`` asked for,
@@ -45,6 +45,7 @@ class Solution:
 
 VARIABLES = tuple(field.name for field in fields(Solution))
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
 
 
 class SolvedPoints:

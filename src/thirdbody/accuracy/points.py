@@ -13,16 +13,9 @@ import numpy as np
 
 from thirdbody.parameters import Parameters
 from thirdbody.scene import DIMENSIONS
+from thirdbody.solution import QUANTITIES
 
-VARIABLES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
+VARIABLES = QUANTITIES  # those that the files give
 CLASS = ("medium", "bodies", "span")
 # inputs of the model under the names that they have in ``model_parameters``
 NUMBERS = {
