@@ -21,7 +21,7 @@ TINY = np.finfo(float).tiny
 ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class RoughSurface:
     """Summits of one roughness with the two functions of separation that stand for them.
 

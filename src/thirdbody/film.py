@@ -73,6 +73,12 @@ class Film:
         rough = np.exp(self.rough + self.rough_exponent * log_load_parameter)
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
+    def crossing(self):
+        """ln W where the terms of Eq. 7 are equal, and ln of each there; seen from there, all films
+        of one ellipticity are the same curve."""
+        log_parameter = (self.smooth - self.rough) / (self.rough_exponent - self.smooth_exponent)
+        return log_parameter, self.smooth + self.smooth_exponent * log_parameter
+
     def load_parameter(self, thickness, steps=INVERSE_STEPS):
         """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``.
 

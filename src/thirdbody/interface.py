@@ -7,7 +7,6 @@ points are solved once, and only the variables that are asked for are evaluated.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import replace
 from functools import lru_cache
 from numbers import Real
 
@@ -18,11 +17,12 @@ from thirdbody.balance import Points, RoughSurface
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters
 from thirdbody.particles import ParticleLayer
-from thirdbody.solution import FLAGS, VARIABLES, Solution, SolvedPoints
+from thirdbody.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
 from thirdbody.tabulation import PiecewisePolynomial
 
 DEFAULT_RTOL = 1e-9
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
+COMPILATION_WORTH = 10_000  # points from which a compiled loop solves them
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
@@ -64,25 +64,41 @@ def solve(
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
         columns, places = _distinct([np.ravel(column) for column in columns])
         result = {name: np.empty(columns[0].size, type_of(name)) for name in variables}
-        for part, solved in _solved_parts(columns, parameters, rtol):
+        for part, solved in _solved_parts(columns, parameters, rtol, variables):
             for name, values in result.items():
                 values[part] = getattr(solved, name)
     return Solution(**{name: values[places].reshape(shape) for name, values in result.items()})
 
 
-def _solved_parts(columns, parameters, rtol):
+def _solved_parts(columns, parameters, rtol, variables):
     """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
-    that magnify the errors of tables and roots beyond ``rtol`` come again, solved without."""
-    for roughness, table_rtol, part in _parts(columns, rtol):
-        rough = prepare_surface(roughness, parameters, table_rtol)
-        points = make_points(rough, parameters, *(column[part] for column in columns))
-        solved = SolvedPoints(points, rtol)
-        yield part, solved
-        if table_rtol is not None and solved.imprecise.any():
-            again = np.flatnonzero(solved.imprecise)
-            rough = prepare_surface(roughness, parameters, None)
-            exact = SolvedPoints(replace(points.take(again), rough=rough), rtol)
-            yield np.arange(columns[0].size)[part][again], exact
+    that are beyond the fastest way of solving them come again, solved in a slower one."""
+    for roughness, tables, group in _groups(columns):
+        table_rtol = rtol if tables else None
+        if _size(group) >= COMPILATION_WORTH and parameters.film_load == "fluid":
+            from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
+
+            left = []
+            for part in _chunks(group):
+                points = _points(columns, part, roughness, parameters, rtol)
+                solved = CompiledPoints(points, rtol, areas=not OF_AREAS.isdisjoint(variables))
+                yield part, solved
+                left.append(_indices(part)[solved.left])
+            group = np.concatenate(left)
+            table_rtol = rtol if group.size >= TABLE_WORTH else None
+        for part in _chunks(group):
+            solved = SolvedPoints(_points(columns, part, roughness, parameters, table_rtol), rtol)
+            yield part, solved
+            if table_rtol is not None and solved.imprecise.any():
+                again = _indices(part)[solved.imprecise]
+                yield again, SolvedPoints(_points(columns, again, roughness, parameters, None), rtol)
+
+
+def _points(columns, part, roughness, parameters, table_rtol):
+    """The points of one kind in a part of ``columns``; ``table_rtol`` is that of their surface."""
+    load, viscosity, diameter, _, density = (column[part] for column in columns)
+    rough = prepare_surface(roughness, parameters, table_rtol)
+    return make_points(rough, parameters, load, viscosity, diameter, roughness, density)
 
 
 def type_of(variable: str) -> type:
@@ -114,11 +130,11 @@ def checked_axis(name: str, values):
         raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
-    array = array.astype(float)
+    array = np.asarray(array, float)
     zero_allowed = name not in ("load", "roughness")
-    good = np.isfinite(array) & ((array >= 0.0) if zero_allowed else (array > 0.0))
-    if not good.all():
-        bad = array[~good].flat[0]
+    least = 0.0 if zero_allowed else np.nextafter(0.0, 1.0)
+    if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
+        bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"
         raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
     return array
@@ -159,8 +175,9 @@ def _distinct(columns):
         for place in (2, 4):
             columns[place] = np.where(three_body, columns[place], 0.0)
     sums = np.zeros(size, dtype=np.uint64)
-    for factor, column in zip(MIXERS, columns, strict=True):
-        sums += np.ascontiguousarray(column).view(np.uint64) * factor
+    for part in _chunks(slice(0, size)):
+        for factor, column in zip(MIXERS, columns, strict=True):
+            sums[part] += np.ascontiguousarray(column[part]).view(np.uint64) * factor
     in_order = np.sort(sums)
     if (in_order[1:] != in_order[:-1]).all():
         return columns, everything
@@ -172,35 +189,47 @@ def _distinct(columns):
     return [column[order[new]] for column in columns], places
 
 
-def _parts(columns, rtol):
-    """Roughness, ``rtol`` of its table or None, and points that are solved together: a chunk at a
-    time, all with or all without film and all with or all without particles."""
+def _groups(columns):
+    """Roughness, whether tables of it are worth their while, and the points that are solved alike,
+    as a slice or an array of indices: all with or without film, all with or without particles."""
     _, viscosity, diameter, roughness, density = columns
-    kind = 2 * (viscosity > 0.0) + has_particles(diameter, density)
-    values, surface = _labelled(roughness)
-    numbers = np.bincount(surface, minlength=values.size)
-    for some in _runs(4 * surface + kind):
-        here = surface[some][0]
-        yield float(values[here]), rtol if numbers[here] >= TABLE_WORTH else None, some
-
-
-def _labelled(values):
-    """The distinct among 1-D ``values``, and which of them each is."""
-    if (values == values[:1]).all():
-        return values[:1], np.zeros(values.size, dtype=np.intp)
-    return np.unique(values, return_inverse=True)
+    wet, three_body = viscosity > 0.0, has_particles(diameter, density)
+    labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
+    numbers = {}
+    if (roughness != roughness[:1]).any():
+        values, surface = np.unique(roughness, return_inverse=True)
+        numbers = dict(zip(values, np.bincount(surface), strict=True))
+        labels = 4 * surface + labels
+    for group in _runs(labels):
+        sigma = float(roughness[group][0])
+        yield sigma, numbers.get(sigma, roughness.size) >= TABLE_WORTH, group
 
 
 def _runs(labels):
-    """Chunks of the places of equal ``labels``: slices if all are equal, else arrays."""
+    """The places of equal ``labels``: a slice if all are equal, else arrays."""
     if (labels == labels[:1]).all():
-        for start in range(0, labels.size, CHUNK):
-            yield slice(start, start + CHUNK)
-        return
+        return [slice(0, labels.size)] if labels.size else []
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
-    for run in np.split(order, edges):
-        yield from (run[start : start + CHUNK] for start in range(0, run.size, CHUNK))
+    return np.split(order, edges)
+
+
+def _size(group) -> int:
+    return group.stop - group.start if isinstance(group, slice) else group.size
+
+
+def _indices(part):
+    """The indices in a slice or an array of indices."""
+    return np.arange(part.start, part.stop) if isinstance(part, slice) else part
+
+
+def _chunks(group):
+    """Pieces of a slice or an array of indices that are solved together."""
+    if isinstance(group, slice):
+        for start in range(group.start, group.stop, CHUNK):
+            yield slice(start, min(start + CHUNK, group.stop))
+    else:
+        yield from (group[start : start + CHUNK] for start in range(0, group.size, CHUNK))
 
 
 def has_particles(diameter, density):

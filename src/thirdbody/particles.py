@@ -24,28 +24,32 @@ INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 
 @dataclass(frozen=True)
 class SizeLaw:
-    """One reading of phi_a: m, S [m], c_1, c_2, c_3 [m2], and alpha of the smallest size."""
+    """One reading of phi_a: m, S [m], c_1, c_2, c_3 [m2], and alpha of the smallest size.
+
+    The ratios of c_1, c_2 and c_3 are the same for all particles of a reading.
+    """
 
     mean: np.ndarray
     spread: np.ndarray
     tail: np.ndarray
     constant: np.ndarray
     linear: np.ndarray
-    smallest: np.ndarray
+    smallest: float
 
 
 def _uncentred(diameter, roughness, parameters) -> SizeLaw:
     """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
     spread = parameters.spread_ratio * diameter
     zero = np.zeros_like(spread)
-    return SizeLaw(zero, spread, spread**2, zero, spread**2, zero)
+    return SizeLaw(zero, spread, spread**2, zero, spread**2, 0.0)
 
 
 def _centred(diameter, roughness, parameters) -> SizeLaw:
     """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
     mean, spread = parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
     tail = mean**2 + spread**2
-    return SizeLaw(mean, spread, tail, 2.0 * mean * spread, spread**2, -mean / spread)
+    smallest = -parameters.mean_ratio / parameters.spread_ratio
+    return SizeLaw(mean, spread, tail, 2.0 * mean * spread, spread**2, smallest)
 
 
 def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
@@ -54,7 +58,7 @@ def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
     spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
     square = (1.0 + parameters.spread_ratio**2) * diameter**2
     zero = np.zeros_like(spread)
-    return SizeLaw(mean, spread, square, zero, zero, np.full_like(spread, -np.inf))
+    return SizeLaw(mean, spread, square, zero, zero, -np.inf)
 
 
 SIZE_DISTRIBUTIONS = {
@@ -93,11 +97,10 @@ class ParticleLayer:
         """
         law = SIZE_DISTRIBUTIONS[parameters.size_distribution](diameter, roughness, parameters)
         coefficients = law.tail, law.constant, law.linear
-        largest, _ = _moment(np.full_like(law.spread, parameters.truncation), *coefficients)
-        every = law.tail.copy()  # without a smallest or largest size
-        limited = np.isfinite(law.smallest)
-        smallest, _ = _moment(np.where(limited, law.smallest, 0.0), *coefficients)
-        every[limited] = (smallest - largest)[limited]
+        largest, _ = _moment(parameters.truncation, *coefficients)
+        every = law.tail  # without a smallest or largest size
+        if np.isfinite(law.smallest):
+            every = _moment(law.smallest, *coefficients)[0] - largest
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * density * parameters.participation / hardness
         depth = parameters.elastic_depth_ratio * diameter / law.spread
@@ -189,13 +192,25 @@ def separation_bearing(area, layer: ParticleLayer):
 
     Read off one sampled curve, which all diameters and densities share but for the elastic depth.
     """
-    same = np.ones_like(SHAPE_SAMPLES)
-    unit = ParticleLayer.of(same, same, same, layer.parameters)
-    truncation = layer.parameters.truncation
-    alpha = truncation + unit.depth - SHAPE_SAMPLES * (truncation + 2.0 * unit.depth + 6.0)
-    sampled = unit.contact(unit.mean + alpha * unit.spread)[0] / (unit.factor * unit.tail)
     wanted = area / (layer.factor * layer.tail)
-    return layer.mean + layer.spread * np.interp(wanted, sampled, alpha)
+    return layer.mean + layer.spread * np.interp(wanted, *sampled_contact(layer.parameters))
+
+
+def sampled_contact(parameters: Parameters):
+    """Increasing areas A_sa/A_n over (factor c_1) [Pa], and alpha there; for first guesses."""
+    same = np.ones_like(SHAPE_SAMPLES)
+    unit = ParticleLayer.of(same, same, same, parameters)
+    alpha = parameters.truncation + unit.depth
+    alpha = alpha - SHAPE_SAMPLES * (parameters.truncation + 2.0 * unit.depth + 6.0)
+    return unit.contact(unit.mean + alpha * unit.spread)[0] / (unit.factor * unit.tail), alpha
+
+
+def unit_moment(parameters: Parameters):
+    """The function of alpha that T/c_1 and its slope are for all particles of a reading."""
+    one = np.ones(1)
+    law = SIZE_DISTRIBUTIONS[parameters.size_distribution](one, one, parameters)
+    constant, linear = law.constant / law.tail, law.linear / law.tail
+    return lambda alpha: _moment(alpha, 1.0, constant, linear)
 
 
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])

@@ -20,8 +20,7 @@ def lubrication_regime(solid_load_fraction):
     ``solid_load_fraction`` L_s [1], any shape; result int8 of that shape.
     """
     fraction = np.asarray(solid_load_fraction)
-    regime = np.where(fraction > BOUNDARY_LIMIT, 0, np.where(fraction < FULL_FILM_LIMIT, 2, 1))
-    return regime.astype(np.int8)
+    return _between(fraction < FULL_FILM_LIMIT, fraction > BOUNDARY_LIMIT, 1)
 
 
 def contact_mode(particle_contact_area_ratio, has_particles):
@@ -31,5 +30,9 @@ def contact_mode(particle_contact_area_ratio, has_particles):
     interface without particles is two-body.  Result int8.
     """
     ratio = np.asarray(particle_contact_area_ratio)
-    mode = np.where(ratio > PARTICLE_LIMIT, 3, np.where(ratio < SURFACE_LIMIT, 1, 2))
-    return np.where(has_particles, mode, 0).astype(np.int8)
+    return has_particles * _between(ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT, 2)
+
+
+def _between(above, below, index):
+    """``index``, or the next where ``above`` or the one before where ``below``, as int8."""
+    return np.int8(index) + np.asarray(above, np.int8) - np.asarray(below, np.int8)

@@ -45,6 +45,7 @@ class Solution:
 
 VARIABLES = tuple(field.name for field in fields(Solution))
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+OF_AREAS = {"contact_mode", *(name for name in VARIABLES if "contact_area" in name)}
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
 
 

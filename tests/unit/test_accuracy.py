@@ -23,7 +23,7 @@ from thirdbody.accuracy.points import (
     relative_errors,
 )
 from thirdbody.accuracy.streams import stream_rows
-from thirdbody.interface import TABLE_WORTH
+from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
@@ -77,7 +77,7 @@ def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypa
         assert row["beyond_rtol"] == (row["points"] if off and not nothing else 0)
 
 
-def test_golden_points_are_solved_by_quadrature_and_by_tables(monkeypatch):
+def test_golden_points_are_solved_by_quadrature_by_tables_and_by_the_compiled_loop(monkeypatch):
     sizes = []
 
     def noted(**given):
@@ -86,11 +86,14 @@ def test_golden_points_are_solved_by_quadrature_and_by_tables(monkeypatch):
 
     monkeypatch.setattr("thirdbody.accuracy.library.solve", noted)
     (group, *_) = grouped(read_rows(GOLDEN / "accuracy_points.csv"))
-    alone, among = solutions(group, 1e-3)
-    assert sizes[0] < TABLE_WORTH <= sizes[1]
-    assert alone.separation.shape == among.separation.shape == (len(group.rows),)
-    assert not np.array_equal(alone.separation, among.separation)
-    np.testing.assert_allclose(alone.separation, among.separation, rtol=1e-3)
+    given = group.conditions
+    group = group.take(np.flatnonzero(given["viscosity"] * given["particle_diameter"]))
+    found = [solution.separation for solution in solutions(group, 1e-3)]
+    assert sizes[0] < TABLE_WORTH <= sizes[1] < COMPILATION_WORTH <= sizes[2]
+    assert len({values.tobytes() for values in found}) == 3
+    for values in found:
+        assert values.shape == (len(group.rows),)
+        np.testing.assert_allclose(values, found[0], rtol=1e-3)
 
 
 # ---- baselines

@@ -34,10 +34,11 @@ REFUSED += ("psi 0.001 three-body wet",)
 REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
 
 
-@pytest.fixture(params=[1, 10**9], ids=["tables", "quadrature"])
+@pytest.fixture(params=["quadrature", "tables", "compiled"])
 def way(request, monkeypatch):
-    """Both ways to the loads and areas of the summits."""
-    monkeypatch.setattr(interface, "TABLE_WORTH", request.param)
+    """Each way to a solution, whatever the number of points."""
+    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9 if request.param == "quadrature" else 1)
+    monkeypatch.setattr(interface, "COMPILATION_WORTH", 1 if request.param == "compiled" else 10**9)
     return request.param
 
 

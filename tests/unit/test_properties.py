@@ -140,9 +140,10 @@ def test_the_film_is_as_thick_as_the_gap(solved, changes, roughness, unit):
     kappa = points.inputs.ellipticity
     speed = 0.663 * kappa**0.025
     limit = speed / (0.884 - speed)
-    clear = np.abs(rough / limit - 1.0) > 1e-6
-    outside = points.status[points.known][wet] == OUTSIDE
-    assert np.array_equal(outside[clear], (rough > limit)[clear])
+    status = points.status[points.known][wet]
+    # that float64 does not resolve a point to RTOL outranks where its film is
+    clear = (np.abs(rough / limit - 1.0) > 1e-6) & (status != FAILED)
+    assert np.array_equal(status[clear] == OUTSIDE, (rough > limit)[clear])
 
 
 @given(**DOMAIN)

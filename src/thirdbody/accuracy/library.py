@@ -1,4 +1,5 @@
-"""Golden points as the library solves them: by themselves, and among so many that it uses tables."""
+"""Golden points as the library solves them: alone, and among so many that it takes tables, or the
+compiled loop."""
 
 from __future__ import annotations
 
@@ -7,20 +8,22 @@ from types import SimpleNamespace
 import numpy as np
 
 from thirdbody.accuracy.points import VARIABLES, Group
-from thirdbody.interface import solve
+from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, solve
 
-COMPANY = 1000  # points of one surface beside which its tables are worth their while
+COMPANIES = 0, 2 * TABLE_WORTH, COMPILATION_WORTH  # points of the surface beside them
 LIGHTER = 0.5, 0.99  # their loads over those of the golden points, so that no two are equal
 
 
 def solutions(group: Group, rtol: float) -> list:
-    """Solutions of the points of ``group``, alone and in company, each with all of ``VARIABLES``,
+    """Solutions of the points of ``group`` in each company, each with all of ``VARIABLES``,
     ``solution_status`` and ``error_bound`` as 1-D arrays."""
+    return [_solution(group, company, rtol) for company in COMPANIES]
+
+
+def _solution(group, company, rtol):
     count = len(group.rows)
-    company = {name: np.resize(column, count + COMPANY) for name, column in group.conditions.items()}
-    company["load"][count:] *= np.linspace(*LIGHTER, COMPANY)
-    alone, among = (
-        solve(**given, parameters=group.parameters, rtol=rtol) for given in (group.conditions, company)
-    )
+    given = {name: np.resize(column, count + company) for name, column in group.conditions.items()}
+    given["load"][count:] *= np.linspace(*LIGHTER, company)
+    solved = solve(**given, parameters=group.parameters, rtol=rtol)
     names = (*VARIABLES, "solution_status", "error_bound")
-    return [alone, SimpleNamespace(**{name: getattr(among, name)[:count] for name in names})]
+    return SimpleNamespace(**{name: getattr(solved, name)[:count] for name in names})

@@ -1,0 +1,421 @@
+"""Many points on one surface: a compiled loop over tables.
+
+Whatever depends on one variable is read from a table: the summits' load and area from t, the
+second moment of the particles from alpha, the load of a film from its thickness.  What is left to
+do at a point is the balance of forces (Eqs. 1, 2 and 4), as a sum instead of the difference of
+logarithms by which ``thirdbody.balance`` survives extremes.  Points for which this loop cannot
+promise the error asked for are left to ``thirdbody.solution``.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from thirdbody.balance import Points, RoughSurface
+from thirdbody.film import Film
+from thirdbody.parameters import Parameters
+from thirdbody.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
+from thirdbody.regimes import contact_mode, lubrication_regime
+from thirdbody.roots import EPSILON, NOISE
+from thirdbody.solution import CONVERGED, OUTSIDE_FILM_FORMULA, ROOT_SHARE
+from thirdbody.tabulation import PiecewisePolynomial
+
+STEPS = 8  # a point that needs more is better left to bisection
+LEAST_BARE = 1e-6  # of the interface, left to summits: less is a difference that lost its digits
+LEAST_AREA = 1e-290  # of A_n; smaller ones have not all digits of float64
+TABLE_DEGREES = ((1e-4, 3), (1e-7, 5), (0.0, 7))  # (least rtol, degree) of moments and films
+MOMENT_START, MOMENT_PIECES = -9.0, 16  # alpha where all particles are larger; pieces a unit
+FILM_START, FILM_END, FILM_PIECES = -6.0, 14.0, 160  # ln H_c from where Eq. 7's terms are equal
+GUESS_DEGREE, GUESS_PIECES = 3, 96
+SUMMITS_START, SUMMITS_END = -5.0, 12.0  # t of first guesses
+AREA_START, AREA_END = -16.0, 1.0  # ln of the particles' area over (factor c_1), of first guesses
+compiled = njit(error_model="numpy", fastmath={"contract"}, nogil=True)
+
+
+class Table(NamedTuple):
+    """A ``PiecewisePolynomial`` with one piece a row."""
+
+    rows: np.ndarray
+    start: float
+    scale: float
+
+    @classmethod
+    def of(cls, function, start: float, end: float, pieces: int, degree: int) -> Table:
+        """Table of ``function`` as a ``PiecewisePolynomial`` takes it."""
+        return cls.like(PiecewisePolynomial(function, start, end, pieces, degree))
+
+    @classmethod
+    def like(cls, polynomial: PiecewisePolynomial) -> Table:
+        """The same polynomials."""
+        rows = np.ascontiguousarray(polynomial.coefficients.T)
+        return cls(rows, polynomial.start, polynomial.scale)
+
+
+class Model(NamedTuple):
+    """What all points on one surface share; lengths in units of sigma."""
+
+    load: Table  # ln F_ss* of t
+    area: Table  # ln(A_ss/A_n) of t
+    moment: Table  # T/c_1 of alpha
+    film: Table  # ln F_f* of ln d, both from where the terms of Eq. 7 are equal
+    summits_alone: Table  # t of ln F_t*
+    particles_alone: Table  # alpha of ln of their area
+    summit_error: float  # of the tables of load and area
+    film_error: float
+    moment_error: float
+    per_deviation: float  # sigma/sigma_s
+    offset: float  # y_s
+    truncation: float
+    largest: float  # T/c_1 at X_max
+    near: float  # limits of the elastic integral, in h_e about d
+    far: float
+    elastic_factor: float
+    pressure: float  # F_sa/(A_sa E_ss)
+    coverage: float  # coverage of Eq. 5 over the area of plastic particles
+    contacting: bool  # Eq. 4 takes the coverage of Eq. 5
+
+
+class Columns(NamedTuple):
+    """What each point has of its own, 1-D; empty where there is no film or are no particles."""
+
+    load: np.ndarray  # F_t*
+    log_load: np.ndarray
+    mean: np.ndarray  # m
+    spread: np.ndarray  # S
+    depth: np.ndarray  # h_e/S
+    area: np.ndarray  # A_sa/A_n of plastic particles over T/c_1
+    bare: np.ndarray  # share that particles of all sizes leave bare
+    film_alone: np.ndarray  # d where the film bears everything
+    film_level: np.ndarray  # ln d where the terms of Eq. 7 are equal
+    film_load: np.ndarray  # ln F_f* there
+
+
+@lru_cache(maxsize=64)
+def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float) -> Model:
+    """Tables good for ``rtol`` of everything on one surface; ``rough`` has tables."""
+    surface = rough.surface
+    degree = next(degree for least, degree in TABLE_DEGREES if rtol >= least)
+    moment_of = unit_moment(parameters)
+    moment = PiecewisePolynomial(
+        moment_of,
+        MOMENT_START,
+        parameters.truncation,
+        math.ceil(MOMENT_PIECES * (parameters.truncation - MOMENT_START)),
+        degree,
+    )
+    film = PiecewisePolynomial(_film_curve(parameters), FILM_START, FILM_END, FILM_PIECES, degree)
+    t = np.linspace(SUMMITS_END, SUMMITS_START, 10 * GUESS_PIECES)
+    log_load = rough.log_load(t)[0]
+    areas, alpha = sampled_contact(parameters)
+    areas = areas / parameters.hardness_surface_2
+    guess = GUESS_PIECES, GUESS_DEGREE
+    near, far = ELASTIC_LIMITS[parameters.elastic_limits]
+    return Model(
+        Table.like(rough.log_load),
+        Table.like(rough.log_area),
+        Table.like(moment),
+        Table.like(film),
+        Table.of(lambda x: (np.interp(x, log_load, t),), log_load[0], log_load[-1], *guess),
+        Table.of(lambda x: (np.interp(np.exp(x), areas, alpha),), AREA_START, AREA_END, *guess),
+        rough.table_error,
+        film.error,
+        moment.error,
+        surface.roughness / surface.summit_deviation,
+        surface.summit_offset / surface.roughness,
+        parameters.truncation,
+        float(moment_of(np.array(parameters.truncation))[0][0]),
+        near,
+        far,
+        parameters.elastic_factor,
+        parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
+        parameters.hardness_surface_1 / parameters.hardness_surface_2,
+        parameters.coverage_limits == "contacting",
+    )
+
+
+def _film_curve(parameters):
+    """The function of ln H_c that ln W is, both from where the terms of Eq. 7 are equal."""
+    one = np.ones(1)
+    like = Film.of(one, one, parameters)
+
+    def log_parameter(log_thickness):
+        zero = np.zeros_like(log_thickness)
+        film = Film(zero, zero, like.smooth_exponent, like.rough_exponent, like.turning_ratio)
+        return (film.load_parameter(np.exp(log_thickness)),)
+
+    return log_parameter
+
+
+def _columns(points: Points) -> Columns:
+    """What the loop needs of each of ``points``."""
+    none = np.empty(0)
+    sigma, parameters = points.rough.surface.roughness, points.parameters
+    sizes, films = (none,) * 5, (none,) * 3
+    if points.particles is not None:
+        layer = points.particles
+        area = layer.factor * layer.tail * parameters.hardness_surface_2
+        bare = none if parameters.coverage_limits == "contacting" else np.exp(layer.log_bare)
+        sizes = layer.mean / sigma, layer.spread / sigma, layer.depth, area, bare
+    if points.film is not None:
+        log_parameter, log_thickness = points.film.crossing()
+        films = (
+            points.film_separation(0.0)[0] / sigma,
+            log_thickness + np.log(parameters.ball_radius / sigma),
+            log_parameter - points.log_load_parameter(-points.log_load),
+        )
+    return Columns(np.exp(points.log_load), points.log_load, *sizes, *films)
+
+
+class CompiledPoints:
+    """What ``SolvedPoints`` is, by the compiled loop; all of ``left`` are to be solved by that.
+
+    ``points`` have tables, and their film, if any, bears the fluid load.  Areas, and what follows
+    from them, are only there if ``areas`` says that they are wanted.
+    """
+
+    def __init__(self, points: Points, rtol: float, areas: bool):
+        self._points = points
+        count = points.log_load.size
+        rough, parameters = points.rough, points.parameters
+        found = np.empty((7, count))
+        _loop()(
+            prepare_model(rough, parameters, rtol),
+            _columns(points),
+            points.particles is not None,
+            points.film is not None,
+            areas,
+            rtol,
+            found,
+        )
+        self.total_contact_area, self.particle_contact_area_ratio = found[:2]
+        self.surface_contact_area_ratio, self.solid_load_fraction = found[2:4]
+        self.fluid_load_fraction, depth, self.error_bound = found[4:]
+        self.separation = rough.surface.roughness * depth
+        self.left = ~(self.error_bound <= rtol)
+
+    @property
+    def film_thickness(self):
+        return self.separation / self._points.parameters.ball_radius
+
+    @property
+    def lubrication_regime(self):
+        return lubrication_regime(self.solid_load_fraction)
+
+    @property
+    def contact_mode(self):
+        return contact_mode(self.particle_contact_area_ratio, self._points.particles is not None)
+
+    @property
+    def solution_status(self):
+        points = self._points
+        status = np.full(self.left.shape, CONVERGED, dtype=np.int8)
+        if points.film is not None:
+            parameter = points.log_load_parameter(np.log(self.fluid_load_fraction))
+            status[~points.film.is_meaningful(parameter)] = OUTSIDE_FILM_FORMULA
+        return status
+
+
+@lru_cache(maxsize=1)
+def _loop():
+    """The loop in machine code, which is kept beside this file for later processes."""
+    return njit(error_model="numpy", fastmath={"contract"}, nogil=True, cache=True)(_solve_points)
+
+
+@compiled
+def _read(table, x):
+    """Value, slope and curvature at ``x``; nan outside the table."""
+    position = (x - table.start) * table.scale
+    if not 0.0 <= position < table.rows.shape[0]:
+        return np.nan, np.nan, np.nan
+    piece = np.uintp(position)
+    local = 2.0 * (position - piece) - 1.0
+    degree = table.rows.shape[1] - 1
+    if degree == 3:  # a constant count is what makes a loop fast
+        value, slope, curvature = _horner(table.rows, piece, local, 3)
+    elif degree == 5:
+        value, slope, curvature = _horner(table.rows, piece, local, 5)
+    else:
+        value, slope, curvature = _horner(table.rows, piece, local, 7)
+    inner = 2.0 * table.scale
+    return value, inner * slope, 2.0 * inner * inner * curvature
+
+
+@compiled
+def _horner(rows, piece, local, degree):
+    """Value, slope and half the curvature of a row of powers at ``local``."""
+    value, slope, curvature = rows[piece, degree], 0.0, 0.0
+    for power in range(degree - 1, -1, -1):
+        curvature = curvature * local + slope
+        slope = slope * local + value
+        value = value * local + rows[piece, power]
+    return value, slope, curvature
+
+
+@compiled
+def _guess(table, x):
+    """Value of a table of guesses at ``x``, held within it."""
+    position = min(max((x - table.start) * table.scale, 0.0), GUESS_PIECES - 1e-9)
+    piece = np.uintp(position)
+    return _horner(table.rows, piece, 2.0 * (position - piece) - 1.0, GUESS_DEGREE)[0]
+
+
+@compiled
+def _moment(table, truncation, largest, alpha):
+    """T/c_1 with its slope and curvature in alpha, held at the truncation."""
+    if alpha >= truncation:
+        return largest, 0.0, 0.0
+    return _read(table, max(alpha, MOMENT_START))
+
+
+def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, found):
+    """Fill the rows of ``found``: A_t*, A_sa,t*, A_ss,t*, L_s, L_f, d/sigma and a bound on the
+    relative error, which is nan where the loop does not find a solution.
+
+    Halley's method on the logarithm of the load that the interface bears at d, which falls with d.
+    It starts at the largest of the d at which summits, particles or film alone bear the load, and
+    what a last step changes comes from its Taylor series.
+    """
+    # what is read from a tuple in the loop is counted as a reference each time
+    (
+        load_of,
+        area_of,
+        moment_of,
+        film_of,
+        summits_alone,
+        particles_alone,
+        summit_error,
+        film_error,
+        moment_error,
+        per_deviation,
+        offset,
+        truncation,
+        largest,
+        near,
+        far,
+        elastic_factor,
+        pressure,
+        coverage,
+        contacting,
+    ) = model
+    loads, log_loads, means, spreads, depths, areas, bares, films_alone, levels, film_loads = columns
+    area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
+    film = film_1 = film_2 = 0.0
+    mean = spread = inner = shift = plastic_area = 0.0
+    near_particles = near != 0.0
+    for i in range(loads.size):
+        found[6, i] = np.nan
+        x = offset + _guess(summits_alone, log_loads[i]) / per_deviation
+        if has_film:
+            x = max(x, films_alone[i])
+        if has_particles:
+            mean, spread, plastic_area = means[i], spreads[i], areas[i]
+            inner = 1.0 / spread
+            shift = depths[i] * (near if near_particles else far)
+            alone = _guess(particles_alone, math.log(loads[i] / (pressure * plastic_area)))
+            x = max(x, mean + alone * spread)
+        for _ in range(STEPS):
+            t = (x - offset) * per_deviation
+            value, slope, curve = _read(load_of, t)
+            slope *= per_deviation
+            curve *= per_deviation * per_deviation
+            summits = math.exp(value)
+            summits_1 = slope * summits
+            summits_2 = (slope * slope + curve) * summits
+            gain = max(-slope, 1.0 / x)
+            if has_particles:
+                alpha = (x - mean) * inner
+                area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
+                if min(alpha, alpha + shift) < truncation:
+                    here, here_1, here_2 = _moment(moment_of, truncation, largest, alpha)
+                    there, there_1, there_2 = _moment(moment_of, truncation, largest, alpha + shift)
+                    # the elastic particles lie between alpha and alpha + shift
+                    sign = elastic_factor if near_particles else -elastic_factor
+                    share = here - largest + sign * (there - here)
+                    area = plastic_area * share
+                    area_1 = plastic_area * inner * (here_1 + sign * (there_1 - here_1))
+                    area_2 = plastic_area * inner * inner * (here_2 + sign * (there_2 - here_2))
+                    covering = coverage * plastic_area
+                    covered = covering * (here - largest)
+                    covered_1 = covering * inner * here_1
+                    covered_2 = covering * inner * inner * here_2
+                    gain = max(gain, -covered_1)
+                    if area > 0.0:
+                        gain = max(gain, -area_1 / area)
+                        onset = 4.0 * (moment_error + EPSILON) / share
+                if contacting:
+                    bare = 1.0 - covered
+                    summits_2 = summits_2 * bare - 2.0 * summits_1 * covered_1 - summits * covered_2
+                    summits_1 = summits_1 * bare - summits * covered_1
+                else:
+                    bare = bares[i]
+                    summits_2 *= bare
+                    summits_1 *= bare
+                summits *= bare
+                if not min(bare, 1.0 - covered) > LEAST_BARE:
+                    break
+            if has_film:
+                value, slope, curve = _read(film_of, math.log(x) - levels[i])
+                slope /= x
+                curve = curve / (x * x) - slope / x
+                film = math.exp(film_loads[i] + value)
+                film_1 = slope * film
+                film_2 = (slope * slope + curve) * film
+                gain = max(gain, -slope)
+            solid = summits + pressure * area
+            total = solid + film
+            total_1 = summits_1 + pressure * area_1 + film_1
+            total_2 = summits_2 + pressure * area_2 + film_2
+            residual = math.log(total / loads[i])
+            slope = total_1 / total
+            curve = total_2 / total - slope * slope
+            step = -residual / slope / (1.0 - 0.5 * residual * curve / (slope * slope))
+            condition = -gain / slope
+            reach = abs(gain * step)
+            left = reach * reach * reach * (1.0 + condition)
+            x += step
+            if not x > 0.0:
+                break
+            if left <= ROOT_SHARE * rtol and (
+                not has_particles  # no Taylor series crosses where they come into contact
+                or abs(step) < spread * abs((x - mean) * inner - truncation)
+                and abs(step) < spread * abs((x - mean) * inner + shift - truncation)
+            ):
+                square = 0.5 * step * step
+                touched, borne = area, film
+                solid += (total_1 - film_1) * step + (total_2 - film_2) * square
+                film += film_1 * step + film_2 * square
+                if wants_areas:
+                    value, slope, curve = _read(area_of, t)
+                    slope *= per_deviation
+                    curve = curve * per_deviation * per_deviation + slope * slope
+                    bare = math.exp(value) * (
+                        (1.0 - covered) * (1.0 + slope * step + curve * square)
+                        - covered_1 * step * (1.0 + slope * step)
+                        - covered_2 * square
+                    )
+                    area = max(area + area_1 * step + area_2 * square, 0.0)
+                    together = area + bare
+                    if not together > LEAST_AREA:
+                        break
+                    found[0, i] = together
+                    found[1, i] = area / together
+                    found[2, i] = bare / together
+                found[3, i] = solid / (solid + film)
+                found[4, i] = film / (solid + film)
+                found[5, i] = x
+                # a load's own error counts as much as its part in the balance
+                moved = summit_error * summits + film_error * borne + onset * pressure * touched
+                found[6, i] = (
+                    left
+                    + summit_error
+                    + film_error
+                    + onset
+                    + condition * (moved / total + NOISE)
+                    + 4.0 * EPSILON * gain * x
+                )
+                break

@@ -1,0 +1,155 @@
+"""The compiled loop gives what the other ways give, and leaves to them what it cannot promise."""
+
+import sys
+from dataclasses import replace
+from subprocess import run
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody import interface
+from thirdbody.accuracy.points import relative_errors
+from thirdbody.compiled import CompiledPoints
+from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, make_points, prepare_surface
+from thirdbody.solution import QUANTITIES, VARIABLES
+
+ROUGHNESS = 300e-9
+READINGS = {
+    "centred": {},
+    "uncentred": {"size_distribution": "uncentred"},
+    "gap_convolved": {"size_distribution": "gap_convolved", "gap_ratio": 1.0},
+    "physical": {"elastic_limits": "physical"},
+    "contacting": {"coverage_limits": "contacting"},
+    "offset": {"summit_offset": True},
+}
+# imports the library, solves so many points and says whether the compiler was loaded
+IS_LOADED = """
+import sys
+import numpy as np
+import thirdbody as tb
+tb.solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, tb.load_parameters())
+print("numba" in sys.modules)
+"""
+
+
+@pytest.fixture(params=READINGS)
+def reading(request, parameters):
+    return replace(parameters, **READINGS[request.param])
+
+
+def conditions(count, seed=0):
+    """Random points of the paper's ranges, lubricated and with particles, on one roughness."""
+    random = np.random.default_rng(seed)
+    ends = {
+        "load": (1e-7, 2e-4),
+        "viscosity": (10e-6, 150e-6),
+        "particle_diameter": (50e-9, 1e-6),
+        "particle_density": (1e10, 1e12),
+    }
+    return {name: np.exp(random.uniform(*np.log(pair), count)) for name, pair in ends.items()}
+
+
+def compiled(parameters, rtol, **given):
+    rough = prepare_surface(ROUGHNESS, parameters, rtol)
+    columns = np.broadcast_arrays(
+        *(given[name] for name in ("load", "viscosity", "particle_diameter")),
+        ROUGHNESS,
+        given["particle_density"],
+    )
+    points = make_points(rough, parameters, *map(np.ascontiguousarray, columns))
+    with np.errstate(all="ignore"):
+        return CompiledPoints(points, rtol, areas=True)
+
+
+def best(monkeypatch, parameters, **given):
+    """The points by quadrature, each on its own."""
+    monkeypatch.setattr(interface, "TABLE_WORTH", sys.maxsize)
+    monkeypatch.setattr(interface, "COMPILATION_WORTH", sys.maxsize)
+    return tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-11)
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6, 1e-9, 1e-10])
+@pytest.mark.parametrize("medium", ["dry", "lubricated"])
+@pytest.mark.parametrize("bodies", ["two_body", "three_body"])
+def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium, bodies, rtol):
+    given = conditions(1500)
+    if medium == "dry":
+        given["viscosity"] = np.zeros(1500)
+    if bodies == "two_body":
+        given["particle_density"] = np.zeros(1500)
+    found = compiled(reading, rtol, **given)
+    assert found.left.mean() < (0.01 if rtol > 1e-10 else 0.1)
+    known = ~found.left
+    expected = best(monkeypatch, reading, **given)
+    errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
+    beyond_rounding = expected.error_bound[known] + found.error_bound[known]
+    for name, error in errors.items():
+        assert (error[known] <= beyond_rounding).all(), name
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
+@pytest.mark.parametrize("limits", ["printed", "physical"])
+def test_nothing_is_extrapolated_across_first_contact(monkeypatch, parameters, rtol, limits):
+    """Diameters at which the largest particles begin to touch, and those just about them."""
+    parameters = replace(parameters, elastic_limits=limits)
+    given = {"load": 1e-6, "viscosity": 0.0, "particle_density": 1e11}
+    alone = tb.solve(1e-6, 0.0, 0.0, ROUGHNESS, 0.0, parameters).separation
+    for reach in (0.0, parameters.elastic_depth_ratio):
+        largest = parameters.mean_ratio + parameters.truncation * parameters.spread_ratio + reach
+        near = np.concatenate([[0.0], np.geomspace(1e-12, 0.5, 400)])
+        diameter = alone / largest * np.concatenate([1.0 - near, 1.0 + near])
+        found = compiled(parameters, rtol, **given | {"particle_diameter": diameter})
+        expected = best(monkeypatch, parameters, **given | {"particle_diameter": diameter})
+        errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
+        known = ~found.left
+        assert known.mean() > 0.25
+        for name, error in errors.items():
+            assert (error[known] <= rtol).all(), (name, error[known].max())
+
+
+def test_points_beyond_the_tables_are_left(parameters):
+    for given in (
+        {"load": np.array([1e3]), "viscosity": 0.0},  # heavier than what the solids bear
+        {"viscosity": np.array([1e9])},  # a film that no summit reaches through
+        {"particle_density": np.array([1e22])},  # no room between the particles
+    ):
+        point = {"load": 1e-5, "viscosity": 9e-5}
+        point |= {"particle_diameter": 5e-7, "particle_density": 1e11}
+        assert compiled(parameters, 1e-6, **point | given).left.all()
+
+
+def test_many_points_have_the_status_and_the_flags_of_few(parameters):
+    given = conditions(COMPILATION_WORTH)
+    given["load"][::500] = 1e3
+    given["viscosity"][1::500] = 1e-9
+    given["particle_density"][2::500] = 1e22
+    many = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters)
+    some = np.flatnonzero(np.arange(COMPILATION_WORTH) % 500 < 5)
+    few = {name: values[some] for name, values in given.items()}
+    assert some.size < TABLE_WORTH
+    few = tb.solve(**few, roughness=ROUGHNESS, parameters=parameters)
+    for name in ("solution_status", "lubrication_regime", "contact_mode"):
+        np.testing.assert_array_equal(getattr(many, name)[some], getattr(few, name))
+    assert len(set(few.solution_status)) >= 3
+
+
+def test_areas_that_nobody_asks_for_change_nothing_else(parameters):
+    given = conditions(COMPILATION_WORTH)
+    every = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters)
+    names = ["solid_load_fraction", "separation", "error_bound"]
+    some = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, variables=names)
+    for name in names:
+        np.testing.assert_array_equal(getattr(some, name), getattr(every, name))
+    assert [name for name in VARIABLES if getattr(some, name) is None] == [
+        name for name in VARIABLES if name not in names
+    ]
+
+
+@pytest.mark.parametrize(
+    ("points", "loaded"), [(COMPILATION_WORTH - 1, False), (COMPILATION_WORTH, True)]
+)
+def test_only_many_points_load_the_compiler(points, loaded):
+    command = [sys.executable, "-c", IS_LOADED, str(points)]
+    ran = run(command, capture_output=True, text=True, check=True)
+    assert ran.stdout.strip() == str(loaded)
