@@ -1,9 +1,16 @@
 """Every dataset, table and figure of Chen & Horng (2024), from the printed equations."""
 
+import logging
 import sys
 from pathlib import Path
+from runpy import run_path
 
 from snakemake.utils import update_config
+
+# on a full disk every line that does not fit into a log would be a traceback
+logging.raiseExceptions = False
+if workflow.is_main_process:
+    run_path("src/thirdbody/bytecode.py")["prepare_bytecode"]("src/thirdbody", "verification")
 
 from thirdbody.closure import import_closure
 from thirdbody.configuration import (

@@ -79,7 +79,7 @@ def read_manifest(path, digits, faults):
         if gap != "  " or not name or name in listed or set(digest) - set("0123456789abcdef"):
             faults.add(path.name, f"line {number} is damaged")
         listed[name] = digest
-    if list(listed) != sorted(listed) or lines[-1]:
+    if not listed or list(listed) != sorted(listed) or lines[-1]:
         faults.add(path.name, "is damaged")
     return listed
 
@@ -216,11 +216,29 @@ def check_products(found, results, faults):
             faults.add(product, f"cannot be read ({error.strerror})")
 
 
+def check_cost(folder, results, faults):
+    """What solving cost, which is not in the archive, is there for all that is on record."""
+    record = record_beside(folder)["solver_cost"]
+    cost = results / "accuracy/solver_cost.csv"
+    try:
+        with open(cost, encoding="utf-8", newline="") as file:
+            told = [what_was_solved(row) for row in csv.DictReader(file)]
+        if told != [what_was_solved(row) for row in record]:
+            faults.add(cost, "is not of what provenance.json lists")
+    except FORESEEN as error:
+        faults.add(cost, f"cannot be read ({type(error).__name__})")
+
+
+def what_was_solved(row):
+    """A row of the cost without its times, which must be numbers and differ from run to run."""
+    float(row["seconds"]), float(row["microseconds_per_point"])
+    return row["figure"], float(row["points"]), float(row["rtol"])
+
+
 def check_packed(folder, found, faults):
     """The packed archive beside ``folder`` is the one on record and holds the same files."""
     packed = packed_beside(folder)
-    record = json.loads(folder.with_name("provenance.json").read_text(encoding="utf-8"))
-    if digests(packed)[0] != record["archive"]["sha256"]:
+    if digests(packed)[0] != record_beside(folder)["archive"]["sha256"]:
         faults.add(packed, "is not the archive that provenance.json names")
     with zipfile.ZipFile(packed) as archive:
         members = {name.partition("/")[2]: name for name in archive.namelist()}
@@ -233,6 +251,10 @@ def check_packed(folder, found, faults):
 
 def packed_beside(folder):
     return folder.with_name(f"{folder.name}.zip")
+
+
+def record_beside(folder):
+    return json.loads(folder.with_name("provenance.json").read_text(encoding="utf-8"))
 
 
 def verify(folder, count, seed, results=None):
@@ -249,6 +271,7 @@ def verify(folder, count, seed, results=None):
     }
     if results is not None:
         checks[results] = lambda: check_products(found, results, faults)
+        checks["provenance.json"] = lambda: check_cost(folder, results, faults)
         checks[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
     for subject, check in checks.items():
         try:

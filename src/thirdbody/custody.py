@@ -59,6 +59,17 @@ def remove_damaged(logs) -> list[str]:
     return damaged
 
 
+def require_recorded(products, logs) -> None:
+    """Raise ``ValueError`` naming one of ``products`` that no log file in ``logs`` records."""
+    recorded = recorded_digests(logs)
+    for product in map(str, products):
+        if product not in recorded or _differs(product, recorded[product]):
+            raise ValueError(
+                f"{product} is not known to be whole: no log in {logs}/ records it as it is; "
+                f"remake it: snakemake -c2 --force {product}"
+            )
+
+
 def _differs(product, digests) -> bool:
     """Whether a file is there and is none of those that were made, or cannot be read."""
     try:

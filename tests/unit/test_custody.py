@@ -5,7 +5,13 @@ import os
 
 import pytest
 
-from thirdbody.custody import hold_alone, recorded_digests, remove_damaged, require_writable
+from thirdbody.custody import (
+    hold_alone,
+    recorded_digests,
+    remove_damaged,
+    require_recorded,
+    require_writable,
+)
 from thirdbody.files import logged, whole
 
 
@@ -61,6 +67,15 @@ def test_a_folder_in_place_of_a_product_is_named(made):
     (made / "results/a.csv").mkdir()
     with pytest.raises(OSError, match="results/a.csv"):
         remove_damaged("logs")
+
+
+def test_a_product_without_a_record_is_named_with_the_command_that_remakes_it(made):
+    require_recorded(["results/a.csv", "results/b.csv"], "logs")
+    (made / "results/unrecorded.csv").write_text("somebody's own")
+    (made / "results/b.csv").write_text("harmed")
+    for product in ("results/unrecorded.csv", "results/b.csv"):
+        with pytest.raises(ValueError, match=f"^{product} .*; remake it: .* --force {product}$"):
+            require_recorded(["results/a.csv", product], "logs")
 
 
 def test_a_folder_that_may_not_be_written_to_is_named(made, monkeypatch):

@@ -140,19 +140,26 @@ def test_extra_file_is_named_in_every_folder(copy, verify, tell):
     tell(f"archive: an extra file named in each of {len(folders)} folders")
 
 
-@pytest.mark.parametrize("damage", ["empty", "halved", "link"])
-@pytest.mark.parametrize(
-    "name", ["data/datasets/fig03.nc", "data/tables/tpca_windows.csv", "README.md"]
-)
-def test_damaged_file_is_named(copy, verify, name, damage):
-    path = copy / name
-    content = path.read_bytes()
-    path.unlink()
-    if damage == "link":
-        path.symlink_to(copy / "bagit.txt")
-    else:
-        path.write_bytes(content[: len(content) // 2] if damage == "halved" else b"")
-    assert name in found(verify, copy)
+@pytest.mark.parametrize("damage", ["emptied", "halved", "overwritten", "linked"])
+def test_every_damaged_file_is_named(copy, verify, damage, tell):
+    """By the sums alone, which are looked at first."""
+    names = files_in(copy, copy)
+    for name in names:
+        path = copy / name
+        content = path.read_bytes()
+        path.unlink()
+        if damage == "linked":
+            path.symlink_to(copy / "bagit.txt")
+        elif damage == "overwritten":
+            path.write_bytes(random.Random(name).randbytes(len(content)))
+        else:
+            path.write_bytes(content[: len(content) // 2] if damage == "halved" else b"")
+        faults = verify.Faults()
+        verify.check_bag(copy, verify.read_files(copy, faults), faults)
+        assert name in faults
+        path.unlink()
+        path.write_bytes(content)
+    tell(f"archive: each of {len(names)} files named when {damage}")
 
 
 @pytest.mark.parametrize(
@@ -237,7 +244,9 @@ def test_changed_number_is_found_though_all_sums_agree(copy, verify, release, te
                 mend_sums(copy, release)
                 faults = found(verify, copy)
                 assert list(faults) == [f"data/datasets/{name}.nc"], variable
-                assert re.search("is off by|normal_load|roughness", faults[f"data/datasets/{name}.nc"])
+                assert re.search(
+                    "is off by|normal_load|roughness", faults[f"data/datasets/{name}.nc"]
+                )
             path.write_bytes(content)
     bagit.Bag(str(copy)).validate(fast=True)
     tell(f"archive: each of {changed} changed numbers found though all sums were made again")

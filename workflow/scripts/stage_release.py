@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from thirdbody.custody import require_recorded
 from thirdbody.files import logged
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import Job, Run
@@ -9,7 +10,11 @@ from thirdbody.release.staging import stage, whole_folder
 
 
 def fill(place, products, sources, run):
-    """Write the folder ``place`` of the release that the ``sources`` describe."""
+    """Write the folder ``place`` of the release that the ``sources`` describe.
+
+    A product is to be as it was made: one without a record of that may be damaged.
+    """
+    require_recorded(products, "logs")
     with whole_folder(place) as folder:
         stage(folder, products, sources, run, Release.of("pyproject.toml", "CITATION.cff"))
     print(f"{place}: {len(products)} products, {len(sources)} sources")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import csv
 import io
+import json
 import os
 import random
 import signal
@@ -18,6 +19,13 @@ from workspace import MINIMAL, Workspace
 LONG = os.environ.get("SURVIVAL") == "long"  # `make test-survival`
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MEASURED = ("seconds", "microseconds_per_point")  # columns of solver_cost, never the same twice
+VERIFY = """
+import json, sys
+from pathlib import Path
+sys.path.insert(0, "verification")
+from verify import verify
+print(json.dumps(verify(Path(sys.argv[1]), 0, 0, Path("results"))[0]))
+"""
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH = 24, 1, 2
 
 
@@ -43,11 +51,30 @@ def ended(run: subprocess.Popen) -> tuple[int, str]:
     return run.returncode, said
 
 
-def complete(workspace: Workspace, **options) -> str:
+def complete(workspace: Workspace, *arguments, **options) -> str:
     """What a run says that must succeed."""
-    code, said = ended(start(workspace, **options))
+    code, said = ended(start(workspace, *arguments, **options))
     assert code == 0, said
     return said
+
+
+def release_in(workspace: Workspace) -> Path:
+    """The folder of the release in a workspace."""
+    (folder,) = workspace.root.glob("results/release/*/")
+    return folder
+
+
+def found_by_verify(workspace: Workspace, release: Path) -> dict[str, str]:
+    """All that `make verify` finds wrong with a release or with the products: it shows five."""
+    told = subprocess.run(
+        [sys.executable, "-c", VERIFY, release],
+        cwd=workspace.root,
+        capture_output=True,
+        text=True,
+        check=True,
+        preexec_fn=obey_permissions,
+    )
+    return json.loads(told.stdout)
 
 
 def obey_permissions() -> None:

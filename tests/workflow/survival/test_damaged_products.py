@@ -1,7 +1,21 @@
-"""A damaged product is named and made again by the next run."""
+"""A damaged product is found by `make verify`, named and made again by the next run."""
+
+import shutil
+from pathlib import Path
 
 import pytest
-from harm import DAMAGE, LONG, assert_same, complete, obey_permissions
+from harm import (
+    DAMAGE,
+    LONG,
+    assert_same,
+    complete,
+    ended,
+    found_by_verify,
+    obey_permissions,
+    products,
+    release_in,
+    start,
+)
 
 ROUNDS = range(len(DAMAGE) if LONG else 1)
 FEW = (
@@ -11,6 +25,8 @@ FEW = (
     "figures/fig13.svg",
     "tables/table2.json",
 )
+UNRELEASED = ("extracted/", "accuracy/solver_cost/")  # what tables are gathered from
+long = pytest.mark.skipif(not LONG, reason="make test-survival")
 
 
 def assert_noticed(damaged, said):
@@ -23,7 +39,9 @@ def assert_noticed(damaged, said):
 
 
 @pytest.mark.parametrize("number", ROUNDS)
-def test_every_damaged_product_is_named_and_made_again(workspace, undisturbed, number, tell):
+def test_every_damaged_product_is_named_and_made_again(
+    workspace, released, undisturbed, number, tell
+):
     """In each round every product is damaged, in the next kind of damage in turn."""
     chosen = sorted(undisturbed) if LONG else FEW
     kinds = list(DAMAGE)
@@ -32,10 +50,16 @@ def test_every_damaged_product_is_named_and_made_again(workspace, undisturbed, n
     }
     for product, kind in damaged.items():
         DAMAGE[kind](workspace.root / "results" / product)
+    found = found_by_verify(workspace, release_in(released))
+    assert set(found) == {f"results/{name}" for name in damaged if not name.startswith(UNRELEASED)}
     said = complete(workspace, prepare=obey_permissions)
     assert_noticed(damaged, said)
     assert_same(workspace.root / "results", undisturbed)
-    tell(f"round {number}: {len(damaged)} products damaged in {len(kinds)} kinds, all made again")
+    assert found_by_verify(workspace, release_in(released)) == {}
+    tell(
+        f"round {number}: {len(damaged)} products damaged in {len(kinds)} kinds, {len(found)} of "
+        "them released, all of these found by verify, all made again"
+    )
 
 
 def test_a_product_replaced_by_a_folder_stops_the_run_with_its_name(workspace):
@@ -45,3 +69,38 @@ def test_a_product_replaced_by_a_folder_stops_the_run_with_its_name(workspace):
     run = workspace.snakemake()
     assert run.returncode != 0
     assert "results/tables/table1.md" in run.stderr.splitlines()[-1]
+
+
+@long
+def test_make_verify_names_each_file_of_the_release_that_cannot_be_read(released, tmp_path, tell):
+    copy = Path(shutil.copytree(release_in(released).parent, tmp_path / "release"))
+    folder = copy / release_in(released).name
+    files = [path for path in copy.rglob("*") if path.is_file()]
+    for path in files:
+        path.chmod(0)
+    found = found_by_verify(released, folder)
+    packed, record = str(copy / f"{folder.name}.zip"), "provenance.json"
+    inside = {path.relative_to(folder).as_posix() for path in files if folder in path.parents}
+    assert found.keys() >= inside | {packed, record}
+    tell(f"release: each of {len(files)} files named when unreadable")
+
+
+@long
+def test_no_damaged_product_is_released(released, tmp_path):
+    """Neither one that differs from its record, nor one without a record."""
+    workspace = released.copied_to(tmp_path / "thirdbody")
+    whole = products(release_in(workspace))
+    results = workspace.root / "results"
+    for product, harm in zip(FEW, DAMAGE.values(), strict=True):
+        harm(results / product)
+    complete(workspace, "release", prepare=obey_permissions)
+    assert products(release_in(workspace)) == whole
+
+    (workspace.root / "logs/render_figure/fig05.log").unlink()
+    DAMAGE["truncated to half"](results / "figures/fig05.svg")
+    code, said = ended(start(workspace, "release"))
+    assert code != 0
+    assert "results/figures/fig05.svg is not known to be whole" in said
+    complete(workspace, "--force", "results/figures/fig05.svg")
+    complete(workspace, "release")
+    assert products(release_in(workspace)) == whole

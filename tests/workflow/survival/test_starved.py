@@ -18,6 +18,8 @@ from harm import (
 )
 from workspace import MINIMAL
 
+from thirdbody.custody import hold_alone
+
 GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
 # runs in a disk of its own: little room, what it left, more room, what it left
@@ -108,11 +110,17 @@ def test_of_two_runs_at_once_one_says_that_the_other_is_running(workspace, undis
     tell("2 runs at once: 1 completed, 1 refused")
 
 
-def test_a_dry_run_may_look_on_while_another_run_is_under_way(workspace):
+def test_while_a_run_holds_the_folder_a_dry_run_may_look_on_and_no_other_may_begin(workspace):
+    """The test holds what a run holds: Snakemake cannot look on while files come and go."""
     (workspace.root / "results/tables/table1.md").unlink()
-    run = start(workspace)
-    assert workspace.snakemake("--dry-run").returncode == 0
-    assert ended(run)[0] == 0
+    with hold_alone(workspace.root / ".snakemake/thirdbody.lock"):
+        looked = workspace.snakemake("--dry-run")
+        code, said = ended(start(workspace))
+    assert looked.returncode == 0, looked.stdout + looked.stderr
+    assert "results/tables/table1.md" in looked.stdout
+    assert code != 0
+    assert said.splitlines()[-1].startswith("another run is under way in this folder")
+    assert not (workspace.root / "results/tables/table1.md").exists()
 
 
 @long
