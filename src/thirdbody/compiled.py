@@ -21,10 +21,11 @@ from thirdbody.film import Film
 from thirdbody.parameters import Parameters
 from thirdbody.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
 from thirdbody.regimes import contact_mode, lubrication_regime
-from thirdbody.roots import EPSILON, NOISE
+from thirdbody.roots import NOISE
 from thirdbody.solution import CONVERGED, OUTSIDE_FILM_FORMULA, ROOT_SHARE
 from thirdbody.tabulation import PiecewisePolynomial
 
+EPSILON = np.finfo(float).eps
 STEPS = 8  # a point that needs more is better left to bisection
 LEAST_BARE = 1e-6  # of the interface, left to summits: less is a difference that lost its digits
 LEAST_AREA = 1e-290  # of A_n; smaller ones have not all digits of float64
@@ -34,7 +35,7 @@ FILM_START, FILM_END, FILM_PIECES = -6.0, 14.0, 160  # ln H_c from where Eq. 7's
 GUESS_DEGREE, GUESS_PIECES = 3, 96
 SUMMITS_START, SUMMITS_END = -5.0, 12.0  # t of first guesses
 AREA_START, AREA_END = -16.0, 1.0  # ln of the particles' area over (factor c_1), of first guesses
-compiled = njit(error_model="numpy", fastmath={"contract"}, nogil=True)
+COMPILED = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True}
 
 
 class Table(NamedTuple):
@@ -83,8 +84,7 @@ class Model(NamedTuple):
 class Columns(NamedTuple):
     """What each point has of its own, 1-D; empty where there is no film or are no particles."""
 
-    load: np.ndarray  # F_t*
-    log_load: np.ndarray
+    log_load: np.ndarray  # ln F_t*
     mean: np.ndarray  # m
     spread: np.ndarray  # S
     depth: np.ndarray  # h_e/S
@@ -168,7 +168,7 @@ def _columns(points: Points) -> Columns:
             log_thickness + np.log(parameters.ball_radius / sigma),
             log_parameter - points.log_load_parameter(-points.log_load),
         )
-    return Columns(np.exp(points.log_load), points.log_load, *sizes, *films)
+    return Columns(points.log_load, *sizes, *films)
 
 
 class CompiledPoints:
@@ -189,7 +189,8 @@ class CompiledPoints:
             points.particles is not None,
             points.film is not None,
             areas,
-            rtol,
+            ROOT_SHARE * rtol,
+            NOISE,
             found,
         )
         self.total_contact_area, self.particle_contact_area_ratio = found[:2]
@@ -222,11 +223,12 @@ class CompiledPoints:
 
 @lru_cache(maxsize=1)
 def _loop():
-    """The loop in machine code, which is kept beside this file for later processes."""
-    return njit(error_model="numpy", fastmath={"contract"}, nogil=True, cache=True)(_solve_points)
+    """The loop in machine code, which is kept beside this file for later processes; so it must not
+    contain a constant of another file."""
+    return njit(**COMPILED, cache=True)(_solve_points)
 
 
-@compiled
+@njit(**COMPILED)
 def _read(table, x):
     """Value, slope and curvature at ``x``; nan outside the table."""
     position = (x - table.start) * table.scale
@@ -245,7 +247,7 @@ def _read(table, x):
     return value, inner * slope, 2.0 * inner * inner * curvature
 
 
-@compiled
+@njit(**COMPILED)
 def _horner(rows, piece, local, degree):
     """Value, slope and half the curvature of a row of powers at ``local``."""
     value, slope, curvature = rows[piece, degree], 0.0, 0.0
@@ -256,7 +258,7 @@ def _horner(rows, piece, local, degree):
     return value, slope, curvature
 
 
-@compiled
+@njit(**COMPILED)
 def _guess(table, x):
     """Value of a table of guesses at ``x``, held within it."""
     position = min(max((x - table.start) * table.scale, 0.0), GUESS_PIECES - 1e-9)
@@ -264,7 +266,7 @@ def _guess(table, x):
     return _horner(table.rows, piece, 2.0 * (position - piece) - 1.0, GUESS_DEGREE)[0]
 
 
-@compiled
+@njit(**COMPILED)
 def _moment(table, truncation, largest, alpha):
     """T/c_1 with its slope and curvature in alpha, held at the truncation."""
     if alpha >= truncation:
@@ -272,7 +274,7 @@ def _moment(table, truncation, largest, alpha):
     return _read(table, max(alpha, MOMENT_START))
 
 
-def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, found):
+def _solve_points(model, columns, has_particles, has_film, wants_areas, allowed, noise, found):
     """Fill the rows of ``found``: A_t*, A_sa,t*, A_ss,t*, L_s, L_f, d/sigma and a bound on the
     relative error, which is nan where the loop does not find a solution.
 
@@ -302,12 +304,12 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, fo
         coverage,
         contacting,
     ) = model
-    loads, log_loads, means, spreads, depths, areas, bares, films_alone, levels, film_loads = columns
+    log_loads, means, spreads, depths, areas, bares, films_alone, levels, film_loads = columns
     area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
     film = film_1 = film_2 = 0.0
     mean = spread = inner = shift = plastic_area = 0.0
     near_particles = near != 0.0
-    for i in range(loads.size):
+    for i in range(log_loads.size):
         found[6, i] = np.nan
         x = offset + _guess(summits_alone, log_loads[i]) / per_deviation
         if has_film:
@@ -316,7 +318,7 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, fo
             mean, spread, plastic_area = means[i], spreads[i], areas[i]
             inner = 1.0 / spread
             shift = depths[i] * (near if near_particles else far)
-            alone = _guess(particles_alone, math.log(loads[i] / (pressure * plastic_area)))
+            alone = _guess(particles_alone, log_loads[i] - math.log(pressure * plastic_area))
             x = max(x, mean + alone * spread)
         for _ in range(STEPS):
             t = (x - offset) * per_deviation
@@ -370,7 +372,7 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, fo
             total = solid + film
             total_1 = summits_1 + pressure * area_1 + film_1
             total_2 = summits_2 + pressure * area_2 + film_2
-            residual = math.log(total / loads[i])
+            residual = math.log(total) - log_loads[i]
             slope = total_1 / total
             curve = total_2 / total - slope * slope
             step = -residual / slope / (1.0 - 0.5 * residual * curve / (slope * slope))
@@ -380,7 +382,7 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, fo
             x += step
             if not x > 0.0:
                 break
-            if left <= ROOT_SHARE * rtol and (
+            if left <= allowed and (
                 not has_particles  # no Taylor series crosses where they come into contact
                 or abs(step) < spread * abs((x - mean) * inner - truncation)
                 and abs(step) < spread * abs((x - mean) * inner + shift - truncation)
@@ -415,7 +417,7 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, rtol, fo
                     + summit_error
                     + film_error
                     + onset
-                    + condition * (moved / total + NOISE)
+                    + condition * (moved / total + noise)
                     + 4.0 * EPSILON * gain * x
                 )
                 break
