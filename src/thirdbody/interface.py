@@ -21,6 +21,7 @@ from thirdbody.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoint
 from thirdbody.tabulation import PiecewisePolynomial
 
 DEFAULT_RTOL = 1e-9
+BLOCK = 2**18  # points among which equal ones are looked for
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 COMPILATION_WORTH = 10_000  # points from which a compiled loop solves them
 TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
@@ -28,7 +29,7 @@ FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
 MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
 # (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
-TABLE_SIZES = ((1e-4, 90, 3), (1e-7, 180, 5), (0.0, 180, 7))
+TABLE_SIZES = ((1e-3, 90, 3), (1e-5, 60, 5), (1e-7, 180, 5), (0.0, 180, 7))
 
 
 def solve(
@@ -60,14 +61,28 @@ def solve(
         "particle_density": particle_density,
     }
     columns = np.broadcast_arrays(*(checked_axis(name, value) for name, value in given.items()))
-    shape = columns[0].shape
+    shape, size = columns[0].shape, columns[0].size
+    columns = [np.ravel(column) for column in columns]
+    result = {name: np.empty(size, type_of(name)) for name in variables}
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
-        columns, places = _distinct([np.ravel(column) for column in columns])
-        result = {name: np.empty(columns[0].size, type_of(name)) for name in variables}
-        for part, solved in _solved_parts(columns, parameters, rtol, variables):
-            for name, values in result.items():
-                values[part] = getattr(solved, name)
-    return Solution(**{name: values[places].reshape(shape) for name, values in result.items()})
+        for block in _pieces(slice(0, size), BLOCK):
+            into = {name: values[block] for name, values in result.items()}
+            _solve_block([column[block] for column in columns], parameters, rtol, into)
+    return Solution(**{name: values.reshape(shape) for name, values in result.items()})
+
+
+def _solve_block(columns, parameters, rtol, into):
+    """Fill the arrays ``into``, by name of a variable, with the solution at the points."""
+    columns, places = _distinct(columns)
+    found = into
+    if places is not None:
+        found = {name: np.empty(columns[0].size, values.dtype) for name, values in into.items()}
+    for part, solved in _solved_parts(columns, parameters, rtol, into):
+        for name, values in found.items():
+            values[part] = getattr(solved, name)
+    if places is not None:
+        for name, values in found.items():
+            into[name][:] = values[places]
 
 
 def _solved_parts(columns, parameters, rtol, variables):
@@ -79,14 +94,14 @@ def _solved_parts(columns, parameters, rtol, variables):
             from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
 
             left = []
-            for part in _chunks(group):
+            for part in _pieces(group, CHUNK):
                 points = _points(columns, part, roughness, parameters, rtol)
                 solved = CompiledPoints(points, rtol, areas=not OF_AREAS.isdisjoint(variables))
                 yield part, solved
                 left.append(_indices(part)[solved.left])
             group = np.concatenate(left)
             table_rtol = rtol if group.size >= TABLE_WORTH else None
-        for part in _chunks(group):
+        for part in _pieces(group, CHUNK):
             solved = SolvedPoints(_points(columns, part, roughness, parameters, table_rtol), rtol)
             yield part, solved
             if table_rtol is not None and solved.imprecise.any():
@@ -162,12 +177,12 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
 
 
 def _distinct(columns):
-    """The distinct points among ``columns``, and the place of each point among them.
+    """The distinct points among ``columns``, and the place of each point among them, or None where
+    all are distinct.
 
     Equal points have equal sums of their columns' bits in fixed proportions: whether there are any
     shows at the cost of a sort.  Densities of particles without a size are equal, and vice versa.
     """
-    everything = slice(None)
     size = columns[0].size
     three_body = has_particles(columns[2], columns[4])
     if not three_body.all():
@@ -175,12 +190,11 @@ def _distinct(columns):
         for place in (2, 4):
             columns[place] = np.where(three_body, columns[place], 0.0)
     sums = np.zeros(size, dtype=np.uint64)
-    for part in _chunks(slice(0, size)):
-        for factor, column in zip(MIXERS, columns, strict=True):
-            sums[part] += np.ascontiguousarray(column[part]).view(np.uint64) * factor
+    for factor, column in zip(MIXERS, columns, strict=True):
+        sums += np.ascontiguousarray(column).view(np.uint64) * factor
     in_order = np.sort(sums)
     if (in_order[1:] != in_order[:-1]).all():
-        return columns, everything
+        return columns, None
     order = np.argsort(sums)
     new = np.ones(size, dtype=bool)
     new[1:] = np.any([column[order[1:]] != column[order[:-1]] for column in columns], axis=0)
@@ -223,13 +237,13 @@ def _indices(part):
     return np.arange(part.start, part.stop) if isinstance(part, slice) else part
 
 
-def _chunks(group):
-    """Pieces of a slice or an array of indices that are solved together."""
+def _pieces(group, size):
+    """Pieces of ``size`` at most of a slice or an array of indices."""
     if isinstance(group, slice):
-        for start in range(group.start, group.stop, CHUNK):
-            yield slice(start, min(start + CHUNK, group.stop))
+        for start in range(group.start, group.stop, size):
+            yield slice(start, min(start + size, group.stop))
     else:
-        yield from (group[start : start + CHUNK] for start in range(0, group.size, CHUNK))
+        yield from (group[start : start + size] for start in range(0, group.size, size))
 
 
 def has_particles(diameter, density):
