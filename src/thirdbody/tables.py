@@ -165,6 +165,11 @@ TABLES = {
         POINT_COST,
         Column("ratio", "number", "1", "time over the least of all sizes; speed over one process"),
     ),
+    "starts": (
+        Column("what", "string", "", "what is done before the first solution"),
+        Column("points", "number", "1", "points solved"),
+        Column("seconds", "number", "s", "time on the clock of the whole process"),
+    ),
     "streaming": (
         Column("what", "string", "", "streaming to a file, or one half of it alone"),
         Column("points", "number", "1", "points of the grid"),

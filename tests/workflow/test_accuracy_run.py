@@ -8,7 +8,7 @@ from workspace import ROOT
 
 from thirdbody.tables import TABLES, read_csv
 
-NAMES = ("errors", "extremes", "times", "omissions", "scaling", "streaming", "bars")
+NAMES = ("errors", "extremes", "times", "omissions", "scaling", "starts", "streaming", "bars")
 PRODUCTS = {
     *(f"accuracy/{name}.csv" for name in NAMES),
     "accuracy/bars.md",
@@ -94,6 +94,8 @@ def test_sweeps_hold_what_was_asked_for(tables):
     processes = [row["processes"] for row in tables["scaling"] if row["axis"] == "processes"]
     assert processes == [1, BUDGET["processes"]["workers"]]
     assert tables["omissions"][0]["left_out"] == "nothing"
+    assert len({row["what"] for row in tables["starts"]}) == 3
+    assert all(row["seconds"] > 0.1 for row in tables["starts"])
     assert [row["what"] for row in tables["streaming"]] == ["streaming", "solving", "writing"]
     assert tables["streaming"][0]["points"] == 1000
     assert tables["streaming"][0]["resident_memory_MB"] < 1000.0

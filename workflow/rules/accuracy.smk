@@ -83,6 +83,7 @@ rule time_sweeps:
     output:
         omissions="results/accuracy/omissions.csv",
         scaling="results/accuracy/scaling.csv",
+        starts="results/accuracy/starts.csv",
     log:
         "logs/time_sweeps.log",
     benchmark:
@@ -96,7 +97,7 @@ rule time_sweeps:
         budget=ACCURACY,
         parameters=settings["parameters"],
     message:
-        "Timing omissions, sizes and processes"
+        "Timing omissions, sizes, processes and starts"
     script:
         "../scripts/time_sweeps.py"
 
@@ -177,6 +178,7 @@ rule accuracy:
         "results/accuracy/times.csv",
         "results/accuracy/omissions.csv",
         "results/accuracy/scaling.csv",
+        "results/accuracy/starts.csv",
         "results/accuracy/streaming.csv",
         "results/accuracy/bars.csv",
         "results/accuracy/bars.md",

@@ -1,19 +1,22 @@
-"""Times of the heaviest class: with something left out, in any number, in several processes."""
+"""Times of the heaviest class: with something left out, in any number, in several processes, and
+until the first solution."""
 
 from thirdbody.accuracy.omissions import omission_rows
 from thirdbody.accuracy.scaling import scaling_rows
+from thirdbody.accuracy.starts import start_rows
 from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
 from thirdbody.tables import TABLES, write_csv
 
 
-def measure(budget, parameters, omissions, scaling):
-    """Write the times that ``budget`` asks for as the tables ``omissions`` and ``scaling``."""
+def measure(budget, parameters, omissions, scaling, starts):
+    """Write the times that ``budget`` asks for as the tables of these names."""
     inputs = Parameters(**parameters)
-    with whole(omissions, scaling) as (omissions_part, scaling_part):
+    with whole(omissions, scaling, starts) as (omissions_part, scaling_part, starts_part):
         write_csv(omissions_part, omission_rows(inputs, budget), TABLES["omissions"])
         write_csv(scaling_part, scaling_rows(inputs, budget), TABLES["scaling"])
-    print("both tables written")
+        write_csv(starts_part, start_rows(), TABLES["starts"])
+    print("three tables written")
 
 
 if __name__ == "__main__":
@@ -23,4 +26,5 @@ if __name__ == "__main__":
             snakemake.params.parameters,
             snakemake.output.omissions,
             snakemake.output.scaling,
+            snakemake.output.starts,
         )

@@ -9,6 +9,7 @@ import numpy as np
 from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
 from thirdbody.accuracy.classes import CLASSES, HEAVIEST, PointClass, random_conditions
 from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds, peak_megabytes
+from thirdbody.compiled import prepare_model
 from thirdbody.interface import prepare_surface, solve
 from thirdbody.parameters import Parameters
 
@@ -46,9 +47,13 @@ def _library(given, parameters, rtol, repeats):
     def run():
         solve(**given, parameters=parameters, rtol=rtol)
 
-    prepare_surface.cache_clear()
     roughness = float(given["roughness"][0])
-    setup = median_seconds(lambda: prepare_surface(roughness, parameters, rtol), 1)
+
+    def prepare():
+        prepare_surface.cache_clear()
+        prepare_model(prepare_surface(roughness, parameters, rtol), parameters, rtol)
+
+    setup = median_seconds(prepare, 1)
     memory = peak_megabytes(run)
     return _cost(median_seconds(run, repeats), given["load"].size, setup, memory)
 
