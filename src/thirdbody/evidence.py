@@ -30,7 +30,7 @@ class Effort:
 FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
 # for the many evaluations of a calibration: its errors stay far below every tolerance
 QUICK_EFFORT = Effort(
-    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), loads=24, tolerance=np.inf, rtol=1e-4)
+    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
 
 
