@@ -76,7 +76,7 @@ def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     table_rtol = rtol if separation.size >= TABLE_WORTH else None
     rough = prepare_surface(float(conditions[2, 0]), parameters, table_rtol)
     solids = _solids(rough, parameters, conditions[1:])
-    curve, peak, width = _maxima(solids, separation, rtol)
+    curve, peak, width = _maxima(solids, separation, SEPARATION_MARGIN * rtol)
     if curve.size == 0:
         return result
     refined = _state_at(solids.take(curve), conditions[0, curve], peak, width, rtol)
@@ -93,7 +93,7 @@ def _solids(rough, parameters, conditions) -> Points:
 
 
 def _maxima(solids: Points, separation, rtol):
-    """Curves with an interior maximum of A_sa,t*, its d* [m], and the width that is known within.
+    """Curves with an interior maximum of A_sa,t*, its d* [m] to within ``rtol``, and that width.
 
     ``separation`` [m] falls from row to row, in a column for each curve or in one for all.
     """
@@ -103,7 +103,7 @@ def _maxima(solids: Points, separation, rtol):
     step, curve = np.nonzero(solved[:-1] & solved[1:] & ~falling[:-1] & falling[1:])
     near, far = separation[step + 1, curve], separation[step, curve]
     slope = solids.take(curve).odds_slope
-    return curve, *bracketed_roots(slope, near, far, SEPARATION_MARGIN * rtol * near)
+    return curve, *bracketed_roots(slope, near, far, rtol * near)
 
 
 def _highest(curve, ratio):
