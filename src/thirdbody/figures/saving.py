@@ -10,7 +10,7 @@ import matplotlib.backends.backend_pdf  # noqa: F401
 import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
-from thirdbody.figures.panel import NamedOutlines
+from thirdbody.figures.panel import NamedOutlines, NamedPoints
 from thirdbody.files import whole
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
@@ -47,10 +47,13 @@ def write_drawn_data(figure, path) -> None:
 def drawn_points(panel):
     """Label and points (n, 2) of each artist of ``panel`` that stands for data.
 
-    These are lines, unless their label starts with an underscore, and outlines with a name.
+    These are lines, unless their label starts with an underscore, and what has names.
     """
     for line in panel.lines:
-        if not line.get_label().startswith("_"):
+        if isinstance(line, NamedPoints):
+            for name, point in zip(line.names, line.get_xydata(), strict=True):
+                yield name, _known(point[np.newaxis])
+        elif not line.get_label().startswith("_"):
             yield line.get_label(), _known(line.get_xydata())
     for outlines in panel.collections:
         if isinstance(outlines, NamedOutlines):
