@@ -12,8 +12,15 @@ import yaml
 from thirdbody.parameters import Parameters
 
 
-class _StrictLoader(yaml.SafeLoader):
-    """YAML without duplicate keys, anchors or tags: a configuration is plain data."""
+class _StrictLoader(yaml.composer.Composer, yaml.CSafeLoader):
+    """YAML without duplicate keys, anchors or tags: a configuration is plain data.
+
+    Parsed in C, which takes a quarter of the time, but composed in Python, where it can be refused.
+    """
+
+    def __init__(self, stream):
+        yaml.CSafeLoader.__init__(self, stream)
+        yaml.composer.Composer.__init__(self)
 
     def compose_node(self, parent, index):
         if self.check_event(yaml.AliasEvent):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -11,9 +11,12 @@ from thirdbody.checks import Curve, TurningPoint
 from thirdbody.claims import Condition
 from thirdbody.interface import DEFAULT_RTOL, solve
 from thirdbody.parameters import Parameters
-from thirdbody.solution import COVERAGE_EXCEEDED
+from thirdbody.solution import COVERAGE_EXCEEDED, VARIABLES
 from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
 
+# variables of ``Solution`` that a ``Curve`` has, and what else must be solved
+SHOWN = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
+NEEDED = (*SHOWN, "solution_status")
 WINDOW_DENSITY = 1e11  # eta_a [m-2] of the paper's windows
 
 
@@ -30,7 +33,7 @@ class Effort:
 FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
 # for the many evaluations of a calibration: its errors stay far below every tolerance
 QUICK_EFFORT = Effort(
-    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), loads=24, tolerance=np.inf, rtol=1e-4)
+    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
 
 
@@ -38,13 +41,22 @@ class SolvedEvidence:
     """Evidence for claims (``thirdbody.checks.Evidence``) from the solved model.
 
     ``asked`` is what ``thirdbody.claims.referenced_conditions`` returns; all its curves are
-    solved together over ``newtons``, the first and last normal load [N].
+    solved together over ``newtons``, the first and last normal load [N]; ``places`` are those of
+    the loads that are looked at, by default all.
     """
 
-    def __init__(self, parameters: Parameters, asked: dict, newtons, effort: Effort = FULL_EFFORT):
+    def __init__(
+        self,
+        parameters: Parameters,
+        asked: dict,
+        newtons,
+        effort: Effort = FULL_EFFORT,
+        places=slice(None),
+    ):
         self.parameters = parameters
         self.effort = effort
         self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
+        self.loads = np.geomspace(*self.load_range, effort.loads)[places]
         self._asked = asked
         self._windows: dict[float, tuple[float, float]] = {}
 
@@ -71,38 +83,31 @@ class SolvedEvidence:
 
     @cached_property
     def _solution(self):
-        loads = np.geomspace(*self.load_range, self.effort.loads)
         columns = np.array(self._conditions).T
-        return loads, solve(loads[:, None], *columns, self.parameters, self.effort.rtol)
+        return solve(self.loads[:, None], *columns, self.parameters, self.effort.rtol, NEEDED)
 
     @cached_property
     def _curves(self) -> dict[Condition, Curve]:
-        loads, solution = self._solution
-        newtons = loads * self.parameters.newtons_per_load
+        solution = self._solution
+        newtons = self.loads * self.parameters.newtons_per_load
         solved = solution.solution_status < COVERAGE_EXCEEDED
         return {
             condition: Curve(
-                loads,
-                newtons,
-                solution.total_contact_area[:, index],
-                solution.particle_contact_area_ratio[:, index],
-                solution.solid_load_fraction[:, index],
-                solution.fluid_load_fraction[:, index],
-                solution.film_thickness[:, index],
-                solution.separation[:, index],
-                solved[:, index],
+                load=self.loads,
+                normal_load=newtons,
+                solved=solved[:, index],
+                **{name: getattr(solution, name)[:, index] for name in SHOWN},
             )
             for index, condition in enumerate(self._conditions)
         }
 
     @cached_property
     def _turning_points(self) -> dict[Condition, TurningPoint]:
-        _, solution = self._solution
         wanted = sorted(self._asked["turning_point"])
         chosen = [self._conditions.index(condition) for condition in wanted]
         columns = np.array(wanted).T
         found = turning_points(
-            solution.separation[:, chosen], *columns, self.parameters, self.effort.rtol
+            self._solution.separation[:, chosen], *columns, self.parameters, self.effort.rtol
         )
         fields = found.load, found.peak_ratio, found.solid_load_fraction
         return {

@@ -27,6 +27,7 @@ from thirdbody.turning_point import WindowSearch, turning_point_window
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
 REACH = 0.01  # of a window's end, to either side: where its shift is interpolated
 SIDE = 2  # points on each side of a crossing that locate it
+AROUND = 6  # loads on each side of a result within which a small change of an input leaves it
 
 
 class Output(NamedTuple):
@@ -81,10 +82,13 @@ class Subject:
             ),
         ]
 
-    def values(self, parameters: Parameters, effort: Effort, searches=None) -> np.ndarray:
+    def values(
+        self, parameters: Parameters, effort: Effort, searches=None, places=slice(None)
+    ) -> np.ndarray:
         """The outputs with these ``parameters``; nan where one does not occur.
 
-        ``searches`` are those for the window of each roughness, if not that of ``effort``.
+        ``searches`` are those for the window of each roughness, if not that of ``effort``;
+        ``places`` are those of the loads that are looked at, by default all.
         """
         searches = searches or [effort.window] * len(self.window_roughness)
         asked = {
@@ -92,7 +96,7 @@ class Subject:
             "turning_point": set(self.turning_points),
             "window": set(),
         }
-        evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
+        evidence = SolvedEvidence(parameters, asked, self.newtons, effort, places)
         points = [evidence.turning_point(*curve)[:2] for curve in self.turning_points]
         windows = [
             turning_point_window(search, sigma, WINDOW_DENSITY, evidence.load_range, parameters)
@@ -117,6 +121,16 @@ class Subject:
             local = WindowSearch(np.sort(near), tolerance=np.inf)
             searches.append(local if known else FULL_EFFORT.window)
         return searches
+
+    def local_places(self, values: np.ndarray, parameters: Parameters) -> np.ndarray:
+        """Places of the loads of a full effort that are about those among the outputs ``values``
+        with these ``parameters``."""
+        is_load = [output.output.endswith("_load") for output in self.outputs]
+        found = values[is_load] * parameters.newtons_per_load
+        grid = np.geomspace(*self.newtons, FULL_EFFORT.loads)
+        beyond = np.searchsorted(grid, found[np.isfinite(found)])
+        near = beyond[:, None] + np.arange(-AROUND, AROUND)
+        return np.unique(near.clip(0, grid.size - 1))
 
 
 def _metres(nanometres: float) -> float:
@@ -195,11 +209,11 @@ class Found(NamedTuple):
 def default_elasticities(subject: Subject, parameters: Parameters, inputs: Mapping[str, float]):
     """Outputs at ``parameters``, and their elasticities there with respect to ``inputs``."""
     base = subject.values(parameters, FULL_EFFORT)
-    searches = subject.local_searches(base)
+    local = subject.local_searches(base), subject.local_places(base, parameters)
     solved = []
 
     def values(changes):
-        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, searches))
+        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, *local))
         return solved[-1]
 
     value, error = elasticities(values, base, inputs)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize.elementwise import find_root
 
+from thirdbody.bracketing import bracketed_roots
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
@@ -30,17 +30,11 @@ def transitions(load, values, conditions, quantity, level, parameters: Parameter
     if curve.size == 0:
         return curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
 
-    def excess(log_load, *condition):
-        solution = solve(np.exp(log_load), *condition, parameters, rtol, [quantity])
+    def excess(log_load):
+        solution = solve(np.exp(log_load), *conditions[:, curve], parameters, rtol, [quantity])
         return getattr(solution, quantity) - level
 
     ends = np.log(load[step]), np.log(load[step + 1])
-    root = find_root(
-        excess,
-        ends,
-        args=tuple(conditions[:, curve]),
-        tolerances={"xatol": 0.1 * rtol, "xrtol": 0.0},
-    )
-    crossing = np.exp(root.x)
-    width = np.abs(root.bracket[1] - root.bracket[0])
+    root, width = bracketed_roots(excess, *ends, 0.1 * rtol)
+    crossing = np.exp(root)
     return curve, crossing, crossing * (width + rtol), above[step + 1, curve]

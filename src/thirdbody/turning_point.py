@@ -10,10 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 import numpy as np
-from scipy.optimize.elementwise import find_root
 from scipy.special import expit, logit
 
 from thirdbody.balance import Points
+from thirdbody.bracketing import bracketed_roots
 from thirdbody.film import Film
 from thirdbody.interface import (
     DEFAULT_RTOL,
@@ -72,42 +72,38 @@ def turning_points(
 
 def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     """The fields of ``TurningPoints`` for three-body curves of one roughness."""
-    result = {
-        field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)
-    }
+    result = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
     table_rtol = rtol if separation.size >= TABLE_WORTH else None
     rough = prepare_surface(float(conditions[2, 0]), parameters, table_rtol)
-    step, curve = _rises_to_a_maximum(separation, conditions, rough, parameters)
+    solids = _solids(rough, parameters, conditions[1:])
+    curve, peak, width = _maxima(solids, separation, SEPARATION_MARGIN * rtol)
     if curve.size == 0:
         return result
-    solids = make_points(rough, parameters, np.ones(curve.size), *_dry(conditions[:, curve]))
-    root = find_root(
-        lambda d, index: solids.take(index.astype(int)).odds_slope(d),
-        (separation[step + 1, curve], separation[step, curve]),
-        args=(np.arange(curve.size),),
-        tolerances={"xatol": 0.0, "xrtol": SEPARATION_MARGIN * rtol},
-    )
-    width = root.bracket[1] - root.bracket[0]
-    refined = _state_at(solids, conditions[0, curve], root.x, width, rtol)
+    refined = _state_at(solids.take(curve), conditions[0, curve], peak, width, rtol)
     best = _highest(curve, refined["peak_ratio"])
     for name, values in refined.items():
         result[name][curve[best]] = values[best]
     return result
 
 
-def _dry(conditions):
-    """The same conditions without lubricant: A_sa,t* depends on the separation alone."""
-    return np.concatenate([np.zeros_like(conditions[:1]), conditions[1:]])
+def _solids(rough, parameters, conditions) -> Points:
+    """Curves without lubricant: A_sa,t* depends on the separation alone."""
+    same = np.ones_like(conditions[0])
+    return make_points(rough, parameters, same, 0.0 * same, *conditions)
 
 
-def _rises_to_a_maximum(separation, conditions, rough, parameters):
-    """Load steps and curves between which A_sa,t* turns from rising to falling."""
-    loads, count = separation.shape
-    every = np.broadcast_to(_dry(conditions)[:, None, :], (4, loads, count)).reshape(4, -1)
-    points = make_points(rough, parameters, np.ones(loads * count), *every)
-    falling = points.odds_slope(separation.ravel()).reshape(loads, count) > 0.0
+def _maxima(solids: Points, separation, rtol):
+    """Curves with an interior maximum of A_sa,t*, its d* [m] to within ``rtol``, and that width.
+
+    ``separation`` [m] falls from row to row, in a column for each curve or in one for all.
+    """
+    falling = solids.odds_slope(separation) > 0.0
+    separation = np.broadcast_to(separation, falling.shape)
     solved = np.isfinite(separation)
-    return np.nonzero(solved[:-1] & solved[1:] & ~falling[:-1] & falling[1:])
+    step, curve = np.nonzero(solved[:-1] & solved[1:] & ~falling[:-1] & falling[1:])
+    near, far = separation[step + 1, curve], separation[step, curve]
+    slope = solids.take(curve).odds_slope
+    return curve, *bracketed_roots(slope, near, far, rtol * near)
 
 
 def _highest(curve, ratio):
@@ -128,14 +124,19 @@ def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
     steepest[wet] = np.maximum(steepest[wet], film_slope)
     together = np.maximum if solids.parameters.film_load == "total" else np.add
     load = together(solid, fluid)
-    particle_area, log_summit_area = solids.areas(separation)
     return {
         "load": load,
-        "load_error": load * (steepest * np.abs(width) + rtol),
-        "peak_ratio": expit(np.log(particle_area) - log_summit_area),
+        "load_error": load * (steepest * width + rtol),
+        "peak_ratio": _ratio(solids, separation),
         "solid_load_fraction": solid / load,
         "separation": separation,
     }
+
+
+def _ratio(solids: Points, separation):
+    """A_sa,t* [1] at ``separation`` d [m]."""
+    particle_area, log_summit_area = solids.areas(separation)
+    return expit(np.log(particle_area) - log_summit_area)
 
 
 def _fluid_load(viscosity, separation, solids: Points):
@@ -163,12 +164,12 @@ class Window:
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """How finely a window is searched: ratios x_a/sigma of the sweep [1], increasing; loads a
-    curve; absolute error of the ends, infinite to interpolate in the sweep; relative error of
-    what is solved."""
+    """How finely a window is searched: ratios x_a/sigma of the sweep [1], increasing; separations
+    between which a turning point is looked for; absolute error of the ends, infinite to interpolate
+    in the sweep; relative error of what is solved."""
 
     ratios: np.ndarray
-    loads: int = 60
+    separations: int = 60
     tolerance: float = 1e-9
     rtol: float = DEFAULT_RTOL
 
@@ -210,13 +211,10 @@ def _refined_ends(search, margin, margins, within, beyond):
         share = margins[inner] / (margins[inner] - margins[outer])
         ends[enclosed] += share * (ratios[outer] - ratios[inner])
     elif inner.size:
-        root = find_root(
-            margin,
-            (ratios[inner], ratios[outer]),
-            tolerances={"xatol": search.tolerance, "xrtol": 0.0},
+        ends[enclosed], width = bracketed_roots(
+            margin, ratios[inner], ratios[outer], search.tolerance
         )
-        ends[enclosed] = root.x
-        errors[enclosed] = np.abs(root.bracket[1] - root.bracket[0]) + search.tolerance
+        errors[enclosed] = width + search.tolerance
     return ends, errors
 
 
@@ -226,28 +224,32 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     The least of the logits by which the turning point is above the s-s mode, the whole curve
     below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
     """
-    loads = np.geomspace(*load_range, search.loads)
-    points = loads[:, None], 0.0, diameter, roughness, density
+    surface = roughness, density, parameters, search.rtol
     wanted = "separation", "particle_contact_area_ratio"
-    solution = solve(*points, parameters, search.rtol, wanted)
+    ends = solve(np.array(load_range)[:, None], 0.0, diameter, *surface, wanted)
+    first, last = ends.separation
     same = np.ones_like(diameter)
-    conditions = 0.0 * same, diameter, roughness * same, density * same
-    turning = turning_points(solution.separation, *conditions, parameters, search.rtol)
-    highest = np.fmax(solution.particle_contact_area_ratio.max(axis=0), turning.peak_ratio)
-    peak = np.where(np.isnan(turning.load), highest, turning.peak_ratio)
-    slope = _odds_slope(solution.separation[0], conditions, parameters)
-    turns = np.where(np.isnan(turning.load), -np.abs(slope), np.maximum(slope, 0.0))
-    above = logit(peak) - logit(SURFACE_LIMIT)
+    rough = prepare_surface(roughness, parameters, None)
+    solids = _solids(rough, parameters, (diameter, roughness * same, density * same))
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), search.separations)
+    curve, place, _ = _maxima(solids, between[:, None], search.rtol)
+    found = (last[curve] < place) & (place < first[curve])
+    curve, place = curve[found], place[found]
+    peak = np.full_like(diameter, np.nan)
+    np.fmax.at(peak, curve, _ratio(solids.take(curve), place))
+    turning = np.isfinite(peak)
+    highest = np.fmax(ends.particle_contact_area_ratio.max(axis=0), peak)
+    slope = _rise(solids, first)
+    turns = np.where(turning, np.maximum(slope, 0.0), -np.abs(slope))
+    above = logit(np.where(turning, peak, highest)) - logit(SURFACE_LIMIT)
     below = logit(PARTICLE_LIMIT) - logit(highest)
     return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
 
 
-def _odds_slope(separation, conditions, parameters):
-    """-d ln(A_sa/A_ss)/d ln d at ``separation`` [m] of conditions on one surface: positive where
-    A_sa,t* rises with the load; steepest where no particle touches yet."""
-    rough = prepare_surface(float(conditions[2][0]), parameters, None)
-    points = make_points(rough, parameters, np.ones_like(separation), *conditions)
+def _rise(solids: Points, separation):
+    """-d ln(A_sa/A_ss)/d ln d at ``separation`` [m]: positive where A_sa,t* rises with the load;
+    steepest where no particle touches yet."""
     with np.errstate(all="ignore"):
-        area = points.areas(separation)[0]
-        slope = -points.odds_slope(separation) * separation / area
+        area = solids.areas(separation)[0]
+        slope = -solids.odds_slope(separation) * separation / area
     return np.where(area > 0.0, slope, FARTHEST)

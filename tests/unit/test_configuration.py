@@ -93,7 +93,7 @@ STRICT = {
     "a list as key": ("? [a]\n: 1", "allowed: words"),
     "a mapping as key": ("? {a: b}\n: 1", "allowed: words"),
     "two documents": ("a: 1\n---\nb: 2", "another document"),
-    "an open bracket": ("a: [1", "line 1"),
+    "an open bracket": ("a: [1\n", "line 2: did not find expected ',' or ']'"),
     "a tab for indentation": ("a:\n\t- 1", "line 2"),
     "a control character": ("a: 1\x07", "not allowed"),
     "a byte that is not UTF-8": (b"a: \xff", "byte 3 is not UTF-8"),

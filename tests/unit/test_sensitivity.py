@@ -157,6 +157,19 @@ def test_local_search_follows_the_end_of_a_window(subject, parameters):
     assert unknown is FULL_EFFORT.window
 
 
+@pytest.mark.parametrize("input_name", ["spread_ratio", "apparent_area", "summit_radius"])
+def test_loads_about_the_results_give_the_results_of_all_loads(subject, parameters, input_name):
+    few = replace(subject, window_roughness=())
+    base = few.values(parameters, FULL_EFFORT)
+    places = few.local_places(base, parameters)
+    assert places.size < FULL_EFFORT.loads / 2
+    moved = getattr(parameters, input_name) * (1.0 + 2.0 * STEP)
+    changed = replace(parameters, **{input_name: moved})
+    local = few.values(changed, FULL_EFFORT, [], places)
+    assert_allclose(local, few.values(changed, FULL_EFFORT), rtol=1e-9)
+    assert few.local_places(np.full_like(base, np.nan), parameters).size == 0
+
+
 def test_response_surface_knows_its_own_kind():
     rng = np.random.default_rng(1)
     terms = quadratic_terms(rng.uniform(-1.0, 1.0, (80, 4)))

@@ -208,11 +208,11 @@ def test_the_ends_of_a_window_are_those_of_a_brute_scan(parameters, loads, rough
 
 
 @pytest.mark.parametrize("roughness", [100e-9, 300e-9, 500e-9])
-def test_more_loads_move_an_end_by_no_more_than_its_stated_error(parameters, loads, roughness):
+def test_more_separations_move_an_end_within_its_stated_error(parameters, loads, roughness):
     ratios = np.linspace(0.3, 2.5, 56)
     few, many = (
         turning_point_window(
-            WindowSearch(ratios, loads=count), roughness, DENSITY, (loads[0], loads[-1]), parameters
+            WindowSearch(ratios, count), roughness, DENSITY, (loads[0], loads[-1]), parameters
         )
         for count in (60, 240)
     )

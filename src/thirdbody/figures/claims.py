@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 import re
 
+import numpy as np
 from matplotlib import rcParams
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.panel import FURNITURE, POINTS_PER_INCH, Panel
+from thirdbody.figures.panel import FURNITURE, POINTS_PER_INCH, NamedPoints, Panel
 from thirdbody.places import part_of_paper
 
 COLUMNS = 2
@@ -103,6 +104,7 @@ def _panel(figure, index, lines) -> Panel:
 def _draw_groups(panel, groups):
     """The statements of each group on lines of their own, beside the count of those that hold."""
     line = 0.5 * GAP
+    drawn = []
     for index, (name, group) in enumerate(groups.items()):
         end = line + len(group)
         if index % 2 == 0:
@@ -113,24 +115,36 @@ def _draw_groups(panel, groups):
         text = f"{name}\n{held} of {len(judged)} hold"
         style = {"ha": "right", "va": "center", "fontsize": 6.5, "linespacing": 1.25}
         panel.text(-0.02, 0.5 * (line + end), text, transform=panel.get_yaxis_transform(), **style)
-        for place, row in enumerate(group):
-            _draw_statement(panel, line + place + 0.5, row)
+        drawn += [(_score(row), line + place + 0.5, row) for place, row in enumerate(group)]
         line = end + GAP
+    _draw_statements(panel, drawn)
 
 
-def _draw_statement(panel, line, row):
-    """A marker at the score of ``row``; a statement that does not hold is named beside it."""
-    colour = COLOURS[row["verdict"]]
+def _score(row) -> float:
+    """Where the marker of ``row`` stands."""
     withheld = row["score"] is None or math.isnan(row["score"])
-    score = NO_SCORE if withheld else min(row["score"], LAST)
-    panel.hlines(line, 0.0, max(score, 0.0), color=colour, linewidth=0.6, label=FURNITURE, zorder=1)
-    divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
-    marker = {"marker": MARKERS[row["role"]], "color": colour, "linestyle": "none"}
-    marker |= {"markerfacecolor": "white"} if divided else {}
+    return NO_SCORE if withheld else min(row["score"], LAST)
+
+
+def _draw_statements(panel, drawn):
+    """Markers at the scores of ``drawn``, triples of score, line and row; a statement that does not
+    hold is named beside its marker."""
+    looks: dict[tuple, list] = {}
+    for score, line, row in drawn:
+        divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
+        colour = COLOURS[row["verdict"]]
+        looks.setdefault((MARKERS[row["role"]], colour, divided), []).append((score, line, row))
+        if score > 1.0:
+            _write_name(panel, score, line, row)
     size = {"markersize": 3.1, "markeredgewidth": 0.8, "zorder": 2}
-    panel.add_line(Line2D([score], [line], label=row["id"], **marker, **size))
-    if score > 1.0:
-        _write_name(panel, score, line, row)
+    for (marker, colour, divided), alike in looks.items():
+        scores, lines, rows = zip(*alike, strict=True)
+        ends = np.maximum(scores, 0.0)
+        panel.hlines(lines, 0.0, ends, color=colour, linewidth=0.6, label=FURNITURE, zorder=1)
+        look = {"marker": marker, "color": colour, **size}
+        look |= {"markerfacecolor": "white"} if divided else {}
+        names = [row["id"] for row in rows]
+        panel.add_line(NamedPoints(list(zip(scores, lines, strict=True)), names, **look))
 
 
 def _write_name(panel, score, line, row):

@@ -82,6 +82,14 @@ class NamedOutlines(PolyCollection):
         self.names = names
 
 
+class NamedPoints(Line2D):
+    """Markers of one look with a name each, in one artist: cheaper than an artist for each."""
+
+    def __init__(self, points, names, **style):
+        super().__init__(*np.transpose(points), linestyle="none", **style)
+        self.names = names
+
+
 class Panel(Axes):
     """Axes that show the variable ``y_name`` against ``x_name`` under a ``letter``."""
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 import textwrap
 
+import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.panel import FURNITURE, Panel
+from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
 from thirdbody.scene import CENTISTOKES, NANOMETRE
 
 WIDTH = 7.0  # inches
@@ -45,7 +46,7 @@ NAMES = {
     "solid_load_fraction": "load where Lₛ = {:g}",
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
-MARKER = {"linestyle": "none", "markersize": 3.2, "markeredgewidth": 0.5}
+MARKER = {"markersize": 3.2, "markeredgewidth": 0.5}
 
 
 def plot(rows) -> Figure:
@@ -53,20 +54,24 @@ def plot(rows) -> Figure:
     the band of each input; the key lists results from the top of a band downwards."""
     missing = dict.fromkeys(_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["input"]]
-    results = list(dict.fromkeys(map(_name, rows)))
     inputs = _by_weight(rows)
     looks = _looks(rows)
-    band = len(results) + GAP
-    key_rows = math.ceil(len(results) / KEY_COLUMNS)
+    responses: dict[tuple, list] = {}
+    for row in rows:
+        if row["sensitivity"] is not None:
+            responses.setdefault((row["measure"], _name(row)), []).append(row)
+    band = len(looks) + GAP
+    key_rows = math.ceil(len(looks) / KEY_COLUMNS)
     below = MARGINS["bottom"] + KEY_ROW * (key_rows + 0.7 + len(_absent(missing)))
     drawn = band * len(inputs) * LINE_INCHES
     figure = Figure(figsize=(WIDTH, MARGINS["top"] + drawn + below))
     for measure, (letter, title, label, left, right) in PANELS.items():
         box = left, below / figure.get_figheight(), right - left, drawn / figure.get_figheight()
         panel = figure.add_axes(Panel(figure, box, letter, measure, "line"))
-        for row in (row for row in rows if row["measure"] == measure):
-            line = inputs.index(row["input"]) * band + results.index(_name(row)) + 0.5 * GAP + 0.5
-            _draw_response(panel, line, row, looks[_name(row)])
+        for place, (name, look) in enumerate(looks.items()):
+            some = responses.get((measure, name), [])
+            lines = [inputs.index(row["input"]) * band + place + 0.5 * GAP + 0.5 for row in some]
+            _draw_responses(panel, lines, some, look)
         _frame(panel, len(inputs), band, title, label)
     _name_inputs(figure.axes[0], inputs, band)
     _draw_key(figure, looks, missing)
@@ -107,17 +112,20 @@ def _by_weight(rows) -> list[str]:
     return sorted(largest, key=lambda name: tuple(largest[name].values()), reverse=True)
 
 
-def _draw_response(panel, line, row, look):
-    """A marker at the sensitivity, on a line from zero, over its error."""
-    value = row["sensitivity"]
-    if value is None:
+def _draw_responses(panel, lines, rows, look):
+    """A marker at each sensitivity of one result, on a line from zero, over its error."""
+    if not rows:
         return
+    values = np.array([row["sensitivity"] for row in rows])
     stem = {"color": look["color"], "label": FURNITURE}
-    panel.hlines(line, *sorted((0.0, value)), linewidth=0.4, zorder=1, **stem)
-    if row["measure"] == "sobol_total":
-        ends = value - row["error"], value + row["error"]
-        panel.hlines(line, *ends, linewidth=1.0, alpha=0.5, zorder=1.5, **stem)
-    panel.add_line(Line2D([value], [line], label=f"{_name(row)}; {row['input']}", zorder=2, **look))
+    panel.hlines(lines, 0.0, values, linewidth=0.4, zorder=1, **stem)
+    if panel.x_name == "sobol_total":
+        errors = np.array([row["error"] for row in rows])
+        panel.hlines(
+            lines, values - errors, values + errors, linewidth=1.0, alpha=0.5, zorder=1.5, **stem
+        )
+    names = [f"{_name(row)}; {row['input']}" for row in rows]
+    panel.add_line(NamedPoints(list(zip(values, lines, strict=True)), names, zorder=2, **look))
 
 
 def _frame(panel, inputs, band, title, label):
@@ -146,7 +154,7 @@ def _absent(missing) -> list[str]:
 
 def _draw_key(figure, looks, missing):
     """Results by marker, from the top of a band downwards, and those that do not occur."""
-    handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
+    handles = [Line2D([], [], linestyle="none", label=name, **look) for name, look in looks.items()]
     title = "\n".join(_absent(missing)) or None
     style = {"ncols": KEY_COLUMNS, "handlelength": 1.0, "title_fontsize": 7}
     figure.legend(handles=handles, loc="lower center", title=title, **style)

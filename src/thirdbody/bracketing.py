@@ -1,0 +1,51 @@
+"""Roots between two bounds of a function whose slope is not known, for arrays of points at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+MAX_ITERATIONS = 100
+SPACING = 4.0 * np.finfo(float).eps  # of neighbouring numbers, relative: no bracket gets narrower
+
+
+def bracketed_roots(function, low, high, tolerance):
+    """Where ``function`` of a 1-D array, element by element, changes its sign.
+
+    Either at ``low`` or at ``high`` it is positive, at the other it is not.  Chandrupatla's method
+    (1997, Adv. Eng. Software 28:145): inverse quadratic interpolation where three points promise
+    that it converges, else bisection.  Returns the roots and the widths of the brackets around
+    them, which are at most ``tolerance`` where float64 allows it.
+    """
+    newest, other, last = low, high, high
+    f_newest, f_other = function(low), function(high)
+    f_last = f_other
+    for _ in range(MAX_ITERATIONS):
+        best = np.where(np.abs(f_newest) < np.abs(f_other), newest, other)
+        exact = (f_newest == 0.0) | (f_other == 0.0)
+        width = np.where(exact, 0.0, np.abs(other - newest))
+        limit = np.maximum(tolerance, SPACING * np.abs(best))
+        done = width <= limit
+        if done.all():
+            break
+        with np.errstate(all="ignore"):  # where it divides by zero it bisects
+            share = _interpolated(newest, other, last, f_newest, f_other, f_last)
+            least = np.minimum(0.5 * limit / width, 0.5)
+        share = np.where(np.isfinite(share), np.clip(share, least, 1.0 - least), 0.5)
+        trial = np.where(done, best, newest + share * (other - newest))
+        value = function(trial)
+        same = (value > 0.0) == (f_newest > 0.0)
+        last, f_last = np.where(same, newest, other), np.where(same, f_newest, f_other)
+        other, f_other = np.where(same, other, newest), np.where(same, f_other, f_newest)
+        newest, f_newest = trial, value
+    return best, width
+
+
+def _interpolated(newest, other, last, f_newest, f_other, f_last):
+    """Share of the way from ``newest`` to ``other``; nan where the three points are no guide."""
+    place, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
+    guide = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
+    share = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)
+    share = share + (last - newest) / (other - newest) * f_newest / (f_last - f_newest) * (
+        f_other / (f_last - f_other)
+    )
+    return np.where(guide, share, np.nan)
