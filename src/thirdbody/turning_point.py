@@ -229,7 +229,7 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     ends = solve(np.array(load_range)[:, None], 0.0, diameter, *surface, wanted)
     first, last = ends.separation
     same = np.ones_like(diameter)
-    rough = prepare_surface(roughness, parameters, None)
+    rough = prepare_surface(roughness, parameters, search.rtol)
     solids = _solids(rough, parameters, (diameter, roughness * same, density * same))
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), search.separations)
     curve, place, _ = _maxima(solids, between[:, None], search.rtol)
