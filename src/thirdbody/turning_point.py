@@ -7,7 +7,7 @@ balance of forces without any search over loads: F_t = F_s(d*) + F_f(d*).
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy.special import expit, logit
@@ -15,16 +15,10 @@ from scipy.special import expit, logit
 from thirdbody.balance import Points
 from thirdbody.bracketing import bracketed_roots
 from thirdbody.film import Film
-from thirdbody.interface import (
-    DEFAULT_RTOL,
-    TABLE_WORTH,
-    has_particles,
-    make_points,
-    prepare_surface,
-    solve,
-)
+from thirdbody.interface import DEFAULT_RTOL, has_particles, make_points, prepare_surface
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.solution import SolvedPoints
 
 FARTHEST = 20.0  # a logit beyond it is as good as infinite
 
@@ -73,8 +67,7 @@ def turning_points(
 def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     """The fields of ``TurningPoints`` for three-body curves of one roughness."""
     result = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    table_rtol = rtol if separation.size >= TABLE_WORTH else None
-    rough = prepare_surface(float(conditions[2, 0]), parameters, table_rtol)
+    rough = prepare_surface(float(conditions[2, 0]), parameters, rtol)
     solids = _solids(rough, parameters, conditions[1:])
     curve, peak, width = _maxima(solids, separation, SEPARATION_MARGIN * rtol)
     if curve.size == 0:
@@ -224,13 +217,10 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     The least of the logits by which the turning point is above the s-s mode, the whole curve
     below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
     """
-    surface = roughness, density, parameters, search.rtol
-    wanted = "separation", "particle_contact_area_ratio"
-    ends = solve(np.array(load_range)[:, None], 0.0, diameter, *surface, wanted)
-    first, last = ends.separation
     same = np.ones_like(diameter)
     rough = prepare_surface(roughness, parameters, search.rtol)
     solids = _solids(rough, parameters, (diameter, roughness * same, density * same))
+    (first, last), ratios = _dry(solids, load_range, search.rtol)
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), search.separations)
     curve, place, _ = _maxima(solids, between[:, None], search.rtol)
     found = (last[curve] < place) & (place < first[curve])
@@ -238,12 +228,26 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     peak = np.full_like(diameter, np.nan)
     np.fmax.at(peak, curve, _ratio(solids.take(curve), place))
     turning = np.isfinite(peak)
-    highest = np.fmax(ends.particle_contact_area_ratio.max(axis=0), peak)
+    highest = np.fmax(ratios.max(axis=0), peak)
     slope = _rise(solids, first)
     turns = np.where(turning, np.maximum(slope, 0.0), -np.abs(slope))
     above = logit(np.where(turning, peak, highest)) - logit(SURFACE_LIMIT)
     below = logit(PARTICLE_LIMIT) - logit(highest)
     return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
+
+
+def _dry(solids: Points, loads, rtol):
+    """d [m] and A_sa,t* at each of ``loads`` F_t*, a row each, on all curves of ``solids``."""
+    count = solids.log_load.size
+    every = solids.take(np.tile(np.arange(count), len(loads)))
+    points = replace(every, log_load=np.repeat(np.log(loads), count))
+    with np.errstate(all="ignore"):  # what is not there is nan or zero
+        solved = SolvedPoints(points, rtol)
+        if solved.imprecise.any():
+            exact = prepare_surface(solids.rough.surface.roughness, solids.parameters, None)
+            solved = SolvedPoints(replace(points, rough=exact), rtol)
+        found = solved.separation, solved.particle_contact_area_ratio
+    return tuple(values.reshape(len(loads), count) for values in found)
 
 
 def _rise(solids: Points, separation):
