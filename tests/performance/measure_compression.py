@@ -19,6 +19,7 @@ SETTINGS = {
     "zlib 1": {"compression": "zlib", "complevel": 1, "shuffle": False},
     "zlib 1, shuffle": {"compression": "zlib", "complevel": 1, "shuffle": True},
     "zlib 4, shuffle": {"compression": "zlib", "complevel": 4, "shuffle": True},
+    "zlib 6": {"compression": "zlib", "complevel": 6, "shuffle": False},
     "zlib 9": {"compression": "zlib", "complevel": 9, "shuffle": False},
     "zlib 9, shuffle": {"compression": "zlib", "complevel": 9, "shuffle": True},
     "szip": {"compression": "szip", "szip_coding": "nn", "szip_pixels_per_block": 32},
