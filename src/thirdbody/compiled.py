@@ -374,6 +374,8 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, allowed,
             total_2 = summits_2 + pressure * area_2 + film_2
             residual = math.log(total) - log_loads[i]
             slope = total_1 / total
+            if area_1 > 0.0 or not slope < 0.0:  # soft particles may make several gaps possible
+                break
             curve = total_2 / total - slope * slope
             step = -residual / slope / (1.0 - 0.5 * residual * curve / (slope * slope))
             condition = -gain / slope
