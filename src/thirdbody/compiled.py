@@ -116,25 +116,29 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float) -> M
     guess = GUESS_PIECES, GUESS_DEGREE
     near, far = ELASTIC_LIMITS[parameters.elastic_limits]
     return Model(
-        Table.like(rough.log_load),
-        Table.like(rough.log_area),
-        Table.like(moment),
-        Table.like(film),
-        Table.of(lambda x: (np.interp(x, log_load, t),), log_load[0], log_load[-1], *guess),
-        Table.of(lambda x: (np.interp(np.exp(x), areas, alpha),), AREA_START, AREA_END, *guess),
-        rough.table_error,
-        film.error,
-        moment.error,
-        surface.roughness / surface.summit_deviation,
-        surface.summit_offset / surface.roughness,
-        parameters.truncation,
-        float(moment_of(np.array(parameters.truncation))[0][0]),
-        near,
-        far,
-        parameters.elastic_factor,
-        parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
-        parameters.hardness_surface_1 / parameters.hardness_surface_2,
-        parameters.coverage_limits == "contacting",
+        load=Table.like(rough.log_load),
+        area=Table.like(rough.log_area),
+        moment=Table.like(moment),
+        film=Table.like(film),
+        summits_alone=Table.of(
+            lambda x: (np.interp(x, log_load, t),), log_load[0], log_load[-1], *guess
+        ),
+        particles_alone=Table.of(
+            lambda x: (np.interp(np.exp(x), areas, alpha),), AREA_START, AREA_END, *guess
+        ),
+        summit_error=rough.table_error,
+        film_error=film.error,
+        moment_error=moment.error,
+        per_deviation=surface.roughness / surface.summit_deviation,
+        offset=surface.summit_offset / surface.roughness,
+        truncation=parameters.truncation,
+        largest=float(moment_of(np.array(parameters.truncation))[0][0]),
+        near=near,
+        far=far,
+        elastic_factor=parameters.elastic_factor,
+        pressure=parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
+        coverage=parameters.hardness_surface_1 / parameters.hardness_surface_2,
+        contacting=parameters.coverage_limits == "contacting",
     )
 
 
@@ -282,28 +286,14 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, allowed,
     It starts at the largest of the d at which summits, particles or film alone bear the load, and
     what a last step changes comes from its Taylor series.
     """
-    # what is read from a tuple in the loop is counted as a reference each time
-    (
-        load_of,
-        area_of,
-        moment_of,
-        film_of,
-        summits_alone,
-        particles_alone,
-        summit_error,
-        film_error,
-        moment_error,
-        per_deviation,
-        offset,
-        truncation,
-        largest,
-        near,
-        far,
-        elastic_factor,
-        pressure,
-        coverage,
-        contacting,
-    ) = model
+    # what is read from a tuple within the loop is counted as a reference each time
+    load_of, area_of, moment_of, film_of = model.load, model.area, model.moment, model.film
+    summits_alone, particles_alone = model.summits_alone, model.particles_alone
+    summit_error, film_error = model.summit_error, model.film_error
+    moment_error = model.moment_error
+    per_deviation, offset, near, far = model.per_deviation, model.offset, model.near, model.far
+    truncation, largest, contacting = model.truncation, model.largest, model.contacting
+    elastic_factor, pressure, coverage = model.elastic_factor, model.pressure, model.coverage
     log_loads, means, spreads, depths, areas, bares, films_alone, levels, film_loads = columns
     area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
     film = film_1 = film_2 = 0.0

@@ -106,7 +106,8 @@ def _solved_parts(columns, parameters, rtol, variables):
             yield part, solved
             if table_rtol is not None and solved.imprecise.any():
                 again = _indices(part)[solved.imprecise]
-                yield again, SolvedPoints(_points(columns, again, roughness, parameters, None), rtol)
+                points = _points(columns, again, roughness, parameters, None)
+                yield again, SolvedPoints(points, rtol)
 
 
 def _points(columns, part, roughness, parameters, table_rtol):
