@@ -229,7 +229,10 @@ class CompiledPoints:
 def _loop():
     """The loop in machine code, which is kept beside this file for later processes; so it must not
     contain a constant of another file."""
-    return njit(**COMPILED, cache=True)(_solve_points)
+    try:
+        return njit(**COMPILED, cache=True)(_solve_points)
+    except RuntimeError:  # no folder that it could be kept in
+        return njit(**COMPILED)(_solve_points)
 
 
 @njit(**COMPILED)

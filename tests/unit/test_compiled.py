@@ -4,13 +4,14 @@ import sys
 from dataclasses import replace
 from subprocess import run
 
+import numba
 import numpy as np
 import pytest
 
 import thirdbody as tb
 from thirdbody import interface
 from thirdbody.accuracy.points import relative_errors
-from thirdbody.compiled import CompiledPoints
+from thirdbody.compiled import CompiledPoints, _loop
 from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, make_points, prepare_surface
 from thirdbody.solution import QUANTITIES, VARIABLES
 
@@ -144,6 +145,19 @@ def test_areas_that_nobody_asks_for_change_nothing_else(parameters):
     assert [name for name in VARIABLES if getattr(some, name) is None] == [
         name for name in VARIABLES if name not in names
     ]
+
+
+def test_it_compiles_where_nothing_can_be_kept(monkeypatch, parameters):
+    def refusing(cache=False, **options):
+        if cache:
+            raise RuntimeError("cannot cache function: no locator available")
+        return numba.njit(**options)
+
+    found = compiled(parameters, 1e-6, **conditions(10))
+    monkeypatch.setattr("thirdbody.compiled.njit", refusing)
+    monkeypatch.setattr("thirdbody.compiled._loop", _loop.__wrapped__)
+    again = compiled(parameters, 1e-6, **conditions(10))
+    np.testing.assert_array_equal(again.separation, found.separation)
 
 
 @pytest.mark.parametrize(
