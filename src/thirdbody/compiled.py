@@ -34,7 +34,7 @@ MOMENT_START, MOMENT_PIECES = -9.0, 16  # alpha where all particles are larger; 
 FILM_START, FILM_END, FILM_PIECES = -6.0, 14.0, 160  # ln H_c from where Eq. 7's terms are equal
 GUESS_DEGREE, GUESS_PIECES = 3, 96
 SUMMITS_START, SUMMITS_END = -5.0, 12.0  # t of first guesses
-AREA_START, AREA_END = -16.0, 1.0  # ln of the particles' area over (factor c_1), of first guesses
+AREA_START, AREA_END = -16.0, 1.0  # ln of the particles' area over that of M = 1, of first guesses
 COMPILED = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True}
 
 
@@ -62,7 +62,7 @@ class Model(NamedTuple):
 
     load: Table  # ln F_ss* of t
     area: Table  # ln(A_ss/A_n) of t
-    moment: Table  # T/c_1 of alpha
+    moment: Table  # M of alpha
     film: Table  # ln F_f* of ln d, both from where the terms of Eq. 7 are equal
     summits_alone: Table  # t of ln F_t*
     particles_alone: Table  # alpha of ln of their area
@@ -72,7 +72,7 @@ class Model(NamedTuple):
     per_deviation: float  # sigma/sigma_s
     offset: float  # y_s
     truncation: float
-    largest: float  # T/c_1 at X_max
+    largest: float  # M at X_max
     near: float  # limits of the elastic integral, in h_e about d
     far: float
     elastic_factor: float
@@ -88,7 +88,7 @@ class Columns(NamedTuple):
     mean: np.ndarray  # m
     spread: np.ndarray  # S
     depth: np.ndarray  # h_e/S
-    area: np.ndarray  # A_sa/A_n of plastic particles over T/c_1
+    area: np.ndarray  # A_sa/A_n of plastic particles over M
     bare: np.ndarray  # share that particles of all sizes leave bare
     film_alone: np.ndarray  # d where the film bears everything
     film_level: np.ndarray  # ln d where the terms of Eq. 7 are equal
@@ -132,7 +132,7 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float) -> M
         per_deviation=surface.roughness / surface.summit_deviation,
         offset=surface.summit_offset / surface.roughness,
         truncation=parameters.truncation,
-        largest=float(moment_of(np.array(parameters.truncation))[0][0]),
+        largest=float(moment_of(parameters.truncation)[0]),
         near=near,
         far=far,
         elastic_factor=parameters.elastic_factor,
@@ -162,7 +162,7 @@ def _columns(points: Points) -> Columns:
     sizes, films = (none,) * 5, (none,) * 3
     if points.particles is not None:
         layer = points.particles
-        area = layer.factor * layer.tail * parameters.hardness_surface_2
+        area = layer.share * parameters.hardness_surface_2
         bare = none if parameters.coverage_limits == "contacting" else np.exp(layer.log_bare)
         sizes = layer.mean / sigma, layer.spread / sigma, layer.depth, area, bare
     if points.film is not None:
@@ -275,7 +275,7 @@ def _guess(table, x):
 
 @njit(**COMPILED)
 def _moment(table, truncation, largest, alpha):
-    """T/c_1 with its slope and curvature in alpha, held at the truncation."""
+    """M with its slope and curvature in alpha, held at the truncation."""
     if alpha >= truncation:
         return largest, 0.0, 0.0
     return _read(table, max(alpha, MOMENT_START))

@@ -2,16 +2,17 @@
 
 Every reading of the size distribution phi_a gives the second moment above a size a as
 
-    T(alpha) = c_1 Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
+    T(alpha) = c_1 M(alpha),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
 
 with phi and Q the density and upper tail of the standard normal distribution, so that
-I(a, b) = T(alpha) - T(beta).  The readings differ in m, S, c_1, c_2, c_3 alone.  Particles end at
-X_max = m + truncation * S, so T is never needed deep in the tail.
+I(a, b) = T(alpha) - T(beta).  The readings differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
+are the same for all particles of a reading.  Particles end at X_max = m + truncation * S, so M is
+never needed deep in the tail.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.special import ndtr
@@ -24,32 +25,34 @@ INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 
 @dataclass(frozen=True)
 class SizeLaw:
-    """One reading of phi_a: m, S [m], c_1, c_2, c_3 [m2], and alpha of the smallest size.
-
-    The ratios of c_1, c_2 and c_3 are the same for all particles of a reading.
-    """
+    """One reading of phi_a: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size."""
 
     mean: np.ndarray
     spread: np.ndarray
-    tail: np.ndarray
-    constant: np.ndarray
-    linear: np.ndarray
+    square: np.ndarray
+    constant: float
+    linear: float
     smallest: float
 
 
 def _uncentred(diameter, roughness, parameters) -> SizeLaw:
     """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
     spread = parameters.spread_ratio * diameter
-    zero = np.zeros_like(spread)
-    return SizeLaw(zero, spread, spread**2, zero, spread**2, 0.0)
+    return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
 
 
 def _centred(diameter, roughness, parameters) -> SizeLaw:
     """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
-    mean, spread = parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
-    tail = mean**2 + spread**2
-    smallest = -parameters.mean_ratio / parameters.spread_ratio
-    return SizeLaw(mean, spread, tail, 2.0 * mean * spread, spread**2, smallest)
+    mean, spread = parameters.mean_ratio, parameters.spread_ratio
+    square = mean**2 + spread**2
+    return SizeLaw(
+        mean * diameter,
+        spread * diameter,
+        square * diameter**2,
+        2.0 * mean * spread / square,
+        spread**2 / square,
+        -mean / spread,
+    )
 
 
 def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
@@ -57,8 +60,7 @@ def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
     mean = parameters.mean_ratio * diameter
     spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
     square = (1.0 + parameters.spread_ratio**2) * diameter**2
-    zero = np.zeros_like(spread)
-    return SizeLaw(mean, spread, square, zero, zero, -np.inf)
+    return SizeLaw(mean, spread, square, 0.0, 0.0, -np.inf)
 
 
 SIZE_DISTRIBUTIONS = {
@@ -72,50 +74,42 @@ ELASTIC_LIMITS = {"printed": (-1.0, 0.0), "physical": (0.0, 1.0)}
 
 @dataclass(frozen=True)
 class ParticleLayer:
-    """Particles of given mean diameter and density on a surface; array fields share one shape.
-
-    ``factor`` times a hardness turns a second moment into a share of the interface.
-    """
+    """Particles of given mean diameter and density on a surface; array fields share one shape."""
 
     mean: np.ndarray  # m [m]
     spread: np.ndarray  # S [m]
-    tail: np.ndarray  # c_1 [m2]
-    constant: np.ndarray  # c_2 [m2]
-    linear: np.ndarray  # c_3 [m2]
     depth: np.ndarray  # h_e/S [1]
-    factor: np.ndarray  # pi eta_a p/(H_s1 + H_s2) [m-2 Pa-1]
-    largest: np.ndarray  # T at X_max [m2]
-    every: np.ndarray  # I(X_min, X_max) of Eq. 4 [m2]
-    log_bare: np.ndarray  # ln of the share that particles of all sizes leave bare [1]
+    share: np.ndarray  # pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times hardness and M of the interface
+    log_bare: np.ndarray  # ln of the share that particles of all sizes leave bare, if Eq. 4 counts them
+    law: tuple[float, float]  # c_2, c_3
+    largest: float  # M at X_max
     parameters: Parameters
 
     @classmethod
     def of(cls, diameter, roughness, density, parameters: Parameters) -> ParticleLayer:
         """Layer of particles: ``diameter`` x_a [m], ``density`` eta_a [m-2], ``roughness`` [m].
 
-        Arrays of one shape, ``diameter`` and ``density`` positive.
+        Arrays of one shape, but ``roughness`` may be a scalar; ``diameter`` and ``density`` positive.
         """
-        law = SIZE_DISTRIBUTIONS[parameters.size_distribution](diameter, roughness, parameters)
-        coefficients = law.tail, law.constant, law.linear
-        largest, _ = _moment(parameters.truncation, *coefficients)
-        every = law.tail  # without a smallest or largest size
-        if np.isfinite(law.smallest):
-            every = _moment(law.smallest, *coefficients)[0] - largest
+        sizes = SIZE_DISTRIBUTIONS[parameters.size_distribution](diameter, roughness, parameters)
+        law = sizes.constant, sizes.linear
+        largest = float(_moment(parameters.truncation, *law)[0])
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
-        factor = np.pi * density * parameters.participation / hardness
-        depth = parameters.elastic_depth_ratio * diameter / law.spread
-        log_bare, _ = log_bare_share(factor * parameters.hardness_surface_1 * every, 0.0)
-        columns = depth, factor, largest, every, log_bare
-        return cls(law.mean, law.spread, *coefficients, *columns, parameters)
+        share = np.pi * parameters.participation / hardness * density * sizes.square
+        depth = parameters.elastic_depth_ratio * diameter / sizes.spread
+        log_bare = np.zeros_like(share)
+        if parameters.coverage_limits == "printed":
+            every = 1.0  # without a smallest or largest size
+            if np.isfinite(sizes.smallest):
+                every = float(_moment(sizes.smallest, *law)[0]) - largest
+            log_bare, _ = log_bare_share(parameters.hardness_surface_1 * every * share, 0.0)
+        return cls(sizes.mean, sizes.spread, depth, share, log_bare, law, largest, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""
-        columns = {
-            field.name: getattr(self, field.name)[chosen]
-            for field in fields(self)
-            if field.name != "parameters"
-        }
-        return ParticleLayer(**columns, parameters=self.parameters)
+        columns = self.mean, self.spread, self.depth, self.share, self.log_bare
+        picked = (column[chosen] for column in columns)
+        return ParticleLayer(*picked, self.law, self.largest, self.parameters)
 
     @property
     def reach(self):
@@ -136,8 +130,8 @@ class ParticleLayer:
         )
         beyond = touching[0] - self.largest
         elastic = self.parameters.elastic_factor
-        area_factor = self.factor * self.parameters.hardness_surface_2
-        load_factor = self.factor * self.parameters.hardness_surface_1
+        area_factor = self.share * self.parameters.hardness_surface_2
+        load_factor = self.share * self.parameters.hardness_surface_1
         return (
             area_factor * (elastic * (low[0] - high[0]) + beyond),
             area_factor / self.spread * (elastic * (low[1] - high[1]) + touching[1]),
@@ -164,19 +158,17 @@ class ParticleLayer:
         return self.log_bare < FULL
 
     def _truncated(self, alpha):
-        """T and dT/dalpha [m2] with ``alpha`` held at the truncation."""
+        """M and dM/dalpha with ``alpha`` held at the truncation."""
         truncation = self.parameters.truncation
-        held = np.minimum(alpha, truncation)
-        value, slope = _moment(held, self.tail, self.constant, self.linear)
+        value, slope = _moment(np.minimum(alpha, truncation), *self.law)
         return value, np.where(alpha < truncation, slope, 0.0)
 
 
-def _moment(alpha, tail, constant, linear):
-    """T(alpha) and dT/dalpha [m2] for the coefficients c_1, c_2, c_3 [m2]."""
+def _moment(alpha, constant, linear):
+    """M(alpha) and dM/dalpha for c_2 and c_3."""
     phi = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
     polynomial = constant + linear * alpha
-    value = tail * ndtr(-alpha) + polynomial * phi
-    return value, -phi * (tail - linear + polynomial * alpha)
+    return ndtr(-alpha) + polynomial * phi, -phi * (1.0 - linear + polynomial * alpha)
 
 
 def log_bare_share(coverage, slope):
@@ -192,25 +184,25 @@ def separation_bearing(area, layer: ParticleLayer):
 
     Read off one sampled curve, which all diameters and densities share but for the elastic depth.
     """
-    wanted = area / (layer.factor * layer.tail)
-    return layer.mean + layer.spread * np.interp(wanted, *sampled_contact(layer.parameters))
+    return layer.mean + layer.spread * np.interp(
+        area / layer.share, *sampled_contact(layer.parameters)
+    )
 
 
 def sampled_contact(parameters: Parameters):
-    """Increasing areas A_sa/A_n over (factor c_1) [Pa], and alpha there; for first guesses."""
+    """Increasing areas A_sa/A_n over ``share`` [Pa], and alpha there; for first guesses."""
     same = np.ones_like(SHAPE_SAMPLES)
     unit = ParticleLayer.of(same, same, same, parameters)
     alpha = parameters.truncation + unit.depth
     alpha = alpha - SHAPE_SAMPLES * (parameters.truncation + 2.0 * unit.depth + 6.0)
-    return unit.contact(unit.mean + alpha * unit.spread)[0] / (unit.factor * unit.tail), alpha
+    return unit.contact(unit.mean + alpha * unit.spread)[0] / unit.share, alpha
 
 
 def unit_moment(parameters: Parameters):
-    """The function of alpha that T/c_1 and its slope are for all particles of a reading."""
+    """The function of alpha that M and its slope are for all particles of a reading."""
     one = np.ones(1)
-    law = SIZE_DISTRIBUTIONS[parameters.size_distribution](one, one, parameters)
-    constant, linear = law.constant / law.tail, law.linear / law.tail
-    return lambda alpha: _moment(alpha, 1.0, constant, linear)
+    sizes = SIZE_DISTRIBUTIONS[parameters.size_distribution](one, one, parameters)
+    return lambda alpha: _moment(alpha, sizes.constant, sizes.linear)
 
 
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
