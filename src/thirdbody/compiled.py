@@ -26,6 +26,16 @@ from thirdbody.solution import CONVERGED, OUTSIDE_FILM_FORMULA, ROOT_SHARE
 from thirdbody.tabulation import PiecewisePolynomial
 
 EPSILON = np.finfo(float).eps
+TOGETHER = 32  # points that take their steps side by side
+# what is known of a point after an evaluation: loads and areas with slope and curvature
+STATE = np.dtype(
+    [
+        (name, float)
+        for quantity in ("x step left error t", "solid solid_1 solid_2", "film film_1 film_2")
+        + ("area area_1 area_2", "covered covered_1 covered_2")
+        for name in quantity.split()
+    ]
+)
 STEPS = 8  # a point that needs more is better left to bisection
 LEAST_BARE = 1e-6  # of the interface, left to summits: less is a difference that lost its digits
 LEAST_AREA = 1e-290  # of A_n; smaller ones have not all digits of float64
@@ -84,7 +94,8 @@ class Model(NamedTuple):
 class Columns(NamedTuple):
     """What each point has of its own, 1-D; empty where there is no film or are no particles."""
 
-    log_load: np.ndarray  # ln F_t*
+    load: np.ndarray  # F_t*
+    log_load: np.ndarray
     mean: np.ndarray  # m
     spread: np.ndarray  # S
     depth: np.ndarray  # h_e/S
@@ -172,7 +183,7 @@ def _columns(points: Points) -> Columns:
             log_thickness + np.log(parameters.ball_radius / sigma),
             log_parameter - points.log_load_parameter(-points.log_load),
         )
-    return Columns(points.log_load, *sizes, *films)
+    return Columns(np.exp(points.log_load), points.log_load, *sizes, *films)
 
 
 class CompiledPoints:
@@ -195,6 +206,7 @@ class CompiledPoints:
             areas,
             ROOT_SHARE * rtol,
             NOISE,
+            np.empty(TOGETHER, STATE),
             found,
         )
         self.total_contact_area, self.particle_contact_area_ratio = found[:2]
@@ -281,13 +293,16 @@ def _moment(table, truncation, largest, alpha):
     return _read(table, max(alpha, MOMENT_START))
 
 
-def _solve_points(model, columns, has_particles, has_film, wants_areas, allowed, noise, found):
+def _solve_points(
+    model, columns, has_particles, has_film, wants_areas, allowed, noise, states, found
+):
     """Fill the rows of ``found``: A_t*, A_sa,t*, A_ss,t*, L_s, L_f, d/sigma and a bound on the
     relative error, which is nan where the loop does not find a solution.
 
     Halley's method on the logarithm of the load that the interface bears at d, which falls with d.
     It starts at the largest of the d at which summits, particles or film alone bear the load, and
-    what a last step changes comes from its Taylor series.
+    what a last step changes comes from its Taylor series.  Points take their steps side by side, as
+    many as ``states`` holds: the processor has work while one waits for a chain of operations.
     """
     # what is read from a tuple within the loop is counted as a reference each time
     load_of, area_of, moment_of, film_of = model.load, model.area, model.moment, model.film
@@ -297,122 +312,150 @@ def _solve_points(model, columns, has_particles, has_film, wants_areas, allowed,
     per_deviation, offset, near, far = model.per_deviation, model.offset, model.near, model.far
     truncation, largest, contacting = model.truncation, model.largest, model.contacting
     elastic_factor, pressure, coverage = model.elastic_factor, model.pressure, model.coverage
-    log_loads, means, spreads, depths, areas, bares, films_alone, levels, film_loads = columns
-    area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
-    film = film_1 = film_2 = 0.0
-    mean = spread = inner = shift = plastic_area = 0.0
-    near_particles = near != 0.0
-    for i in range(log_loads.size):
-        found[6, i] = np.nan
-        x = offset + _guess(summits_alone, log_loads[i]) / per_deviation
-        if has_film:
-            x = max(x, films_alone[i])
-        if has_particles:
-            mean, spread, plastic_area = means[i], spreads[i], areas[i]
-            inner = 1.0 / spread
-            shift = depths[i] * (near if near_particles else far)
-            alone = _guess(particles_alone, log_loads[i] - math.log(pressure * plastic_area))
-            x = max(x, mean + alone * spread)
-        for _ in range(STEPS):
-            t = (x - offset) * per_deviation
-            value, slope, curve = _read(load_of, t)
-            slope *= per_deviation
-            curve *= per_deviation * per_deviation
-            summits = math.exp(value)
-            summits_1 = slope * summits
-            summits_2 = (slope * slope + curve) * summits
-            gain = max(-slope, 1.0 / x)
-            if has_particles:
-                alpha = (x - mean) * inner
-                area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
-                if min(alpha, alpha + shift) < truncation:
-                    here, here_1, here_2 = _moment(moment_of, truncation, largest, alpha)
-                    there, there_1, there_2 = _moment(moment_of, truncation, largest, alpha + shift)
-                    # the elastic particles lie between alpha and alpha + shift
-                    sign = elastic_factor if near_particles else -elastic_factor
-                    share = here - largest + sign * (there - here)
-                    area = plastic_area * share
-                    area_1 = plastic_area * inner * (here_1 + sign * (there_1 - here_1))
-                    area_2 = plastic_area * inner * inner * (here_2 + sign * (there_2 - here_2))
-                    covering = coverage * plastic_area
-                    covered = covering * (here - largest)
-                    covered_1 = covering * inner * here_1
-                    covered_2 = covering * inner * inner * here_2
-                    gain = max(gain, -covered_1)
-                    if area > 0.0:
-                        gain = max(gain, -area_1 / area)
-                        onset = 4.0 * (moment_error + EPSILON) / share
-                if contacting:
-                    bare = 1.0 - covered
-                    summits_2 = summits_2 * bare - 2.0 * summits_1 * covered_1 - summits * covered_2
-                    summits_1 = summits_1 * bare - summits * covered_1
-                else:
-                    bare = bares[i]
-                    summits_2 *= bare
-                    summits_1 *= bare
-                summits *= bare
-                if not min(bare, 1.0 - covered) > LEAST_BARE:
-                    break
+    loads, log_loads, means, spreads, depths, areas, bares = columns[:7]
+    films_alone, levels, film_loads = columns[7:]
+    # the elastic particles lie between alpha and alpha + shift
+    reach = near if near != 0.0 else far
+    sign = elastic_factor if near != 0.0 else -elastic_factor
+    waiting = np.empty(states.size, np.intp)
+    for start in range(0, log_loads.size, states.size):
+        count = min(states.size, log_loads.size - start)
+        for k in range(count):
+            i = start + k
+            x = offset + _guess(summits_alone, log_loads[i]) / per_deviation
             if has_film:
-                value, slope, curve = _read(film_of, math.log(x) - levels[i])
-                slope /= x
-                curve = curve / (x * x) - slope / x
-                film = math.exp(film_loads[i] + value)
-                film_1 = slope * film
-                film_2 = (slope * slope + curve) * film
-                gain = max(gain, -slope)
-            solid = summits + pressure * area
-            total = solid + film
-            total_1 = summits_1 + pressure * area_1 + film_1
-            total_2 = summits_2 + pressure * area_2 + film_2
-            residual = math.log(total) - log_loads[i]
-            slope = total_1 / total
-            if area_1 > 0.0 or not slope < 0.0:  # soft particles may make several gaps possible
-                break
-            curve = total_2 / total - slope * slope
-            step = -residual / slope / (1.0 - 0.5 * residual * curve / (slope * slope))
-            condition = -gain / slope
-            reach = abs(gain * step)
-            left = reach * reach * reach * (1.0 + condition)
-            x += step
-            if not x > 0.0:
-                break
-            if left <= allowed and (
-                not has_particles  # no Taylor series crosses where they come into contact
-                or abs(step) < spread * abs((x - mean) * inner - truncation)
-                and abs(step) < spread * abs((x - mean) * inner + shift - truncation)
-            ):
-                square = 0.5 * step * step
-                touched, borne = area, film
-                solid += (total_1 - film_1) * step + (total_2 - film_2) * square
-                film += film_1 * step + film_2 * square
-                if wants_areas:
-                    value, slope, curve = _read(area_of, t)
-                    slope *= per_deviation
-                    curve = curve * per_deviation * per_deviation + slope * slope
-                    bare = math.exp(value) * (
-                        (1.0 - covered) * (1.0 + slope * step + curve * square)
-                        - covered_1 * step * (1.0 + slope * step)
-                        - covered_2 * square
-                    )
-                    area = max(area + area_1 * step + area_2 * square, 0.0)
-                    together = area + bare
-                    if not together > LEAST_AREA:
-                        break
-                    found[0, i] = together
-                    found[1, i] = area / together
-                    found[2, i] = bare / together
-                found[3, i] = solid / (solid + film)
-                found[4, i] = film / (solid + film)
-                found[5, i] = x
+                x = max(x, films_alone[i])
+            if has_particles:
+                alone = _guess(particles_alone, log_loads[i] - math.log(pressure * areas[i]))
+                x = max(x, means[i] + alone * spreads[i])
+            states[k].x = x
+            waiting[k] = k
+            found[6, i] = np.nan
+        for _ in range(STEPS):
+            for j in range(count):
+                i, state = start + waiting[j], states[waiting[j]]
+                x = state.x
+                state.x = np.nan
+                state.t = (x - offset) * per_deviation
+                value, slope, curve = _read(load_of, state.t)
+                slope *= per_deviation
+                curve *= per_deviation * per_deviation
+                summits = math.exp(value)
+                summits_1 = slope * summits
+                summits_2 = (slope * slope + curve) * summits
+                gain = max(-slope, 1.0 / x)
+                area = area_1 = area_2 = covered = covered_1 = covered_2 = onset = 0.0
+                if has_particles:
+                    inner, plastic_area = 1.0 / spreads[i], areas[i]
+                    alpha = (x - means[i]) * inner
+                    beyond = alpha + depths[i] * reach
+                    if min(alpha, beyond) < truncation:
+                        here, here_1, here_2 = _moment(moment_of, truncation, largest, alpha)
+                        there, there_1, there_2 = _moment(moment_of, truncation, largest, beyond)
+                        share = here - largest + sign * (there - here)
+                        area = plastic_area * share
+                        area_1 = plastic_area * inner * (here_1 + sign * (there_1 - here_1))
+                        area_2 = plastic_area * inner * inner * (here_2 + sign * (there_2 - here_2))
+                        covering = coverage * plastic_area
+                        covered = covering * (here - largest)
+                        covered_1 = covering * inner * here_1
+                        covered_2 = covering * inner * inner * here_2
+                        gain = max(gain, -covered_1)
+                        if area > 0.0:
+                            gain = max(gain, -area_1 / area)
+                            onset = 4.0 * (moment_error + EPSILON) / share
+                    bare = 1.0 - covered if contacting else bares[i]
+                    if contacting:
+                        summits_2 = (
+                            summits_2 * bare - 2.0 * summits_1 * covered_1 - summits * covered_2
+                        )
+                        summits_1 = summits_1 * bare - summits * covered_1
+                    else:
+                        summits_2 *= bare
+                        summits_1 *= bare
+                    summits *= bare
+                    if not min(bare, 1.0 - covered) > LEAST_BARE:
+                        continue
+                film = film_1 = film_2 = 0.0
+                if has_film:
+                    value, slope, curve = _read(film_of, math.log(x) - levels[i])
+                    slope /= x
+                    curve = curve / (x * x) - slope / x
+                    film = math.exp(film_loads[i] + value)
+                    film_1 = slope * film
+                    film_2 = (slope * slope + curve) * film
+                    gain = max(gain, -slope)
+                solid = summits + pressure * area
+                solid_1 = summits_1 + pressure * area_1
+                solid_2 = summits_2 + pressure * area_2
+                total = solid + film
+                total_1, total_2 = solid_1 + film_1, solid_2 + film_2
+                if area_1 > 0.0 or not total_1 < 0.0:  # soft particles may make several gaps possible
+                    continue
+                # its logarithm but for a fifth power of what it differs from 1 by
+                ratio = total / loads[i]
+                residual = 3.0 * (ratio * ratio - 1.0) / (ratio * (ratio + 4.0) + 1.0)
+                square = total_1 * total_1
+                curve = total_2 * total - square
+                step = -residual * total * total_1 / (square - 0.5 * residual * curve)
+                condition = -gain * total / total_1
+                moved = abs(gain * step)
+                left = moved * moved * moved * (1.0 + condition)
                 # a load's own error counts as much as its part in the balance
-                moved = summit_error * summits + film_error * borne + onset * pressure * touched
-                found[6, i] = (
+                borne = summit_error * summits + film_error * film + onset * pressure * area
+                state.error = (
                     left
                     + summit_error
                     + film_error
                     + onset
-                    + condition * (moved / total + noise)
+                    + condition * (borne / total + noise)
                     + 4.0 * EPSILON * gain * x
                 )
+                state.x = x + step
+                state.step = step
+                state.left = left
+                state.solid, state.solid_1, state.solid_2 = solid, solid_1, solid_2
+                state.film, state.film_1, state.film_2 = film, film_1, film_2
+                state.area, state.area_1, state.area_2 = area, area_1, area_2
+                state.covered, state.covered_1, state.covered_2 = covered, covered_1, covered_2
+            going_on = 0
+            for j in range(count):
+                i, state = start + waiting[j], states[waiting[j]]
+                x, step = state.x, state.step
+                if not x > 0.0:
+                    continue
+                settled = state.left <= allowed
+                if has_particles:  # no Taylor series crosses where they come into contact
+                    alpha = (x - means[i]) / spreads[i] - truncation
+                    close = min(abs(alpha), abs(alpha + depths[i] * reach))
+                    settled = settled and abs(step) < spreads[i] * close
+                if not settled:
+                    waiting[going_on] = waiting[j]
+                    going_on += 1
+                    continue
+                square = 0.5 * step * step
+                if wants_areas:
+                    value, slope, curve = _read(area_of, state.t)
+                    slope *= per_deviation
+                    curve = curve * per_deviation * per_deviation + slope * slope
+                    bare = math.exp(value) * (
+                        (1.0 - state.covered) * (1.0 + slope * step + curve * square)
+                        - state.covered_1 * step * (1.0 + slope * step)
+                        - state.covered_2 * square
+                    )
+                    area = max(state.area + state.area_1 * step + state.area_2 * square, 0.0)
+                    together = area + bare
+                    if not together > LEAST_AREA:
+                        continue
+                    found[0, i] = together
+                    found[1, i] = area / together
+                    found[2, i] = bare / together
+                solid = state.solid + state.solid_1 * step + state.solid_2 * square
+                film = state.film + state.film_1 * step + state.film_2 * square
+                found[3, i] = solid / (solid + film)
+                found[4, i] = film / (solid + film)
+                found[5, i] = x
+                found[6, i] = state.error
+            count = going_on
+            if count == 0:
                 break
