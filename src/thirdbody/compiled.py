@@ -31,7 +31,7 @@ TOGETHER = 32  # points that take their steps side by side
 STATE = np.dtype(
     [
         (name, float)
-        for quantity in ("x step left error t", "solid solid_1 solid_2", "film film_1 film_2")
+        for quantity in ("x log_x step left error t", "solid solid_1 solid_2", "film film_1 film_2")
         + ("area area_1 area_2", "covered covered_1 covered_2")
         for name in quantity.split()
     ]
@@ -329,18 +329,28 @@ def _solve_points(
                 alone = _guess(particles_alone, log_loads[i] - math.log(pressure * areas[i]))
                 x = max(x, means[i] + alone * spreads[i])
             states[k].x = x
+            states[k].log_x = math.log(x)
             waiting[k] = k
             found[6, i] = np.nan
         for _ in range(STEPS):
+            for j in range(count):  # what takes tables and exponentials, by itself
+                i, state = start + waiting[j], states[waiting[j]]
+                if has_film:
+                    value, slope, curve = _read(film_of, state.log_x - levels[i])
+                    inner = 1.0 / state.x
+                    state.film = math.exp(film_loads[i] + value)
+                    state.film_1 = slope * inner
+                    state.film_2 = (curve * inner - state.film_1) * inner
+                state.t = (state.x - offset) * per_deviation
+                value, slope, curve = _read(load_of, state.t)
+                state.solid = math.exp(value)
+                state.solid_1 = slope * per_deviation
+                state.solid_2 = curve * per_deviation * per_deviation
             for j in range(count):
                 i, state = start + waiting[j], states[waiting[j]]
                 x = state.x
                 state.x = np.nan
-                state.t = (x - offset) * per_deviation
-                value, slope, curve = _read(load_of, state.t)
-                slope *= per_deviation
-                curve *= per_deviation * per_deviation
-                summits = math.exp(value)
+                summits, slope, curve = state.solid, state.solid_1, state.solid_2
                 summits_1 = slope * summits
                 summits_2 = (slope * slope + curve) * summits
                 gain = max(-slope, 1.0 / x)
@@ -378,10 +388,7 @@ def _solve_points(
                         continue
                 film = film_1 = film_2 = 0.0
                 if has_film:
-                    value, slope, curve = _read(film_of, math.log(x) - levels[i])
-                    slope /= x
-                    curve = curve / (x * x) - slope / x
-                    film = math.exp(film_loads[i] + value)
+                    film, slope, curve = state.film, state.film_1, state.film_2
                     film_1 = slope * film
                     film_2 = (slope * slope + curve) * film
                     gain = max(gain, -slope)
@@ -430,6 +437,7 @@ def _solve_points(
                     close = min(abs(alpha), abs(alpha + depths[i] * reach))
                     settled = settled and abs(step) < spreads[i] * close
                 if not settled:
+                    state.log_x = math.log(x)
                     waiting[going_on] = waiting[j]
                     going_on += 1
                     continue

@@ -34,6 +34,7 @@ def stream_rows(parameters: Parameters, settings, directory) -> list[dict]:
     axes, rtol = _axes(parameters, settings["values"]), settings["rtol"]
     points = math.prod(axis.size for axis in axes.values())
     _require_room(directory, points)
+    solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)  # prepares
     path = directory / "streamed.nc"
 
     def record(what, function):
