@@ -4,15 +4,26 @@ from __future__ import annotations
 
 import time
 import tracemalloc
-from statistics import median
-
 MICROSECONDS = 1e6  # of a second
 MEGABYTE = 1e6  # bytes
 
 
-def median_seconds(function, repeats: int) -> float:
-    """Median processor time [s] of ``repeats`` calls."""
-    return median(_seconds(function, time.process_time) for _ in range(repeats))
+def processor_seconds(function) -> float:
+    """Processor time [s] of one call."""
+    return _seconds(function, time.process_time)
+
+
+def least_seconds(functions: dict, rounds: int) -> dict:
+    """Least processor time [s] of each of ``functions`` in so many rounds of all.
+
+    What else a machine does only adds to a time, and does so for long enough to spoil all that is
+    timed meanwhile: hence the least, and the rounds.
+    """
+    times = [
+        {name: processor_seconds(function) for name, function in functions.items()}
+        for _ in range(rounds)
+    ]
+    return {name: min(each[name] for each in times) for name in functions}
 
 
 def wall_seconds(function) -> float:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from thirdbody.accuracy.classes import HEAVIEST, random_conditions
-from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds
+from thirdbody.accuracy.measuring import MICROSECONDS, least_seconds
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
@@ -30,22 +32,19 @@ def omission_rows(parameters: Parameters, budget) -> list[dict]:
     settings = budget["omissions"]
     count = settings["points"]
 
-    def seconds(given, **wanted):
-        def run():
-            solve(**given, **wanted, parameters=parameters, rtol=settings["rtol"])
-
-        run()  # prepares the surface
-        return median_seconds(run, budget["repeats"])
+    def solving(given, **wanted):
+        return partial(solve, **given, **wanted, parameters=parameters, rtol=settings["rtol"])
 
     every, tenth = (
         random_conditions(HEAVIEST, size, parameters) for size in (count, count // COPIES)
     )
-    times = {
-        name: seconds(random_conditions(kind, count, parameters)) for name, kind in BODIES.items()
+    runs = {
+        name: solving(random_conditions(kind, count, parameters)) for name, kind in BODIES.items()
     }
-    times |= {name: seconds(every, variables=wanted) for name, wanted in VARIABLES.items()}
+    runs |= {name: solving(every, variables=wanted) for name, wanted in VARIABLES.items()}
     copied = {name: np.tile(values, COPIES) for name, values in tenth.items()}
-    times[f"{COPIES - 1} of {COPIES} equal points"] = seconds(copied)
+    runs[f"{COPIES - 1} of {COPIES} equal points"] = solving(copied)
+    times = least_seconds(runs, budget["rounds"])
     return [
         {
             "left_out": name,

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import time
 from concurrent.futures import ProcessPoolExecutor
-from functools import cache
+from functools import cache, partial
+from statistics import median
 
 from thirdbody.accuracy.classes import HEAVIEST, random_conditions
-from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds, wall_seconds
+from thirdbody.accuracy.measuring import MICROSECONDS, processor_seconds, wall_seconds
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
-FEW_REPEATS = 25  # of sizes that are over in no time
+ARRAYS = 10  # of a size below a block, one after the other
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
 
 
@@ -21,48 +22,53 @@ def scaling_rows(parameters: Parameters, budget) -> list[dict]:
 
 
 def _size_rows(parameters, budget):
-    """Processor time of a point for each number of points, over that of the cheapest."""
+    """Processor time of a point for each number of points, over that of the cheapest.
+
+    More than a block are solved block by block and their results dropped, as when they are
+    streamed.  The sizes take turns, so that what else the machine does falls on all of them: a
+    block of the largest, a share of those of the others, and of each size below some arrays.
+    """
     settings = budget["sizes"]
-    rtol = settings["rtol"]
-    costs = {
-        count: _seconds_of(count, settings["block"], parameters, rtol, budget["repeats"]) / count
-        for count in settings["points"]
-    }
+    counts, block, rtol = settings["points"], settings["block"], settings["rtol"]
+    rounds = max(budget["rounds"], max(counts) // block)
+    costs = {count: [] for count in counts}
+    for number in range(rounds):
+        drawn = random_conditions(HEAVIEST, min(block, max(counts)), parameters, number)
+        if number == 0:
+            solve(**drawn, parameters=parameters, rtol=rtol)  # prepares the surface
+        for count in counts:
+            if number % (rounds // max(count // block, 1)) and count > block:
+                continue
+            given = {name: values[: count * ARRAYS] for name, values in drawn.items()}
+            seconds = processor_seconds(partial(_solve_arrays, given, count, parameters, rtol))
+            costs[count].append(seconds / given["load"].size)
+    costs = {count: median(each) for count, each in costs.items()}
     return [
         _row("points", count, 1, rtol, cost, cost / min(costs.values()))
         for count, cost in costs.items()
     ]
 
 
-def _seconds_of(count, block, parameters, rtol, repeats):
-    """Processor time [s] of ``count`` points, more than a ``block`` in several calls.
-
-    Their results are dropped, as when they are streamed; drawing the points is not timed.
-    """
-    seconds = 0.0
-    repeats = max(repeats, min(block // count, FEW_REPEATS)) if count <= block else 1
-    for seed, start in enumerate(range(0, count, block)):
-        size = min(block, count - start)
-        given = random_conditions(HEAVIEST, size, parameters, seed)
-
-        def run(given=given):
-            solve(**given, parameters=parameters, rtol=rtol)
-
-        if seed == 0:
-            run()  # prepares the surface
-        seconds += median_seconds(run, repeats)
-    return seconds
+def _solve_arrays(given, count, parameters, rtol):
+    """Solve the points of ``given`` in arrays of ``count`` points at most."""
+    for start in range(0, given["load"].size, count):
+        some = {name: values[start : start + count] for name, values in given.items()}
+        solve(**some, parameters=parameters, rtol=rtol)
 
 
 def _process_rows(parameters, budget):
-    """Time on the clock for the same blocks in one process and in several; speed over one."""
+    """Least time on the clock for the same blocks in one process and in several; speed over one."""
     settings = budget["processes"]
     rtol, block, blocks = settings["rtol"], settings["block"], settings["blocks"]
     points = block * blocks
-    seconds = {
-        workers: _wall_seconds_of(blocks, block, parameters, rtol, workers)
-        for workers in (1, settings["workers"])
-    }
+    rounds = [
+        {
+            workers: _wall_seconds_of(blocks, block, parameters, rtol, workers)
+            for workers in (1, settings["workers"])
+        }
+        for _ in range(budget["rounds"])
+    ]
+    seconds = {workers: min(each[workers] for each in rounds) for workers in rounds[0]}
     return [
         _row("processes", points, workers, rtol, each / points, seconds[1] / each)
         for workers, each in seconds.items()

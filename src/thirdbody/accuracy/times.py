@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 import warnings
+from functools import partial
 
 import numpy as np
 
 from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
 from thirdbody.accuracy.classes import CLASSES, HEAVIEST, PointClass, random_conditions
-from thirdbody.accuracy.measuring import MICROSECONDS, median_seconds, peak_megabytes
+from thirdbody.accuracy.measuring import (
+    MICROSECONDS,
+    least_seconds,
+    peak_megabytes,
+    processor_seconds,
+)
 from thirdbody.compiled import prepare_model
 from thirdbody.interface import prepare_surface, solve
 from thirdbody.parameters import Parameters
@@ -17,7 +23,7 @@ from thirdbody.parameters import Parameters
 def time_rows(parameters: Parameters, budget, plain) -> list[dict]:
     """Rows of the table ``times``: cost of a point of each class, method and ``rtol``.
 
-    ``budget`` holds the numbers of points, of repeats and the tolerances of
+    ``budget`` holds the numbers of points, of rounds and the tolerances of
     ``config/accuracy.yaml``; ``plain`` is the module of plain equations.
     """
     return [row for kind in CLASSES for row in _rows_of(kind, parameters, budget, plain)]
@@ -31,35 +37,41 @@ def _rows_of(kind: PointClass, parameters, budget, plain):
         random_conditions(kind, count, parameters)
         for count in (library, sizes["elementwise_roots"], sizes["nested_roots"])
     )
+    runs, costs = {}, {}
     for rtol in budget["rtol"]:
-        costs = {
-            "library": _library(many, parameters, rtol, budget["repeats"]),
-            "elementwise_roots": _elementwise(some, parameters, rtol),
+        solving = partial(solve, **many, parameters=parameters, rtol=rtol)
+        costs["library", rtol] = {
+            "setup_seconds": processor_seconds(partial(_prepare, many, parameters, rtol)),
+            "peak_memory_MB": peak_megabytes(solving),
         }
-        for method, cost in costs.items():
-            yield {"method": method, "rtol": rtol, **kind._asdict(), **cost}
-    yield {"method": "nested_roots", "rtol": None, **kind._asdict(), **_nested(few, parameters, plain)}
+        runs["library", rtol] = solving
+        runs["elementwise_roots", rtol] = _elementwise(some, parameters, rtol)
+    runs["nested_roots", None] = partial(NestedRoots(plain, parameters).solve, **few)
+    counts = {"library": many, "elementwise_roots": some, "nested_roots": few}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
+        seconds = least_seconds(runs, budget["rounds"])
+    for (method, rtol), time in seconds.items():
+        points = counts[method]["load"].size
+        yield {
+            "method": method,
+            "rtol": rtol,
+            **kind._asdict(),
+            "points": points,
+            "microseconds_per_point": MICROSECONDS * time / points,
+            **costs.get((method, rtol), {"setup_seconds": None, "peak_memory_MB": None}),
+        }
 
 
-def _library(given, parameters, rtol, repeats):
-    """Cost of ``solve`` once the surfaces are prepared, and of preparing one."""
-
-    def run():
-        solve(**given, parameters=parameters, rtol=rtol)
-
+def _prepare(given, parameters, rtol):
+    """All that is prepared once for the points of a surface."""
+    prepare_surface.cache_clear()
     roughness = float(given["roughness"][0])
-
-    def prepare():
-        prepare_surface.cache_clear()
-        prepare_model(prepare_surface(roughness, parameters, rtol), parameters, rtol)
-
-    setup = median_seconds(prepare, 1)
-    memory = peak_megabytes(run)
-    return _cost(median_seconds(run, repeats), given["load"].size, setup, memory)
+    prepare_model(prepare_surface(roughness, parameters, rtol), parameters, rtol)
 
 
 def _elementwise(given, parameters, rtol):
-    """Cost of ``find_root`` on the points of each surface in turn, its nodes being prepared."""
+    """Function that solves the points of each surface in turn by ``find_root`` on its nodes."""
     parts = []
     for sigma in np.unique(given["roughness"]):
         chosen = given["roughness"] == sigma
@@ -70,21 +82,4 @@ def _elementwise(given, parameters, rtol):
         for solver, part in parts:
             solver.solve(**part)
 
-    return _cost(median_seconds(run, 1), given["load"].size)
-
-
-def _nested(given, parameters, plain):
-    """Cost of nested roots, point by point."""
-    solver = NestedRoots(plain, parameters)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
-        return _cost(median_seconds(lambda: solver.solve(**given), 1), given["load"].size)
-
-
-def _cost(seconds, points, setup=None, memory=None):
-    return {
-        "points": points,
-        "microseconds_per_point": MICROSECONDS * seconds / points,
-        "setup_seconds": setup,
-        "peak_memory_MB": memory,
-    }
+    return run
