@@ -39,7 +39,7 @@ STATE = np.dtype(
 STEPS = 8  # a point that needs more is better left to bisection
 LEAST_BARE = 1e-6  # of the interface, left to summits: less is a difference that lost its digits
 LEAST_AREA = 1e-290  # of A_n; smaller ones have not all digits of float64
-TABLE_DEGREES = ((1e-3, 3), (1e-7, 5), (0.0, 7))  # (least rtol, degree) of moments and films
+TABLE_DEGREES = ((1e-7, 5), (0.0, 7))  # (least rtol, degree) of moments and films
 MOMENT_START, MOMENT_PIECES = -9.0, 16  # alpha where all particles are larger; pieces a unit
 FILM_START, FILM_END, FILM_PIECES = -6.0, 14.0, 160  # ln H_c from where Eq. 7's terms are equal
 GUESS_DEGREE, GUESS_PIECES = 3, 96
@@ -117,7 +117,7 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float) -> M
         MOMENT_START,
         parameters.truncation,
         math.ceil(MOMENT_PIECES * (parameters.truncation - MOMENT_START)),
-        max(degree, 5),
+        degree,
     )
     film = PiecewisePolynomial(_film_curve(parameters), FILM_START, FILM_END, FILM_PIECES, degree)
     t = np.linspace(SUMMITS_END, SUMMITS_START, 10 * GUESS_PIECES)
@@ -256,9 +256,7 @@ def _read(table, x):
     piece = np.uintp(position)
     local = 2.0 * (position - piece) - 1.0
     degree = table.rows.shape[1] - 1
-    if degree == 3:  # a constant count is what makes a loop fast
-        value, slope, curvature = _horner(table.rows, piece, local, 3)
-    elif degree == 5:
+    if degree == 5:  # a constant count is what makes a loop fast
         value, slope, curvature = _horner(table.rows, piece, local, 5)
     else:
         value, slope, curvature = _horner(table.rows, piece, local, 7)

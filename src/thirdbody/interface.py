@@ -29,7 +29,7 @@ FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
 MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
 # (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
-TABLE_SIZES = ((1e-2, 90, 3), (1e-5, 60, 5), (1e-7, 180, 5), (0.0, 180, 7))
+TABLE_SIZES = ((1e-5, 60, 5), (1e-7, 180, 5), (0.0, 180, 7))
 
 
 def solve(
