@@ -12,14 +12,21 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from scipy.special import expit, logit
 
-from thirdbody.balance import Points
+from thirdbody.balance import Points, RoughSurface
 from thirdbody.bracketing import bracketed_roots
 from thirdbody.film import Film
-from thirdbody.interface import DEFAULT_RTOL, has_particles, make_points, prepare_surface
+from thirdbody.interface import (
+    DEFAULT_RTOL,
+    TABLE_WORTH,
+    has_particles,
+    make_points,
+    prepare_surface,
+)
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solution import SolvedPoints
 
+CHEAP_TABLES = 1e-5  # rtol from which tables cost less than any search without them
 FARTHEST = 20.0  # a logit beyond it is as good as infinite
 
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
@@ -67,7 +74,7 @@ def turning_points(
 def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     """The fields of ``TurningPoints`` for three-body curves of one roughness."""
     result = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    rough = prepare_surface(float(conditions[2, 0]), parameters, rtol)
+    rough = _surface(float(conditions[2, 0]), parameters, rtol, separation.size)
     solids = _solids(rough, parameters, conditions[1:])
     curve, peak, width = _maxima(solids, separation, SEPARATION_MARGIN * rtol)
     if curve.size == 0:
@@ -77,6 +84,12 @@ def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
     for name, values in refined.items():
         result[name][curve[best]] = values[best]
     return result
+
+
+def _surface(roughness, parameters, rtol, points) -> RoughSurface:
+    """The summits, as tables if these cost less than they save at so many ``points``."""
+    tables = rtol >= CHEAP_TABLES or points >= TABLE_WORTH
+    return prepare_surface(roughness, parameters, rtol if tables else None)
 
 
 def _solids(rough, parameters, conditions) -> Points:
@@ -218,7 +231,8 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
     """
     same = np.ones_like(diameter)
-    rough = prepare_surface(roughness, parameters, search.rtol)
+    looked_at = diameter.size * search.separations
+    rough = _surface(roughness, parameters, search.rtol, looked_at)
     solids = _solids(rough, parameters, (diameter, roughness * same, density * same))
     (first, last), ratios = _dry(solids, load_range, search.rtol)
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), search.separations)
