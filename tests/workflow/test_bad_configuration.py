@@ -175,7 +175,7 @@ CASES = [
     inputs("input is a word", b"truncation: wide\n", "truncation", "'wide'", "a number"),
     inputs("unknown reading", b"film_load: both\n", "film_load", "'both'", "fluid, total"),
     inputs("word for a truth", b"summit_offset: 'true'\n", "summit_offset", "'true'", "True, False"),
-    inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 1"),
+    inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 2"),
     put("entry without value", INPUTS, "truncation/value", ABSENT, INPUTS, "truncation", "allowed"),
     put("entry without bounds", INPUTS, "truncation/bounds", ABSENT, INPUTS, "truncation", "allowed"),
     put("entry without unit", INPUTS, "truncation", {"value": 99, "bounds": [0, 1]}, INPUTS, "99"),
@@ -190,7 +190,7 @@ CASES = [
     # settings of the calibration
     text("damaged calibration", "config/calibration.yaml", b"\na: [\n", "calibration.yaml", "line"),
     without("missing calibration", "config/calibration.yaml"),
-    put("no timings", ACCURACY, "repeats", 0, ACCURACY, "repeats", "0", "at least 1"),
+    put("no timings", ACCURACY, "rounds", 0, ACCURACY, "rounds", "0", "at least 1"),
     put("accuracy of a bad rtol", ACCURACY, "rtol", [1], ACCURACY, "rtol[0]", "1", "at most 0.01"),
     put("no accuracy file", CONFIG, "accuracy", "config/none.yaml", "config/none.yaml", "allowed"),
     without("missing accuracy", ACCURACY),

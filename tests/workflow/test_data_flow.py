@@ -9,11 +9,13 @@ LIBRARY = ROOT / "src" / "thirdbody"
 # each layer imports from itself and from those above it
 LAYERS = (
     {"__init__", "files", "custody", "closure", "parameters", "roots", "tabulation", "regimes", "places"},
+    {"bracketing", "bytecode"},
     {"configuration"},
     {"scene"},
     {"asperity", "particles", "film"},
     {"balance"},
     {"solution"},
+    {"compiled"},
     {"interface"},
     {"dataset"},
     {"turning_point", "transitions", "streaming"},
