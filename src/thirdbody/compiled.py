@@ -39,7 +39,6 @@ STATE = np.dtype(
 STEPS = 8  # a point that needs more is better left to bisection
 LEAST_BARE = 1e-6  # of the interface, left to summits: less is a difference that lost its digits
 LEAST_AREA = 1e-290  # of A_n; smaller ones have not all digits of float64
-TABLE_DEGREES = ((1e-7, 5), (0.0, 7))  # (least rtol, degree) of moments and films
 MOMENT_START, MOMENT_PIECES = -9.0, 16  # alpha where all particles are larger; pieces a unit
 FILM_START, FILM_END, FILM_PIECES = -6.0, 14.0, 160  # ln H_c from where Eq. 7's terms are equal
 GUESS_DEGREE, GUESS_PIECES = 3, 96
@@ -107,10 +106,9 @@ class Columns(NamedTuple):
 
 
 @lru_cache(maxsize=64)
-def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float) -> Model:
-    """Tables good for ``rtol`` of everything on one surface; ``rough`` has tables."""
-    surface = rough.surface
-    degree = next(degree for least, degree in TABLE_DEGREES if rtol >= least)
+def prepare_model(rough: RoughSurface, parameters: Parameters) -> Model:
+    """Tables of everything on one surface, as good as those that ``rough`` has."""
+    surface, degree = rough.surface, rough.log_load.degree
     moment_of = unit_moment(parameters)
     moment = PiecewisePolynomial(
         moment_of,
@@ -199,7 +197,7 @@ class CompiledPoints:
         rough, parameters = points.rough, points.parameters
         found = np.empty((7, count))
         _loop()(
-            prepare_model(rough, parameters, rtol),
+            prepare_model(rough, parameters),
             _columns(points),
             points.particles is not None,
             points.film is not None,

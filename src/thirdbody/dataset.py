@@ -178,7 +178,7 @@ def write_dataset(dataset: xr.Dataset, path) -> None:
     room, however the library below says so.
     """
     # smallest of what every NetCDF-4 library reads, by tests/performance/measure_compression.py,
-    # to 0.2 %: level 9 takes twice as long to write
+    # to 0.2 %: level 9 takes half as long again to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     encoding = {name: {"_FillValue": None} for name in dataset.coords}
     encoding |= {

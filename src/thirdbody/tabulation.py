@@ -20,6 +20,7 @@ class PiecewisePolynomial:
         self.start = start
         self.end = end
         self.pieces = pieces
+        self.degree = degree
         self.scale = pieces / (end - start)
         nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
         self.centres = start + (np.arange(pieces) + 0.5) / self.scale

@@ -1,4 +1,4 @@
-"""A small release, for the tests of its formats and of its verification."""
+"""A small release, for the tests of its formats and of its verification; the ways to a solution."""
 
 import os
 from pathlib import Path
@@ -6,9 +6,18 @@ from pathlib import Path
 import pytest
 from small_release import make_release
 
+from thirdbody import interface
 from thirdbody.release.citation import Release
 
 ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.fixture(params=["quadrature", "tables", "compiled"])
+def way(request, monkeypatch):
+    """Each way to a solution, whatever the number of points."""
+    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9 if request.param == "quadrature" else 1)
+    monkeypatch.setattr(interface, "COMPILATION_WORTH", 1 if request.param == "compiled" else 10**9)
+    return request.param
 
 
 @pytest.fixture(scope="session")

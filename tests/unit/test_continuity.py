@@ -25,14 +25,6 @@ POINT = {
 NEXT = 1e-12  # relative distance of two points that are the same in all but rounding
 
 
-@pytest.fixture(params=["quadrature", "tables", "compiled"])
-def way(request, monkeypatch):
-    """Each way to a solution, whatever the number of points."""
-    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9 if request.param == "quadrature" else 1)
-    monkeypatch.setattr(interface, "COMPILATION_WORTH", 1 if request.param == "compiled" else 10**9)
-    return request.param
-
-
 def solve(parameters, rtol=1e-9, **given):
     return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
 

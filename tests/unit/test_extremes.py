@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody import interface
 from thirdbody.accuracy.extremes import beyond_float64, judge_extremes
 from thirdbody.accuracy.points import VARIABLES, read_rows, relative_error
 from thirdbody.regimes import SOLUTION_STATUSES
@@ -32,14 +31,6 @@ REFUSED += ("x_a 1e+43, 0.01",)
 # next to rigid particles, which a gap in float64 does not resolve to 1e-9 with certainty
 REFUSED += ("psi 0.001 three-body wet",)
 REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
-
-
-@pytest.fixture(params=["quadrature", "tables", "compiled"])
-def way(request, monkeypatch):
-    """Each way to a solution, whatever the number of points."""
-    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9 if request.param == "quadrature" else 1)
-    monkeypatch.setattr(interface, "COMPILATION_WORTH", 1 if request.param == "compiled" else 10**9)
-    return request.param
 
 
 def solve(parameters, rtol=1e-9, **given):

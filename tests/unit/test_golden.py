@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody import interface
 from thirdbody.parameters import Parameters
 from thirdbody.solution import OUTSIDE_FILM_FORMULA
 
@@ -94,16 +93,7 @@ def test_there_are_enough_golden_points_over_all_readings():
     assert len(readings) == 3 * 2 * 2 * 2 * 2
 
 
-@pytest.mark.parametrize(
-    ("table_worth", "compilation_worth"),
-    [(10**9, 10**9), (1, 10**9), (1, 1)],
-    ids=["quadrature", "tables", "compiled"],
-)
-def test_every_variable_within_the_tolerance_asked_for(
-    monkeypatch, table_worth, compilation_worth
-):
-    monkeypatch.setattr(interface, "TABLE_WORTH", table_worth)
-    monkeypatch.setattr(interface, "COMPILATION_WORTH", compilation_worth)
+def test_every_variable_within_the_tolerance_asked_for(way):
     errors = {}
     for index, row in enumerate(golden_rows()):
         solution = solve_row(row, RTOL)

@@ -5,10 +5,16 @@ from __future__ import annotations
 import time
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache, partial
+from operator import call
 from statistics import median
 
 from thirdbody.accuracy.classes import HEAVIEST, random_conditions
-from thirdbody.accuracy.measuring import MICROSECONDS, processor_seconds, wall_seconds
+from thirdbody.accuracy.measuring import (
+    MICROSECONDS,
+    least_seconds,
+    processor_seconds,
+    wall_seconds,
+)
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
@@ -61,14 +67,11 @@ def _process_rows(parameters, budget):
     settings = budget["processes"]
     rtol, block, blocks = settings["rtol"], settings["block"], settings["blocks"]
     points = block * blocks
-    rounds = [
-        {
-            workers: _wall_seconds_of(blocks, block, parameters, rtol, workers)
-            for workers in (1, settings["workers"])
-        }
-        for _ in range(budget["rounds"])
-    ]
-    seconds = {workers: min(each[workers] for each in rounds) for workers in rounds[0]}
+    pools = {
+        workers: partial(_wall_seconds_of, blocks, block, parameters, rtol, workers)
+        for workers in (1, settings["workers"])
+    }
+    seconds = least_seconds(pools, budget["rounds"], timed=call)
     return [
         _row("processes", points, workers, rtol, each / points, seconds[1] / each)
         for workers, each in seconds.items()

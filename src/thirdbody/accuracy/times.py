@@ -67,7 +67,7 @@ def _prepare(given, parameters, rtol):
     """All that is prepared once for the points of a surface."""
     prepare_surface.cache_clear()
     roughness = float(given["roughness"][0])
-    prepare_model(prepare_surface(roughness, parameters, rtol), parameters, rtol)
+    prepare_model(prepare_surface(roughness, parameters, rtol), parameters)
 
 
 def _elementwise(given, parameters, rtol):
