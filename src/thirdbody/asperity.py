@@ -7,8 +7,10 @@ is the separation from the summit plane, w = omega/sigma_s an interference.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from scipy.special import erfcx
@@ -53,6 +55,16 @@ def pressure_fraction(ratio, yield_ratio, plastic_ratio):
     return yield_ratio + (1.0 - yield_ratio) * np.log(within) / np.log(plastic_ratio)
 
 
+class Weights(NamedTuple):
+    """What summits of interference w contribute to a quantity: ``elastic`` w^``power``, then
+    ``elastoplastic``(w/w_1, growth of the area) w, at last ``plastic`` w."""
+
+    elastic: float
+    power: float
+    elastoplastic: Callable
+    plastic: float
+
+
 @dataclass(frozen=True)
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per nominal area.
@@ -86,35 +98,34 @@ class SummitPopulation:
 
     def log_load(self, t):
         """ln(F_ss/(A_n E_ss)) and its slope at summit separations ``t`` [1]."""
-        return self._logarithm(t, *self._load_weights)
+        return self._logarithms(t, self._load_weights)[0]
 
     def log_area(self, t):
         """ln(A_ss/A_n) and its slope at summit separations ``t`` [1]."""
-        return self._logarithm(t, *self._area_weights)
+        return self._logarithms(t, self._area_weights)[0]
+
+    def log_load_and_area(self, t):
+        """What ``log_load`` and ``log_area`` return, for little more than one of them costs."""
+        return self._logarithms(t, self._load_weights, self._area_weights)
 
     @cached_property
-    def _load_weights(self):
-        """Elastic w^1.5, elastoplastic and plastic factors of the load."""
+    def _load_weights(self) -> Weights:
         hertz = 4.0 / 3.0 * self.summit_parameter * np.sqrt(self.sharpness)
         full = np.pi * self.summit_parameter * self.hardness_ratio
 
-        def elastoplastic(ratio):
-            return (
-                full
-                * area_growth(ratio, self.plastic_ratio)
-                * pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
-            )
+        def elastoplastic(ratio, growth):
+            return full * growth * pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
 
-        return hertz, 1.5, elastoplastic, 2.0 * full
+        return Weights(hertz, 1.5, elastoplastic, 2.0 * full)
 
     @cached_property
-    def _area_weights(self):
-        """Elastic w, elastoplastic and plastic factors of the area."""
+    def _area_weights(self) -> Weights:
         full = np.pi * self.summit_parameter
-        return full, 1.0, lambda r: full * area_growth(r, self.plastic_ratio), 2.0 * full
+        return Weights(full, 1.0, lambda ratio, growth: full * growth, 2.0 * full)
 
-    def _logarithm(self, t, elastic, power, elastoplastic, plastic):
-        """ln of the summed contributions and its slope; all sums carry exp(max(t, 0)^2/2)."""
+    def _logarithms(self, t, *quantities: Weights):
+        """ln of the summed contributions to each quantity and its slope; all sums carry
+        exp(max(t, 0)^2/2)."""
         t = np.asarray(t, dtype=float)
         reach = np.where(  # beyond it the summits' weight is negligible
             t > 0.0,
@@ -123,15 +134,18 @@ class SummitPopulation:
         )
         w_1 = self.yield_interference
         w_2 = w_1 * self.plastic_ratio
-        total, slope = _elastic_sum(t, np.minimum(w_1, reach), elastic, power)
-        for part in (
-            _elastoplastic_sum(t, w_1, np.clip(reach, w_1, w_2), elastoplastic),
-            _plastic_sum(t, w_2, plastic),
-        ):
-            total = total + part[0]
-            slope = slope + part[1]
-        total = np.maximum(total, np.finfo(float).tiny)
-        return np.log(total / SQRT_2PI) - 0.5 * np.maximum(t, 0.0) ** 2, slope / total
+        elastic = _elastic_sums(t, np.minimum(w_1, reach), quantities)
+        between = _elastoplastic_sums(
+            t, w_1, np.clip(reach, w_1, w_2), self.plastic_ratio, quantities
+        )
+        plastic = _plastic_sums(t, w_2, quantities)
+        found = []
+        for parts in zip(elastic, between, plastic, strict=True):
+            total, slope = map(sum, zip(*parts, strict=True))
+            total = np.maximum(total, np.finfo(float).tiny)
+            value = np.log(total / SQRT_2PI) - 0.5 * np.maximum(t, 0.0) ** 2
+            found.append((value, slope / total))
+        return found
 
 
 def _weight(t, w):
@@ -149,28 +163,39 @@ ELASTIC_NODES = _gauss_legendre(48)
 ELASTOPLASTIC_NODES = _gauss_legendre(48)
 
 
-def _elastic_sum(t, end, factor, power):
-    """factor * integral of w^power over w in (0, end); w = end u^2 makes half powers smooth."""
+def _elastic_sums(t, end, quantities):
+    """elastic * integral of w^power over w in (0, end), and its slope, of each quantity;
+    w = end u^2 makes half powers smooth."""
     u, weights = ELASTIC_NODES
     w = end[..., None] * u**2
-    terms = 2.0 * u * weights * w**power * _weight(t[..., None], w)
-    scale = factor * end
-    return scale * terms.sum(-1), -scale * (terms * (t[..., None] + w)).sum(-1)
+    decay, tail = _weight(t[..., None], w), t[..., None] + w
+    for quantity in quantities:
+        terms = 2.0 * u * weights * w**quantity.power * decay
+        scale = quantity.elastic * end
+        yield scale * terms.sum(-1), -scale * (terms * tail).sum(-1)
 
 
-def _elastoplastic_sum(t, start, end, factor):
-    """Integral of factor(w/start) w over w in (start, end); w = v^2 evens out the logarithm."""
+def _elastoplastic_sums(t, start, end, plastic_ratio, quantities):
+    """Integral of elastoplastic * w over w in (start, end), and its slope, of each quantity;
+    w = v^2 evens out the logarithm."""
     u, weights = ELASTOPLASTIC_NODES
-    root = np.sqrt(start) + (np.sqrt(end) - np.sqrt(start))[..., None] * u
-    w = root**2
     width = np.sqrt(end) - np.sqrt(start)
-    terms = 2.0 * weights * root * w * factor(w / start) * _weight(t[..., None], w)
-    return width * terms.sum(-1), -width * (terms * (t[..., None] + w)).sum(-1)
+    root = np.sqrt(start) + width[..., None] * u
+    w = root**2
+    decay, tail = _weight(t[..., None], w), t[..., None] + w
+    ratio, measure = w / start, 2.0 * weights * root * w
+    growth = area_growth(ratio, plastic_ratio)
+    for quantity in quantities:
+        terms = measure * quantity.elastoplastic(ratio, growth) * decay
+        yield width * terms.sum(-1), -width * (terms * tail).sum(-1)
 
 
-def _plastic_sum(t, start, factor):
-    """factor * integral of w over w above start: phi(t+start) - t Q(t+start)."""
+def _plastic_sums(t, start, quantities):
+    """plastic * integral of w over w above start, phi(t+start) - t Q(t+start), and its slope, of
+    each quantity."""
     tail = t + start
     phi = _weight(t, start)
     beyond = phi * np.sqrt(0.5 * np.pi) * erfcx(tail / np.sqrt(2.0))
-    return factor * (phi - t * beyond), -factor * (start * phi + beyond)
+    for quantity in quantities:
+        factor = quantity.plastic
+        yield factor * (phi - t * beyond), -factor * (start * phi + beyond)

@@ -18,7 +18,7 @@ from thirdbody.film import Film
 from thirdbody.parameters import Parameters
 from thirdbody.particles import ParticleLayer
 from thirdbody.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
-from thirdbody.tabulation import PiecewisePolynomial
+from thirdbody.tabulation import PiecewisePolynomial, sample_points
 
 DEFAULT_RTOL = 1e-9
 BLOCK = 2**18  # points among which equal ones are looked for
@@ -168,9 +168,11 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     samples, error = FIRST_SAMPLES, 0.0
     if rtol is not None:
         pieces, degree = next(size for least, *size in TABLE_SIZES if rtol >= least)
+        size = TABLE_START, TABLE_END, pieces, degree
+        sampled = population.log_load_and_area(sample_points(*size))
         functions = tuple(
-            PiecewisePolynomial(function, TABLE_START, TABLE_END, pieces, degree)
-            for function in functions
+            PiecewisePolynomial(function, *size, values)
+            for function, (values, _) in zip(functions, sampled, strict=True)
         )
         samples, error = functions[0].centres, max(function.error for function in functions)
     sampled = functions[0](samples)[0][::-1], samples[::-1]

@@ -12,24 +12,27 @@ class PiecewisePolynomial:
     shape.  Each piece interpolates at Chebyshev points.  Outside the interval, and for nan, the
     function itself is evaluated, so that an instance is as widely valid as what it tabulates.
     ``error`` is the largest in the middle of a piece, which for an odd degree is about the largest
-    there is.
+    there is.  ``values`` are those at ``sample_points``, if they are known.
     """
 
-    def __init__(self, function, start: float, end: float, pieces: int, degree: int):
+    def __init__(
+        self, function, start: float, end: float, pieces: int, degree: int, values=None
+    ):
         self.function = function
         self.start = start
         self.end = end
         self.pieces = pieces
         self.degree = degree
         self.scale = pieces / (end - start)
-        nodes = np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
-        self.centres = start + (np.arange(pieces) + 0.5) / self.scale
-        x = self.centres[:, None] + 0.5 * nodes / self.scale
-        values = function(x.ravel())[0].reshape(x.shape)
-        powers = np.linalg.solve(np.vander(nodes, increasing=True), values.T)
+        x = sample_points(start, end, pieces, degree)
+        if values is None:
+            values = function(x)[0]
+        *at_nodes, middle = values.reshape(pieces, degree + 2).T
+        self.centres = x[degree + 1 :: degree + 2]
+        powers = np.linalg.solve(np.vander(chebyshev_points(degree), increasing=True), at_nodes)
         # local variable 2(x - centre)/width in [-1, 1]; row k holds the k-th power of all pieces
         self.coefficients = np.ascontiguousarray(powers)
-        self.error = float(np.abs(self(self.centres)[0] - function(self.centres)[0]).max())
+        self.error = float(np.abs(self(self.centres)[0] - middle).max())
 
     def __call__(self, x):
         """(value, slope) at ``x``, each of its shape."""
@@ -55,3 +58,16 @@ class PiecewisePolynomial:
             value += row.take(piece)
         slope *= 2.0 * self.scale
         return value, slope
+
+
+def chebyshev_points(degree: int):
+    """The ``degree`` + 1 places within [-1, 1] at which a polynomial interpolates best."""
+    return np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
+
+
+def sample_points(start: float, end: float, pieces: int, degree: int):
+    """Where a ``PiecewisePolynomial`` needs the values of its function, 1-D: the Chebyshev points
+    of each piece, and then its middle."""
+    scale = pieces / (end - start)
+    centres = start + (np.arange(pieces) + 0.5) / scale
+    return (centres[:, None] + 0.5 * np.append(chebyshev_points(degree), 0.0) / scale).ravel()
