@@ -24,7 +24,7 @@ DEFAULT_RTOL = 1e-9
 BLOCK = 2**18  # points among which equal ones are looked for
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 COMPILATION_WORTH = 10_000  # points from which a compiled loop solves them
-TABLE_WORTH = 500  # points on one roughness from which its table costs less than it saves
+TABLE_WORTH = 500  # points on one roughness from which its finest table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
 TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
 MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
@@ -88,8 +88,7 @@ def _solve_block(columns, parameters, rtol, into):
 def _solved_parts(columns, parameters, rtol, variables):
     """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
     that are beyond the fastest way of solving them come again, solved in a slower one."""
-    for roughness, tables, group in _groups(columns):
-        table_rtol = rtol if tables else None
+    for roughness, table_rtol, group in _groups(columns, rtol):
         if _size(group) >= COMPILATION_WORTH and parameters.film_load == "fluid":
             from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
 
@@ -100,7 +99,7 @@ def _solved_parts(columns, parameters, rtol, variables):
                 yield part, solved
                 left.append(_indices(part)[solved.left])
             group = np.concatenate(left)
-            table_rtol = rtol if group.size >= TABLE_WORTH else None
+            table_rtol = worthwhile_rtol(group.size, rtol)
         for part in _pieces(group, CHUNK):
             solved = SolvedPoints(_points(columns, part, roughness, parameters, table_rtol), rtol)
             yield part, solved
@@ -156,6 +155,20 @@ def checked_axis(name: str, values):
     return array
 
 
+def worthwhile_rtol(points: int, rtol: float) -> float | None:
+    """``rtol`` if so many ``points`` on one roughness are worth a table good for it, else None.
+
+    Tables cost in proportion to their samples.
+    """
+    finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], _table_size(rtol)))
+    return rtol if points * finest >= TABLE_WORTH * table else None
+
+
+def _table_size(rtol):
+    """Pieces and degree of the tables that are good for ``rtol``."""
+    return next(size for least, *size in TABLE_SIZES if rtol >= least)
+
+
 @lru_cache(maxsize=64)
 def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None) -> RoughSurface:
     """Summits at ``roughness`` sigma [m], as tables good for ``rtol`` or, if None, by quadrature.
@@ -167,8 +180,7 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     functions = population.log_load, population.log_area
     samples, error = FIRST_SAMPLES, 0.0
     if rtol is not None:
-        pieces, degree = next(size for least, *size in TABLE_SIZES if rtol >= least)
-        size = TABLE_START, TABLE_END, pieces, degree
+        size = TABLE_START, TABLE_END, *_table_size(rtol)
         sampled = population.log_load_and_area(sample_points(*size))
         functions = tuple(
             PiecewisePolynomial(function, *size, values)
@@ -206,9 +218,10 @@ def _distinct(columns):
     return [column[order[new]] for column in columns], places
 
 
-def _groups(columns):
-    """Roughness, whether tables of it are worth their while, and the points that are solved alike,
-    as a slice or an array of indices: all with or without film, all with or without particles."""
+def _groups(columns, rtol):
+    """Roughness, the ``rtol`` of its tables if they are worth their while, and the points that are
+    solved alike, as a slice or an array of indices: all with or without film, all with or without
+    particles."""
     _, viscosity, diameter, roughness, density = columns
     wet, three_body = viscosity > 0.0, has_particles(diameter, density)
     labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
@@ -219,7 +232,7 @@ def _groups(columns):
         labels = 4 * surface + labels
     for group in _runs(labels):
         sigma = float(roughness[group][0])
-        yield sigma, numbers.get(sigma, roughness.size) >= TABLE_WORTH, group
+        yield sigma, worthwhile_rtol(numbers.get(sigma, roughness.size), rtol), group
 
 
 def _runs(labels):

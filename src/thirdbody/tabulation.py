@@ -15,9 +15,7 @@ class PiecewisePolynomial:
     there is.  ``values`` are those at ``sample_points``, if they are known.
     """
 
-    def __init__(
-        self, function, start: float, end: float, pieces: int, degree: int, values=None
-    ):
+    def __init__(self, function, start: float, end: float, pieces: int, degree: int, values=None):
         self.function = function
         self.start = start
         self.end = end

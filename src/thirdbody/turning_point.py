@@ -17,10 +17,10 @@ from thirdbody.bracketing import bracketed_roots
 from thirdbody.film import Film
 from thirdbody.interface import (
     DEFAULT_RTOL,
-    TABLE_WORTH,
     has_particles,
     make_points,
     prepare_surface,
+    worthwhile_rtol,
 )
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
@@ -88,8 +88,8 @@ def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
 
 def _surface(roughness, parameters, rtol, points) -> RoughSurface:
     """The summits, as tables if these cost less than they save at so many ``points``."""
-    tables = rtol >= CHEAP_TABLES or points >= TABLE_WORTH
-    return prepare_surface(roughness, parameters, rtol if tables else None)
+    table_rtol = rtol if rtol >= CHEAP_TABLES else worthwhile_rtol(points, rtol)
+    return prepare_surface(roughness, parameters, table_rtol)
 
 
 def _solids(rough, parameters, conditions) -> Points:
