@@ -6,6 +6,7 @@ the summits nor a vanishing share of the fluid loses digits.
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,6 +16,7 @@ from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
 from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
 from thirdbody.roots import NOISE, decreasing_roots
+from thirdbody.tabulation import PiecewisePolynomial
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 TINY = np.finfo(float).tiny
@@ -36,20 +38,119 @@ class RoughSurface:
     sampled: tuple
     table_error: float
 
+    @property
+    def roughness(self) -> float:
+        """sigma [m]."""
+        return self.surface.roughness
+
+    @property
+    def offset(self) -> float:
+        """y_s [m]."""
+        return self.surface.summit_offset
+
+    @property
+    def deviation(self) -> float:
+        """sigma_s [m]."""
+        return self.surface.summit_deviation
+
     def first_separation(self, log_load):
         """About the t [1] at which summits bear ``log_load`` ln F_t*."""
         return np.interp(log_load, *self.sampled)
 
-    def summit_separation(self, separation):
-        """t [1] at ``separation`` d [m]."""
-        return (separation - self.surface.summit_offset) / self.surface.summit_deviation
+    def take(self, chosen) -> RoughSurface:
+        """This one, which all points share."""
+        return self
+
+
+@dataclass(frozen=True, eq=False)
+class RoughSurfaces:
+    """A rough surface for each point: that of ``members`` which ``which`` says, an index.
+
+    Has what a ``RoughSurface`` has, its ``properties`` as arrays over the points.  ``tables`` holds
+    both functions of all members if these have tables, which are then of one size.
+    """
+
+    members: Sequence[RoughSurface]
+    which: np.ndarray
+    properties: Mapping[str, np.ndarray]
+    tables: Mapping[str, PiecewisePolynomial]
+
+    @classmethod
+    def of(cls, members: Sequence[RoughSurface], which) -> RoughSurfaces:
+        """The surfaces of points, out of ``members`` that all have tables or all have none."""
+
+        def columns(*names):
+            return {name: [getattr(member, name) for member in members] for name in names}
+
+        numbers = columns("roughness", "offset", "deviation", "table_error")
+        tables = columns("log_load", "log_area") if members[0].table_error > 0.0 else {}
+        return cls(
+            members,
+            which,
+            {name: np.array(values) for name, values in numbers.items()},
+            {name: PiecewisePolynomial.joined(each) for name, each in tables.items()},
+        )
+
+    def take(self, chosen) -> RoughSurfaces:
+        """Those of the points that an index or mask ``chosen`` picks."""
+        return replace(self, which=self.which[chosen])
+
+    @property
+    def roughness(self):
+        """sigma [m]."""
+        return self.properties["roughness"][self.which]
+
+    @property
+    def offset(self):
+        """y_s [m]."""
+        return self.properties["offset"][self.which]
+
+    @property
+    def deviation(self):
+        """sigma_s [m]."""
+        return self.properties["deviation"][self.which]
+
+    @property
+    def table_error(self):
+        """Bound on the error of both functions."""
+        return self.properties["table_error"][self.which]
+
+    def log_load(self, t):
+        """(value, slope) of ln F_ss* at ``t``."""
+        return self._evaluated("log_load", t)
+
+    def log_area(self, t):
+        """(value, slope) of ln(A_ss/A_n) at ``t``."""
+        return self._evaluated("log_area", t)
+
+    def _evaluated(self, name, t):
+        if name in self.tables:
+            position, inside = self.tables[name].located(t)
+            if inside.all():
+                return self.tables[name].interpolate(position, self.which)
+        value, slope = np.empty((2, *t.shape))
+        which = np.broadcast_to(self.which, t.shape)
+        for index, mine in self._each(which):
+            value[mine], slope[mine] = getattr(self.members[index], name)(t[mine])
+        return value, slope
+
+    def first_separation(self, log_load):
+        """About the t [1] at which summits bear ``log_load`` ln F_t*."""
+        found = np.empty_like(log_load)
+        for index, mine in self._each(self.which):
+            found[mine] = self.members[index].first_separation(log_load[mine])
+        return found
+
+    def _each(self, which):
+        """Each member that ``which`` names, and where it does."""
+        return ((index, which == index) for index in np.unique(which))
 
 
 @dataclass(frozen=True)
 class Points:
-    """Points on one rough surface: logarithm of the load, with or without particles and film."""
+    """Points on rough surfaces: logarithm of the load, all with or without particles and film."""
 
-    rough: RoughSurface
+    rough: RoughSurface | RoughSurfaces
     parameters: Parameters
     log_load: np.ndarray  # ln F_t*
     particles: ParticleLayer | None
@@ -59,16 +160,21 @@ class Points:
         """The points that an index or mask ``chosen`` picks."""
         return replace(
             self,
+            rough=self.rough.take(chosen),
             log_load=self.log_load[chosen],
             particles=self.particles and self.particles.take(chosen),
             film=self.film and self.film.take(chosen),
         )
 
+    def summit_separation(self, separation):
+        """t [1] at ``separation`` d [m]."""
+        return (separation - self.rough.offset) / self.rough.deviation
+
     def log_solid_load(self, separation):
         """ln F_s* at ``separation`` d [m], its slope and the steepest of its parts' [m-1] (Eqs. 2
         and 4); a part that is zero in float64 does not count."""
-        value, slope = self.rough.log_load(self.rough.summit_separation(separation))
-        slope = slope / self.rough.surface.summit_deviation
+        value, slope = self.rough.log_load(self.summit_separation(separation))
+        slope = slope / self.rough.deviation
         if self.particles is None:
             return value, slope, np.where(value > FULL, slope, 0.0)
         area, area_slope, *coverage = self.particles.contact(separation)
@@ -97,7 +203,7 @@ class Points:
 
         ``contact`` is that of the particles there, if it is known.
         """
-        log_summits, _ = self.rough.log_area(self.rough.summit_separation(separation))
+        log_summits, _ = self.rough.log_area(self.summit_separation(separation))
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits
         area, _, *coverage = contact or self.particles.contact(separation)
@@ -106,10 +212,10 @@ class Points:
 
     def odds_slope(self, separation):
         """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
-        _, summit_slope = self.rough.log_area(self.rough.summit_separation(separation))
+        _, summit_slope = self.rough.log_area(self.summit_separation(separation))
         area, area_slope, *coverage = self.particles.contact(separation)
         _, bare_slope = log_bare_share(*coverage)
-        summit_slope = summit_slope / self.rough.surface.summit_deviation + bare_slope
+        summit_slope = summit_slope / self.rough.deviation + bare_slope
         return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
 
     def film_separation(self, log_fluid_fraction):
@@ -128,9 +234,8 @@ def first_separation(points: Points):
 
     The larger of those that summits or particles alone would have: off by a factor of 2 in load.
     """
-    surface = points.rough.surface
-    summits = points.rough.first_separation(points.log_load)
-    guess = surface.summit_offset + surface.summit_deviation * summits
+    rough = points.rough
+    guess = rough.offset + rough.deviation * rough.first_separation(points.log_load)
     if points.particles is not None:
         area = np.exp(points.log_load) / points.particle_pressure
         guess = np.maximum(guess, separation_bearing(area, points.particles))
@@ -158,13 +263,14 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
 
     Solved for d/sigma; a load that the solids cannot bear at d = 0 has no solution.
     """
-    scale = points.rough.surface.roughness
 
     def residual(x, some):
+        scale = some.rough.roughness
         value, slope, steepest = some.log_solid_load(x * scale)
         gain = np.maximum(-steepest * scale, 1.0 / x)
         return value - some.log_load, slope * scale, gain, 0.0
 
+    scale = points.rough.roughness
     guess = first_separation(points) / scale
     roots, width, error, condition = decreasing_roots(
         residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points

@@ -167,7 +167,7 @@ def _film_curve(parameters):
 def _columns(points: Points) -> Columns:
     """What the loop needs of each of ``points``."""
     none = np.empty(0)
-    sigma, parameters = points.rough.surface.roughness, points.parameters
+    sigma, parameters = points.rough.roughness, points.parameters
     sizes, films = (none,) * 5, (none,) * 3
     if points.particles is not None:
         layer = points.particles
@@ -210,7 +210,7 @@ class CompiledPoints:
         self.total_contact_area, self.particle_contact_area_ratio = found[:2]
         self.surface_contact_area_ratio, self.solid_load_fraction = found[2:4]
         self.fluid_load_fraction, depth, self.error_bound = found[4:]
-        self.separation = rough.surface.roughness * depth
+        self.separation = rough.roughness * depth
         self.left = ~(self.error_bound <= rtol)
 
     @property
@@ -393,7 +393,9 @@ def _solve_points(
                 solid_2 = summits_2 + pressure * area_2
                 total = solid + film
                 total_1, total_2 = solid_1 + film_1, solid_2 + film_2
-                if area_1 > 0.0 or not total_1 < 0.0:  # soft particles may make several gaps possible
+                if (
+                    area_1 > 0.0 or not total_1 < 0.0
+                ):  # soft particles may make several gaps possible
                     continue
                 # its logarithm but for a fifth power of what it differs from 1 by
                 ratio = total / loads[i]

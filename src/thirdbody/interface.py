@@ -6,6 +6,7 @@ points are solved once, and only the variables that are asked for are evaluated.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection
 from functools import lru_cache
 from numbers import Real
@@ -13,7 +14,7 @@ from numbers import Real
 import numpy as np
 
 from thirdbody.asperity import SummitPopulation
-from thirdbody.balance import Points, RoughSurface
+from thirdbody.balance import Points, RoughSurface, RoughSurfaces
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters
 from thirdbody.particles import ParticleLayer
@@ -88,31 +89,33 @@ def _solve_block(columns, parameters, rtol, into):
 def _solved_parts(columns, parameters, rtol, variables):
     """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
     that are beyond the fastest way of solving them come again, solved in a slower one."""
-    for roughness, table_rtol, group in _groups(columns, rtol):
+    together = defaultdict(list)
+    for table_rtol, kind, group in _groups(columns, rtol):
         if _size(group) >= COMPILATION_WORTH and parameters.film_load == "fluid":
             from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
 
             left = []
             for part in _pieces(group, CHUNK):
-                points = _points(columns, part, roughness, parameters, rtol)
+                points = _points(columns, part, parameters, rtol)
                 solved = CompiledPoints(points, rtol, areas=not OF_AREAS.isdisjoint(variables))
                 yield part, solved
                 left.append(_indices(part)[solved.left])
             group = np.concatenate(left)
             table_rtol = worthwhile_rtol(group.size, rtol)
-        for part in _pieces(group, CHUNK):
-            solved = SolvedPoints(_points(columns, part, roughness, parameters, table_rtol), rtol)
+        together[table_rtol, kind].append(group)
+    for (table_rtol, _), groups in together.items():
+        for part in _pieces(_joined(groups), CHUNK):
+            solved = SolvedPoints(_points(columns, part, parameters, table_rtol), rtol)
             yield part, solved
             if table_rtol is not None and solved.imprecise.any():
                 again = _indices(part)[solved.imprecise]
-                points = _points(columns, again, roughness, parameters, None)
-                yield again, SolvedPoints(points, rtol)
+                yield again, SolvedPoints(_points(columns, again, parameters, None), rtol)
 
 
-def _points(columns, part, roughness, parameters, table_rtol):
-    """The points of one kind in a part of ``columns``; ``table_rtol`` is that of their surface."""
-    load, viscosity, diameter, _, density = (column[part] for column in columns)
-    rough = prepare_surface(roughness, parameters, table_rtol)
+def _points(columns, part, parameters, table_rtol):
+    """The points of one kind in a part of ``columns``; ``table_rtol`` is that of their surfaces."""
+    load, viscosity, diameter, roughness, density = (column[part] for column in columns)
+    rough = prepare_surfaces(roughness, parameters, table_rtol)
     return make_points(rough, parameters, load, viscosity, diameter, roughness, density)
 
 
@@ -191,6 +194,15 @@ def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None
     return RoughSurface(surface, *functions, sampled, error)
 
 
+def prepare_surfaces(roughness, parameters: Parameters, rtol: float | None):
+    """The surfaces of points with ``roughness`` sigma [m], 1-D, each as of ``prepare_surface``."""
+    if (roughness == roughness[0]).all():
+        return prepare_surface(float(roughness[0]), parameters, rtol)
+    values, which = np.unique(roughness, return_inverse=True)
+    surfaces = [prepare_surface(sigma, parameters, rtol) for sigma in values.tolist()]
+    return RoughSurfaces.of(surfaces, which)
+
+
 def _distinct(columns):
     """The distinct points among ``columns``, and the place of each point among them, or None where
     all are distinct.
@@ -219,20 +231,23 @@ def _distinct(columns):
 
 
 def _groups(columns, rtol):
-    """Roughness, the ``rtol`` of its tables if they are worth their while, and the points that are
-    solved alike, as a slice or an array of indices: all with or without film, all with or without
-    particles."""
+    """Groups of points of one roughness and one kind, all with or without film and particles.
+
+    The ``rtol`` of the tables of their surface, None if it is not worth any; the number of their
+    kind; their places as a slice or an array of indices.
+    """
     _, viscosity, diameter, roughness, density = columns
     wet, three_body = viscosity > 0.0, has_particles(diameter, density)
-    labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
+    kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
     numbers = {}
     if (roughness != roughness[:1]).any():
         values, surface = np.unique(roughness, return_inverse=True)
         numbers = dict(zip(values, np.bincount(surface), strict=True))
-        labels = 4 * surface + labels
+        labels = 4 * surface + kinds
     for group in _runs(labels):
-        sigma = float(roughness[group][0])
-        yield sigma, worthwhile_rtol(numbers.get(sigma, roughness.size), rtol), group
+        first = _indices(group)[0]
+        points = numbers.get(roughness[first], roughness.size)
+        yield worthwhile_rtol(points, rtol), kinds[first], group
 
 
 def _runs(labels):
@@ -242,6 +257,11 @@ def _runs(labels):
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
     return np.split(order, edges)
+
+
+def _joined(groups):
+    """The places in ``groups``, which are one slice or arrays of indices."""
+    return groups[0] if len(groups) == 1 else np.concatenate(groups)
 
 
 def _size(group) -> int:

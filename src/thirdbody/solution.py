@@ -59,7 +59,7 @@ class SolvedPoints:
 
     def __init__(self, points: Points, rtol: float):
         self.points = points
-        tabulated = points.rough.table_error > 0.0
+        tabulated = np.all(points.rough.table_error > 0.0)
         solve = dry_balance if points.film is None else BALANCES[points.parameters.film_load]
         self._balance = solve(points, ROOT_SHARE * rtol if tabulated else LEAST_RTOL)
         magnified = points.rough.table_error * (self._balance.condition + 1.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from copy import copy
+
 import numpy as np
 
 
@@ -34,19 +36,32 @@ class PiecewisePolynomial:
 
     def __call__(self, x):
         """(value, slope) at ``x``, each of its shape."""
-        position = (x - self.start) * self.scale
-        inside = (position >= 0.0) & (position < self.pieces)
+        position, inside = self.located(x)
         if inside.all():
-            return self._interpolate(position)
+            return self.interpolate(position)
         value = np.empty_like(position)
         slope = np.empty_like(position)
-        value[inside], slope[inside] = self._interpolate(position[inside])
+        value[inside], slope[inside] = self.interpolate(position[inside])
         value[~inside], slope[~inside] = self.function(x[~inside])
         return value, slope
 
-    def _interpolate(self, position):
+    @classmethod
+    def joined(cls, members) -> PiecewisePolynomial:
+        """The tables of ``members``, all of the same pieces, side by side: to ``interpolate``."""
+        together = copy(members[0])
+        together.coefficients = np.hstack([member.coefficients for member in members])
+        return together
+
+    def located(self, x):
+        """Where ``x`` is, in pieces from the start, and whether it is in the interval."""
+        position = (x - self.start) * self.scale
+        return position, (position >= 0.0) & (position < self.pieces)
+
+    def interpolate(self, position, member=0):
+        """(value, slope) at a ``position`` in the interval; of several, those of a ``member``."""
         piece = position.astype(np.intp)
         local = 2.0 * (position - piece) - 1.0
+        piece = piece + member * self.pieces
         value = self.coefficients[-1].take(piece)
         slope = np.zeros_like(value)
         for row in self.coefficients[-2::-1]:

@@ -148,7 +148,7 @@ def _ratio(solids: Points, separation):
 def _fluid_load(viscosity, separation, solids: Points):
     """F_f* [1] of films that are ``separation`` d [m] thick, and |d ln F_f/dd| [m-1] (Eq. 7)."""
     inputs = solids.parameters
-    film = Film.of(viscosity, solids.rough.surface.roughness, inputs)
+    film = Film.of(viscosity, solids.rough.roughness, inputs)
     log_parameter = film.load_parameter(separation / inputs.ball_radius)
     load = np.exp(log_parameter) * inputs.ball_radius**2 / inputs.apparent_area
     return load, 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
@@ -258,7 +258,7 @@ def _dry(solids: Points, loads, rtol):
     with np.errstate(all="ignore"):  # what is not there is nan or zero
         solved = SolvedPoints(points, rtol)
         if solved.imprecise.any():
-            exact = prepare_surface(solids.rough.surface.roughness, solids.parameters, None)
+            exact = prepare_surface(solids.rough.roughness, solids.parameters, None)
             solved = SolvedPoints(replace(points, rough=exact), rtol)
         found = solved.separation, solved.particle_contact_area_ratio
     return tuple(values.reshape(len(loads), count) for values in found)
