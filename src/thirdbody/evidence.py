@@ -12,7 +12,7 @@ from thirdbody.claims import Condition
 from thirdbody.interface import DEFAULT_RTOL, solve
 from thirdbody.parameters import Parameters
 from thirdbody.solution import COVERAGE_EXCEEDED, VARIABLES
-from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
+from thirdbody.turning_point import WindowSearch, turning_point_windows, turning_points
 
 # variables of ``Solution`` that a ``Curve`` has, and what else must be solved
 SHOWN = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
@@ -58,7 +58,6 @@ class SolvedEvidence:
         self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
         self.loads = np.geomspace(*self.load_range, effort.loads)[places]
         self._asked = asked
-        self._windows: dict[float, tuple[float, float]] = {}
 
     def curve(self, *condition) -> Curve:
         """The curve over the whole load range at a ``Condition`` (SI)."""
@@ -70,11 +69,6 @@ class SolvedEvidence:
 
     def window(self, roughness) -> tuple[float, float]:
         """Ends of the range of x_a/sigma [1] with a turning point, dry, at ``roughness`` [m]."""
-        if roughness not in self._windows:
-            found = turning_point_window(
-                self.effort.window, roughness, WINDOW_DENSITY, self.load_range, self.parameters
-            )
-            self._windows[roughness] = found.low, found.high
         return self._windows[roughness]
 
     @cached_property
@@ -99,6 +93,18 @@ class SolvedEvidence:
                 **{name: getattr(solution, name)[:, index] for name in SHOWN},
             )
             for index, condition in enumerate(self._conditions)
+        }
+
+    @cached_property
+    def _windows(self) -> dict[float, tuple[float, float]]:
+        wanted = sorted(self._asked["window"])
+        searches = [self.effort.window] * len(wanted)
+        found = turning_point_windows(
+            searches, wanted, WINDOW_DENSITY, self.load_range, self.parameters
+        )
+        return {
+            roughness: (window.low, window.high)
+            for roughness, window in zip(wanted, found, strict=True)
         }
 
     @cached_property

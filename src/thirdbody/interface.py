@@ -101,7 +101,7 @@ def _solved_parts(columns, parameters, rtol, variables):
                 yield part, solved
                 left.append(_indices(part)[solved.left])
             group = np.concatenate(left)
-            table_rtol = worthwhile_rtol(group.size, rtol)
+            table_rtol = rtol if tables_pay(group.size, rtol) else None
         together[table_rtol, kind].append(group)
     for (table_rtol, _), groups in together.items():
         for part in _pieces(_joined(groups), CHUNK):
@@ -158,13 +158,13 @@ def checked_axis(name: str, values):
     return array
 
 
-def worthwhile_rtol(points: int, rtol: float) -> float | None:
-    """``rtol`` if so many ``points`` on one roughness are worth a table good for it, else None.
+def tables_pay(points, rtol: float):
+    """Whether so many ``points`` on one roughness are worth a table that is good for ``rtol``.
 
     Tables cost in proportion to their samples.
     """
     finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], _table_size(rtol)))
-    return rtol if points * finest >= TABLE_WORTH * table else None
+    return points * finest >= TABLE_WORTH * table
 
 
 def _table_size(rtol):
@@ -172,7 +172,7 @@ def _table_size(rtol):
     return next(size for least, *size in TABLE_SIZES if rtol >= least)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=512)
 def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None) -> RoughSurface:
     """Summits at ``roughness`` sigma [m], as tables good for ``rtol`` or, if None, by quadrature.
 
@@ -247,7 +247,7 @@ def _groups(columns, rtol):
     for group in _runs(labels):
         first = _indices(group)[0]
         points = numbers.get(roughness[first], roughness.size)
-        yield worthwhile_rtol(points, rtol), kinds[first], group
+        yield rtol if tables_pay(points, rtol) else None, kinds[first], group
 
 
 def _runs(labels):

@@ -20,7 +20,7 @@ from thirdbody.claims import AXES, Condition
 from thirdbody.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
 from thirdbody.parameters import Parameters
 from thirdbody.transitions import LIMITS
-from thirdbody.turning_point import WindowSearch, turning_point_window
+from thirdbody.turning_point import WindowSearch, turning_point_windows
 
 # of an input, up and down: the truncation error of a central difference grows with the square of
 # the step, the solver's part with its inverse, and together they are least about here
@@ -98,10 +98,9 @@ class Subject:
         }
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort, places)
         points = [evidence.turning_point(*curve)[:2] for curve in self.turning_points]
-        windows = [
-            turning_point_window(search, sigma, WINDOW_DENSITY, evidence.load_range, parameters)
-            for search, sigma in zip(searches, self.window_roughness, strict=True)
-        ]
+        windows = turning_point_windows(
+            searches, self.window_roughness, WINDOW_DENSITY, evidence.load_range, parameters
+        )
         curves = [evidence.curve(*curve) for curve in self.transitions]
         ends = [(window.low, window.high) for window in windows]
         return np.concatenate([*points, *ends, *map(last_crossings, curves)])

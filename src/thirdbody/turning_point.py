@@ -7,20 +7,21 @@ balance of forces without any search over loads: F_t = F_s(d*) + F_f(d*).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from scipy.special import expit, logit
 
-from thirdbody.balance import Points, RoughSurface
+from thirdbody.balance import Points
 from thirdbody.bracketing import bracketed_roots
 from thirdbody.film import Film
 from thirdbody.interface import (
     DEFAULT_RTOL,
     has_particles,
     make_points,
-    prepare_surface,
-    worthwhile_rtol,
+    prepare_surfaces,
+    tables_pay,
 )
 from thirdbody.parameters import Parameters
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
@@ -61,50 +62,47 @@ def turning_points(
     """
     conditions = np.stack([viscosity, particle_diameter, roughness, particle_density])
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    three_body = has_particles(particle_diameter, particle_density)
-    for sigma in np.unique(roughness[three_body]):
-        curves = np.flatnonzero((roughness == sigma) & three_body)
-        for name, values in _on_one_surface(
-            separation[:, curves], conditions[:, curves], parameters, rtol
-        ).items():
-            found[name][curves] = values
+    three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
+    for place, table_rtol in _alike(roughness[three_body], len(separation), rtol):
+        curves = three_body[place]
+        solids = _solids(parameters, table_rtol, conditions[1:, curves])
+        curve, peak, width = _maxima(solids, separation[:, curves], SEPARATION_MARGIN * rtol)
+        if curve.size:
+            refined = _state_at(solids.take(curve), viscosity[curves[curve]], peak, width, rtol)
+            best = _highest(curve, refined["peak_ratio"])
+            for name, values in refined.items():
+                found[name][curves[curve[best]]] = values[best]
     return TurningPoints(**found)
 
 
-def _on_one_surface(separation, conditions, parameters, rtol) -> dict:
-    """The fields of ``TurningPoints`` for three-body curves of one roughness."""
-    result = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    rough = _surface(float(conditions[2, 0]), parameters, rtol, separation.size)
-    solids = _solids(rough, parameters, conditions[1:])
-    curve, peak, width = _maxima(solids, separation, SEPARATION_MARGIN * rtol)
-    if curve.size == 0:
-        return result
-    refined = _state_at(solids.take(curve), conditions[0, curve], peak, width, rtol)
-    best = _highest(curve, refined["peak_ratio"])
-    for name, values in refined.items():
-        result[name][curve[best]] = values[best]
-    return result
+def _alike(roughness, points, rtol):
+    """Curves whose surfaces all have tables or all have none: their places, and the ``rtol`` of
+    these tables or None.
+
+    ``roughness`` [m] is that of each curve, on which so many ``points`` are looked at; there are
+    tables where they cost less than they save.
+    """
+    _, surface, curves = np.unique(roughness, return_inverse=True, return_counts=True)
+    tables = rtol >= CHEAP_TABLES or tables_pay(curves * points, rtol)
+    worthwhile = np.broadcast_to(tables, curves.shape)[surface]
+    for table_rtol, chosen in ((rtol, worthwhile), (None, ~worthwhile)):
+        if chosen.any():
+            yield np.flatnonzero(chosen), table_rtol
 
 
-def _surface(roughness, parameters, rtol, points) -> RoughSurface:
-    """The summits, as tables if these cost less than they save at so many ``points``."""
-    table_rtol = rtol if rtol >= CHEAP_TABLES else worthwhile_rtol(points, rtol)
-    return prepare_surface(roughness, parameters, table_rtol)
-
-
-def _solids(rough, parameters, conditions) -> Points:
+def _solids(parameters, table_rtol, conditions) -> Points:
     """Curves without lubricant: A_sa,t* depends on the separation alone."""
     same = np.ones_like(conditions[0])
+    rough = prepare_surfaces(conditions[1], parameters, table_rtol)
     return make_points(rough, parameters, same, 0.0 * same, *conditions)
 
 
 def _maxima(solids: Points, separation, rtol):
     """Curves with an interior maximum of A_sa,t*, its d* [m] to within ``rtol``, and that width.
 
-    ``separation`` [m] falls from row to row, in a column for each curve or in one for all.
+    ``separation`` [m] falls from row to row, in a column for each curve.
     """
     falling = solids.odds_slope(separation) > 0.0
-    separation = np.broadcast_to(separation, falling.shape)
     solved = np.isfinite(separation)
     step, curve = np.nonzero(solved[:-1] & solved[1:] & ~falling[:-1] & falling[1:])
     near, far = separation[step + 1, curve], separation[step, curve]
@@ -126,7 +124,7 @@ def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
     fluid = np.zeros_like(solid)
     steepest = np.abs(slope)
     wet = viscosity > 0.0
-    fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids)
+    fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids.take(wet))
     steepest[wet] = np.maximum(steepest[wet], film_slope)
     together = np.maximum if solids.parameters.film_load == "total" else np.add
     load = together(solid, fluid)
@@ -180,47 +178,70 @@ class WindowSearch:
     rtol: float = DEFAULT_RTOL
 
 
-def turning_point_window(
-    search: WindowSearch, roughness, density, load_range, parameters: Parameters
-) -> Window:
-    """Range of x_a/sigma in which dry contact has a turning point and stays in the hybrid mode.
+def turning_point_windows(
+    searches: Sequence[WindowSearch], roughness, density, load_range, parameters: Parameters
+) -> list[Window]:
+    """Ranges of x_a/sigma in which dry contact has a turning point and stays in the hybrid mode.
 
-    The longest run of the sweep in which it does, its ends refined.  ``roughness`` [m] and
-    ``density`` [m-2] are scalars, ``load_range`` the first and last F_t* [1].
+    The longest run of each sweep in which it does, its ends refined.  ``searches``, which differ
+    in ratios and tolerance alone, belong to the surfaces of ``roughness`` [m], 1-D; ``density``
+    [m-2] is a scalar, ``load_range`` the first and last F_t* [1].
     """
-    ratios = search.ratios
+    if not searches:
+        return []
+    roughness = np.asarray(roughness)
 
-    def margin(some):
-        return _margin(search, load_range, some * roughness, roughness, density, parameters)
+    def margin(ratios, window):
+        there = roughness[window]
+        return _margin(searches[0], load_range, ratios * there, there, density, parameters)
 
-    margins = margin(ratios)
-    inside = np.concatenate([[False], margins > 0.0, [False]])
-    starts = np.flatnonzero(~inside[:-1] & inside[1:])
-    stops = np.flatnonzero(inside[:-1] & ~inside[1:]) - 1
+    sizes = [search.ratios.size for search in searches]
+    ratios = np.concatenate([search.ratios for search in searches])
+    margins = margin(ratios, np.repeat(np.arange(len(searches)), sizes))
+    found = np.full((4, len(searches), 2), np.nan)
+    for window, start in enumerate(np.cumsum([0, *sizes[:-1]])):
+        sweep = slice(start, start + sizes[window])
+        inner, outer = _longest_run(margins[sweep] > 0.0)
+        found[:, window, : inner.size] = (
+            *(ratios[sweep][places] for places in (inner, outer)),
+            *(margins[sweep][places] for places in (inner, outer)),
+        )
+    tolerance = np.array([[search.tolerance] * 2 for search in searches])
+    ends, errors = _refined_ends(margin, tolerance, *found)
+    return [
+        Window(low, low_error, high, high_error)
+        for (low, high), (low_error, high_error) in zip(ends, errors, strict=True)
+    ]
+
+
+def _longest_run(inside):
+    """Places of the first and last of the longest run of true values, and of those beyond; each
+    empty if none is true."""
+    closed = np.concatenate([[False], inside, [False]])
+    starts = np.flatnonzero(~closed[:-1] & closed[1:])
+    stops = np.flatnonzero(closed[:-1] & ~closed[1:]) - 1
     if starts.size == 0:
-        return Window(*(np.nan,) * 4)
+        return starts, stops
     longest = np.argmax(stops - starts)
     within = np.array([starts[longest], stops[longest]])
-    beyond = np.clip(within + np.array([-1, 1]), 0, ratios.size - 1)
-    ends, errors = _refined_ends(search, margin, margins, within, beyond)
-    return Window(ends[0], errors[0], ends[1], errors[1])
+    return within, np.clip(within + np.array([-1, 1]), 0, inside.size - 1)
 
 
-def _refined_ends(search, margin, margins, within, beyond):
-    """Where the margin vanishes between neighbours of the sweep, and the errors of that."""
-    ratios = search.ratios
-    enclosed = within != beyond
-    ends = ratios[within].copy()
-    errors = np.where(enclosed, np.abs(ratios[beyond] - ratios[within]), np.inf)
-    inner, outer = within[enclosed], beyond[enclosed]
-    if not np.isfinite(search.tolerance):
-        share = margins[inner] / (margins[inner] - margins[outer])
-        ends[enclosed] += share * (ratios[outer] - ratios[inner])
-    elif inner.size:
-        ends[enclosed], width = bracketed_roots(
-            margin, ratios[inner], ratios[outer], search.tolerance
+def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
+    """Where the margin vanishes between neighbours of the sweep, and the errors of that; all of
+    shape (windows, 2), nan where there is no window."""
+    enclosed = inner != outer
+    ends = inner.copy()
+    errors = np.where(enclosed, np.abs(outer - inner), np.inf)
+    coarse, fine = enclosed & np.isinf(tolerance), enclosed & np.isfinite(tolerance + inner)
+    share = margin_inner[coarse] / (margin_inner[coarse] - margin_outer[coarse])
+    ends[coarse] += share * (outer[coarse] - inner[coarse])
+    if fine.any():
+        window, _ = np.nonzero(fine)
+        ends[fine], width = bracketed_roots(
+            lambda ratios: margin(ratios, window), inner[fine], outer[fine], tolerance[fine]
         )
-        errors[enclosed] = width + search.tolerance
+        errors[fine] = width + tolerance[fine]
     return ends, errors
 
 
@@ -230,16 +251,22 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     The least of the logits by which the turning point is above the s-s mode, the whole curve
     below the p-s mode, and of the slope with which the odds of A_sa,t* rise at the first load.
     """
-    same = np.ones_like(diameter)
-    looked_at = diameter.size * search.separations
-    rough = _surface(roughness, parameters, search.rtol, looked_at)
-    solids = _solids(rough, parameters, (diameter, roughness * same, density * same))
+    margin = np.empty_like(diameter)
+    conditions = np.stack([diameter, roughness, np.full_like(diameter, density)])
+    for place, table_rtol in _alike(roughness, search.separations, search.rtol):
+        solids = _solids(parameters, table_rtol, conditions[:, place])
+        margin[place] = _margin_alike(search, load_range, solids, roughness[place])
+    return margin
+
+
+def _margin_alike(search, load_range, solids: Points, roughness):
+    """``_margin`` of curves whose surfaces all have tables or all have none."""
     (first, last), ratios = _dry(solids, load_range, search.rtol)
-    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), search.separations)
-    curve, place, _ = _maxima(solids, between[:, None], search.rtol)
+    between = _between(first, last, roughness, search.separations)
+    curve, place, _ = _maxima(solids, between, search.rtol)
     found = (last[curve] < place) & (place < first[curve])
     curve, place = curve[found], place[found]
-    peak = np.full_like(diameter, np.nan)
+    peak = np.full_like(first, np.nan)
     np.fmax.at(peak, curve, _ratio(solids.take(curve), place))
     turning = np.isfinite(peak)
     highest = np.fmax(ratios.max(axis=0), peak)
@@ -250,6 +277,16 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
 
 
+def _between(first, last, roughness, count):
+    """``count`` separations [m] from the largest of ``first`` to the least of ``last`` among the
+    curves of each roughness: shape (count, curves)."""
+    _, surface = np.unique(roughness, return_inverse=True)
+    ends = np.full((2, surface.max() + 1), np.nan)
+    np.fmax.at(ends[0], surface, first)
+    np.fmin.at(ends[1], surface, last)
+    return np.linspace(*ends, count)[:, surface]
+
+
 def _dry(solids: Points, loads, rtol):
     """d [m] and A_sa,t* at each of ``loads`` F_t*, a row each, on all curves of ``solids``."""
     count = solids.log_load.size
@@ -258,7 +295,8 @@ def _dry(solids: Points, loads, rtol):
     with np.errstate(all="ignore"):  # what is not there is nan or zero
         solved = SolvedPoints(points, rtol)
         if solved.imprecise.any():
-            exact = prepare_surface(solids.rough.roughness, solids.parameters, None)
+            roughness = np.broadcast_to(points.rough.roughness, points.log_load.shape)
+            exact = prepare_surfaces(roughness, solids.parameters, None)
             solved = SolvedPoints(replace(points, rough=exact), rtol)
         found = solved.separation, solved.particle_contact_area_ratio
     return tuple(values.reshape(len(loads), count) for values in found)

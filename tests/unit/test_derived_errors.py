@@ -7,7 +7,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.transitions import LIMITS, transitions
-from thirdbody.turning_point import WindowSearch, turning_point_window, turning_points
+from thirdbody.turning_point import WindowSearch, turning_point_windows, turning_points
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -51,7 +51,7 @@ def test_turning_points_on_few_loads(parameters, rtol):
 def window(count, parameters, rtol):
     loads = span(2, parameters)
     search = WindowSearch(np.linspace(0.6, 1.6, 15), count, tolerance=0.1 * rtol, rtol=rtol)
-    return turning_point_window(search, 300e-9, 1e11, loads, parameters)
+    return turning_point_windows([search], [300e-9], 1e11, loads, parameters)[0]
 
 
 @pytest.mark.parametrize("rtol", RTOLS)

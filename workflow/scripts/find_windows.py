@@ -5,7 +5,7 @@ import numpy as np
 from thirdbody.files import logged, whole
 from thirdbody.parameters import Parameters
 from thirdbody.tables import TABLES, write_csv
-from thirdbody.turning_point import WindowSearch, turning_point_window
+from thirdbody.turning_point import WindowSearch, turning_point_windows
 
 
 def find(search, load_axis, parameters, windows):
@@ -17,7 +17,7 @@ def find(search, load_axis, parameters, windows):
     density = search["particle_density_per_m2"]
     rows = []
     for roughness in (1e-9 * value for value in search["roughness_nm"]):
-        window = turning_point_window(sweep, roughness, density, loads, inputs)
+        (window,) = turning_point_windows([sweep], [roughness], density, loads, inputs)
         same = {"roughness_m": roughness, "particle_density_per_m2": density}
         for end, value, error in (
             ("low", window.low, window.low_error),
