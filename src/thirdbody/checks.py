@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import groupby
 from typing import NamedTuple, Protocol
 
 import numpy as np
@@ -50,9 +49,28 @@ class Curve:
         return self.solid_load_fraction * self.load
 
     @cached_property
+    def log_load(self) -> np.ndarray:
+        """ln F_t* [1]."""
+        return np.log(self.load)
+
+    @cached_property
     def total_contact_area_slope(self) -> np.ndarray:
         """d ln A_t* / d ln F_t* [1]: the slope that logarithmic axes show."""
-        return np.gradient(_log(self.total_contact_area), np.log(self.load))
+        return np.gradient(_log(self.total_contact_area), self.log_load)
+
+    @cached_property
+    def _samples(self) -> dict[str, tuple[np.ndarray, bool]]:
+        return {}
+
+    def samples(self, quantity: str) -> tuple[np.ndarray, bool]:
+        """Values of ``quantity`` to interpolate in, nan where unsolved, and whether they are
+        logarithms: so they are where all values are positive."""
+        if quantity not in self._samples:
+            values = getattr(self, quantity)
+            logarithmic = bool((values > 0.0).all())
+            values = np.log(values) if logarithmic else values
+            self._samples[quantity] = np.where(self.solved, values, np.nan), logarithmic
+        return self._samples[quantity]
 
 
 class TurningPoint(NamedTuple):
@@ -272,11 +290,14 @@ def _loads(claim, curves, bounded):
     if not low < high:
         raise NotReached(np.log(low / high))
     loads = np.concatenate([[low], inner, [high]])
-    shortfalls = [np.zeros(loads.size)]
-    for key in limits.keys() & BOUNDS.keys():
-        name, sign = BOUNDS[key]
-        for curve in bounded:
-            shortfalls.append(sign * (limits[key] - _sample(curve, name, loads)))
+    shortfalls = [
+        sign * (limits[key] - _sample(curve, name, loads))
+        for key, (name, sign) in BOUNDS.items()
+        if key in limits
+        for curve in bounded
+    ]
+    if not shortfalls:
+        return loads
     shortfall = np.max(shortfalls, axis=0)
     if shortfall.min() > 0.0:
         raise NotReached(shortfall.min())
@@ -303,10 +324,9 @@ def _sample(curve, quantity, x, against="load"):
     """``quantity`` where ``against`` is ``x``: linear in logarithms; nan beside unsolved points."""
     if quantity == against:
         return x
-    known, values = np.log(getattr(curve, against)), getattr(curve, quantity)
+    known = curve.log_load if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
-    logarithmic = (values > 0.0).all()
-    values = np.where(curve.solved, np.log(values) if logarithmic else values, np.nan)
+    values, logarithmic = curve.samples(quantity)
     found = np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
     return np.exp(found) if logarithmic else found
 
@@ -361,8 +381,11 @@ def _sequence_miss(claim, curve):
     enter, reached = -np.inf, [np.inf] * len(excursions)
     # plain numbers: the steps are too few for arrays to pay
     for point in excursions.T.tolist():
-        arriving = zip(point, reached, [enter, *reached])
-        reached = [max(here, min(stay, come)) for here, stay, come in arriving]
+        come = enter
+        for step, here in enumerate(point):
+            stay = reached[step]
+            best = stay if stay < come else come
+            come, reached[step] = stay, here if here > best else best
         enter = np.inf
     return min(reached[-2:]) if claim.open_end else reached[-1]
 
@@ -383,13 +406,16 @@ def _excursion(curve, step):
 def _visited(claim, curve):
     """The states that a curve passes, in the terms of the claim's own sequence."""
     families = {STATES[name][0] for name in state_names(claim.published)}
-    passed = [""] * curve.load.size
-    for name, (quantity, low, high) in STATES.items():
-        if quantity in families:
-            values = getattr(curve, quantity)
-            for point in np.flatnonzero((values > low) & (values <= high)):
-                passed[point] += f" {name}"
-    return " >".join(state for state, _ in groupby(passed)).strip()
+    inside = {
+        name: (getattr(curve, quantity) > low) & (getattr(curve, quantity) <= high)
+        for name, (quantity, low, high) in STATES.items()
+        if quantity in families
+    }
+    points = np.column_stack(list(inside.values()))
+    changes = np.flatnonzero((points[1:] != points[:-1]).any(axis=1)) + 1
+    passed = points[np.insert(changes, 0, 0)].tolist()
+    states = (" ".join(name for name, there in zip(inside, row) if there) for row in passed)
+    return " > ".join(states).strip()
 
 
 def _scaled(claim, values):
