@@ -67,7 +67,8 @@ class Weights(NamedTuple):
 
 @dataclass(frozen=True)
 class SummitPopulation:
-    """Load and area of a Gaussian population of equal summits, per nominal area.
+    """Load and area of a Gaussian population of equal summits, per nominal area, or of one for
+    each point: the first two fields are then arrays.
 
     ``log_load(t)`` is ln(F_ss/(A_n E_ss)), ``log_area(t)`` is ln(A_ss/A_n); each returns the
     value and its slope d/dt, both of the shape of ``t``, by Gauss-Legendre quadrature over the
@@ -114,14 +115,15 @@ class SummitPopulation:
         full = np.pi * self.summit_parameter * self.hardness_ratio
 
         def elastoplastic(ratio, growth):
-            return full * growth * pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
+            pressure = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
+            return _over_nodes(full) * growth * pressure
 
         return Weights(hertz, 1.5, elastoplastic, 2.0 * full)
 
     @cached_property
     def _area_weights(self) -> Weights:
         full = np.pi * self.summit_parameter
-        return Weights(full, 1.0, lambda ratio, growth: full * growth, 2.0 * full)
+        return Weights(full, 1.0, lambda ratio, growth: _over_nodes(full) * growth, 2.0 * full)
 
     def _logarithms(self, t, *quantities: Weights):
         """ln of the summed contributions to each quantity and its slope; all sums carry
@@ -153,6 +155,11 @@ def _weight(t, w):
     return np.exp(-w * (t + 0.5 * w) - 0.5 * np.minimum(t, 0.0) ** 2)
 
 
+def _over_nodes(values):
+    """``values`` of the points, or one for all, to be combined with those at the nodes of each."""
+    return np.asarray(values)[..., None]
+
+
 def _gauss_legendre(count):
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return 0.5 * (nodes + 1.0), 0.5 * weights
@@ -167,8 +174,8 @@ def _elastic_sums(t, end, quantities):
     """elastic * integral of w^power over w in (0, end), and its slope, of each quantity;
     w = end u^2 makes half powers smooth."""
     u, weights = ELASTIC_NODES
-    w = end[..., None] * u**2
-    decay, tail = _weight(t[..., None], w), t[..., None] + w
+    w = _over_nodes(end) * u**2
+    decay, tail = _weight(_over_nodes(t), w), _over_nodes(t) + w
     for quantity in quantities:
         terms = 2.0 * u * weights * w**quantity.power * decay
         scale = quantity.elastic * end
@@ -180,10 +187,10 @@ def _elastoplastic_sums(t, start, end, plastic_ratio, quantities):
     w = v^2 evens out the logarithm."""
     u, weights = ELASTOPLASTIC_NODES
     width = np.sqrt(end) - np.sqrt(start)
-    root = np.sqrt(start) + width[..., None] * u
+    root = _over_nodes(np.sqrt(start)) + _over_nodes(width) * u
     w = root**2
-    decay, tail = _weight(t[..., None], w), t[..., None] + w
-    ratio, measure = w / start, 2.0 * weights * root * w
+    decay, tail = _weight(_over_nodes(t), w), _over_nodes(t) + w
+    ratio, measure = w / _over_nodes(start), 2.0 * weights * root * w
     growth = area_growth(ratio, plastic_ratio)
     for quantity in quantities:
         terms = measure * quantity.elastoplastic(ratio, growth) * decay

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import log_expit
 
+from thirdbody.asperity import SummitPopulation
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters, Surface
 from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
@@ -66,30 +67,26 @@ class RoughSurface:
 class RoughSurfaces:
     """A rough surface for each point: that of ``members`` which ``which`` says, an index.
 
-    Has what a ``RoughSurface`` has, its ``properties`` as arrays over the points.  ``tables`` holds
-    both functions of all members if these have tables, which are then of one size.
+    Has what a ``RoughSurface`` has, as arrays over the points.  ``surface`` are the summits of all
+    members; ``tables`` hold their two functions if they have tables, which are then of one size.
     """
 
     members: Sequence[RoughSurface]
     which: np.ndarray
-    properties: Mapping[str, np.ndarray]
+    parameters: Parameters
+    surface: Surface
     tables: Mapping[str, PiecewisePolynomial]
 
     @classmethod
-    def of(cls, members: Sequence[RoughSurface], which) -> RoughSurfaces:
+    def of(cls, members: Sequence[RoughSurface], which, parameters: Parameters) -> RoughSurfaces:
         """The surfaces of points, out of ``members`` that all have tables or all have none."""
-
-        def columns(*names):
-            return {name: [getattr(member, name) for member in members] for name in names}
-
-        numbers = columns("roughness", "offset", "deviation", "table_error")
-        tables = columns("log_load", "log_area") if members[0].table_error > 0.0 else {}
-        return cls(
-            members,
-            which,
-            {name: np.array(values) for name, values in numbers.items()},
-            {name: PiecewisePolynomial.joined(each) for name, each in tables.items()},
-        )
+        columns = zip(*(vars(member.surface).values() for member in members), strict=True)
+        names = ("log_load", "log_area") if members[0].table_error > 0.0 else ()
+        tables = {
+            name: PiecewisePolynomial.joined([getattr(member, name) for member in members])
+            for name in names
+        }
+        return cls(members, which, parameters, Surface(*map(np.array, columns)), tables)
 
     def take(self, chosen) -> RoughSurfaces:
         """Those of the points that an index or mask ``chosen`` picks."""
@@ -98,22 +95,22 @@ class RoughSurfaces:
     @property
     def roughness(self):
         """sigma [m]."""
-        return self.properties["roughness"][self.which]
+        return self.surface.roughness[self.which]
 
     @property
     def offset(self):
         """y_s [m]."""
-        return self.properties["offset"][self.which]
+        return self.surface.summit_offset[self.which]
 
     @property
     def deviation(self):
         """sigma_s [m]."""
-        return self.properties["deviation"][self.which]
+        return self.surface.summit_deviation[self.which]
 
     @property
     def table_error(self):
         """Bound on the error of both functions."""
-        return self.properties["table_error"][self.which]
+        return np.array([member.table_error for member in self.members])[self.which]
 
     def log_load(self, t):
         """(value, slope) of ln F_ss* at ``t``."""
@@ -124,26 +121,30 @@ class RoughSurfaces:
         return self._evaluated("log_area", t)
 
     def _evaluated(self, name, t):
-        if name in self.tables:
-            position, inside = self.tables[name].located(t)
-            if inside.all():
-                return self.tables[name].interpolate(position, self.which)
+        if not self.tables:
+            return self._by_quadrature(name, t, self.which)
+        position, inside = self.tables[name].located(t)
+        if inside.all():
+            return self.tables[name].interpolate(position, self.which)
         value, slope = np.empty((2, *t.shape))
         which = np.broadcast_to(self.which, t.shape)
-        for index, mine in self._each(which):
-            value[mine], slope[mine] = getattr(self.members[index], name)(t[mine])
+        within = self.tables[name].interpolate(position[inside], which[inside])
+        value[inside], slope[inside] = within
+        beyond = self._by_quadrature(name, t[~inside], which[~inside])
+        value[~inside], slope[~inside] = beyond
         return value, slope
+
+    def _by_quadrature(self, name, t, which):
+        surface = Surface(*(column[which] for column in vars(self.surface).values()))
+        return getattr(SummitPopulation.of(surface, self.parameters), name)(t)
 
     def first_separation(self, log_load):
         """About the t [1] at which summits bear ``log_load`` ln F_t*."""
         found = np.empty_like(log_load)
-        for index, mine in self._each(self.which):
+        for index in np.unique(self.which):
+            mine = self.which == index
             found[mine] = self.members[index].first_separation(log_load[mine])
         return found
-
-    def _each(self, which):
-        """Each member that ``which`` names, and where it does."""
-        return ((index, which == index) for index in np.unique(which))
 
 
 @dataclass(frozen=True)

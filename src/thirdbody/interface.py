@@ -24,6 +24,7 @@ from thirdbody.tabulation import PiecewisePolynomial, sample_points
 DEFAULT_RTOL = 1e-9
 BLOCK = 2**18  # points among which equal ones are looked for
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
+QUADRATURE_CHUNK = 256  # the same without tables, where each has some hundred nodes
 COMPILATION_WORTH = 10_000  # points from which a compiled loop solves them
 TABLE_WORTH = 500  # points on one roughness from which its finest table costs less than it saves
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
@@ -104,7 +105,7 @@ def _solved_parts(columns, parameters, rtol, variables):
             table_rtol = rtol if tables_pay(group.size, rtol) else None
         together[table_rtol, kind].append(group)
     for (table_rtol, _), groups in together.items():
-        for part in _pieces(_joined(groups), CHUNK):
+        for part in _pieces(_joined(groups), CHUNK if table_rtol else QUADRATURE_CHUNK):
             solved = SolvedPoints(_points(columns, part, parameters, table_rtol), rtol)
             yield part, solved
             if table_rtol is not None and solved.imprecise.any():
@@ -200,7 +201,7 @@ def prepare_surfaces(roughness, parameters: Parameters, rtol: float | None):
         return prepare_surface(float(roughness[0]), parameters, rtol)
     values, which = np.unique(roughness, return_inverse=True)
     surfaces = [prepare_surface(sigma, parameters, rtol) for sigma in values.tolist()]
-    return RoughSurfaces.of(surfaces, which)
+    return RoughSurfaces.of(surfaces, which, parameters)
 
 
 def _distinct(columns):
