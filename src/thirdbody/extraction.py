@@ -50,24 +50,19 @@ def transition_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) ->
     """Rows of the table ``transitions``: one a crossing of a regime or mode limit."""
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
-    rows = []
-    for quantity, level in LIMITS:
-        values = dataset[quantity].values[:, shown]
-        crossings = transitions(
-            dataset["load"].values, values, conditions, quantity, level, parameters, rtol
-        )
-        rows += [
-            {
-                **_condition(figure, conditions[:, curve]),
-                "quantity": quantity,
-                "level": level,
-                "direction": "rising" if rising else "falling",
-                "load": load,
-                "load_error": error,
-            }
-            for curve, load, error, rising in zip(*crossings, strict=True)
-        ]
-    return rows
+    values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
+    crossings = transitions(dataset["load"].values, values, conditions, parameters, rtol)
+    return [
+        {
+            **_condition(figure, conditions[:, curve]),
+            "quantity": LIMITS[limit][0],
+            "level": LIMITS[limit][1],
+            "direction": "rising" if rising else "falling",
+            "load": load,
+            "load_error": error,
+        }
+        for limit, curve, load, error, rising in zip(*crossings, strict=True)
+    ]
 
 
 def _condition(figure: str, values) -> dict:

@@ -17,24 +17,29 @@ LIMITS = (
 )
 
 
-def transitions(load, values, conditions, quantity, level, parameters: Parameters, rtol: float):
-    """Loads F_t* [1] at which ``quantity`` crosses ``level`` on each curve.
+def transitions(load, values, conditions, parameters: Parameters, rtol: float, limits=LIMITS):
+    """Loads F_t* [1] at which quantities cross ``limits``, pairs of a quantity and its level.
 
-    ``load`` has shape (loads,), ``values`` of the quantity (loads, curves), ``conditions``
+    ``load`` has shape (loads,), ``values`` of each quantity (loads, curves), ``conditions``
     (4, curves): viscosity, diameter, roughness, density (SI).  Returns arrays of one length: the
-    curve's index, the load, a bound on its error, and whether the quantity rises there.
+    index of the limit and of the curve, the load, a bound on its error, and whether the quantity
+    rises there.
     """
-    above = values > level
-    known = np.isfinite(values)
-    step, curve = np.nonzero(known[:-1] & known[1:] & (above[:-1] != above[1:]))
+    quantities, levels = zip(*limits, strict=True)
+    excess = np.stack([values[quantity] - level for quantity, level in limits])
+    above, known = excess > 0.0, np.isfinite(excess)
+    change = known[:, :-1] & known[:, 1:] & (above[:, :-1] != above[:, 1:])
+    limit, step, curve = np.nonzero(change)
     if curve.size == 0:
-        return curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
+        return limit, curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
 
-    def excess(log_load):
-        solution = solve(np.exp(log_load), *conditions[:, curve], parameters, rtol, [quantity])
-        return getattr(solution, quantity) - level
+    def excess_at(log_load):
+        wanted = set(quantities)
+        solution = solve(np.exp(log_load), *conditions[:, curve], parameters, rtol, wanted)
+        found = np.stack([getattr(solution, quantity) for quantity in quantities])
+        return found[limit, np.arange(limit.size)] - np.take(levels, limit)
 
     ends = np.log(load[step]), np.log(load[step + 1])
-    root, width = bracketed_roots(excess, *ends, 0.1 * rtol)
+    root, width = bracketed_roots(excess_at, *ends, 0.1 * rtol)
     crossing = np.exp(root)
-    return curve, crossing, crossing * (width + rtol), above[step + 1, curve]
+    return limit, curve, crossing, crossing * (width + rtol), above[limit, step + 1, curve]

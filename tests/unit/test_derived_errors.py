@@ -68,15 +68,10 @@ def crossings(count, parameters, rtol):
     """Loads and their error bounds of all transitions of all curves."""
     load = span(count, parameters)
     solution = tb.solve(load[:, None], *CURVES, parameters, rtol)
-    found = [
-        transitions(load, getattr(solution, quantity), CURVES, quantity, level, parameters, rtol)
-        for quantity, level in LIMITS
-    ]
-    columns = [np.lexsort((column[1], column[0])) for column in found]
-    return tuple(
-        np.concatenate([column[index][order] for column, order in zip(found, columns, strict=True)])
-        for index in (0, 1, 2)
-    )
+    values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
+    limit, curve, crossing, error, _ = transitions(load, values, CURVES, parameters, rtol)
+    order = np.lexsort((crossing, curve, limit))
+    return curve[order], crossing[order], error[order]
 
 
 @pytest.mark.parametrize("rtol", RTOLS)

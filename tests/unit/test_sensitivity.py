@@ -114,8 +114,9 @@ def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
     column = np.array(condition)[:, None]
     compared = 0
     for (quantity, level), found in zip(LIMITS, last_crossings(curve), strict=True):
-        values = getattr(solved, quantity)[:, None]
-        _, exact, _, _ = transitions(loads, values, column, quantity, level, parameters, 1e-9)
+        values = {quantity: getattr(solved, quantity)[:, None]}
+        limits = [(quantity, level)]
+        _, _, exact, _, _ = transitions(loads, values, column, parameters, 1e-9, limits)
         if exact.size:
             compared += 1
             assert_allclose(found, exact.max(), rtol=1e-5)

@@ -36,8 +36,9 @@ def solved(count, parameters, rtol=1e-9):
 def crossings(quantity, level, parameters, rtol=1e-9, count=60):
     """The four columns of ``transitions``, in the order of curves and loads."""
     load, solution = solved(count, parameters, rtol)
-    values = getattr(solution, quantity)
-    found = transitions(load, values, CONDITIONS, quantity, level, parameters, rtol)
+    values = {quantity: getattr(solution, quantity)}
+    limits = [(quantity, level)]
+    _, *found = transitions(load, values, CONDITIONS, parameters, rtol, limits)
     order = np.lexsort((found[1], found[0]))
     return [column[order] for column in found]
 
@@ -112,8 +113,6 @@ def test_a_level_that_is_never_reached_has_no_crossing(parameters):
 
 def test_no_crossing_is_invented_beside_an_unsolved_point(parameters):
     loads = np.array([1e-6, 1e-5, 1.0])
-    values = np.array([[0.99], [0.99], [np.nan]])
-    found = transitions(
-        loads, values, CONDITIONS[:, :1], "solid_load_fraction", 0.9, parameters, 1e-9
-    )
+    values = dict.fromkeys(dict(LIMITS), np.array([[0.99], [0.99], [np.nan]]))
+    found = transitions(loads, values, CONDITIONS[:, :1], parameters, 1e-9)
     assert found[0].size == 0
