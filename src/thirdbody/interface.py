@@ -246,7 +246,7 @@ def _groups(columns, rtol):
         numbers = dict(zip(values, np.bincount(surface), strict=True))
         labels = 4 * surface + kinds
     for group in _runs(labels):
-        first = _indices(group)[0]
+        first = group.start if isinstance(group, slice) else group[0]
         points = numbers.get(roughness[first], roughness.size)
         yield rtol if tables_pay(points, rtol) else None, kinds[first], group
 

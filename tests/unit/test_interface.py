@@ -188,6 +188,22 @@ def test_no_jump_where_points_become_enough_for_a_table(parameters):
         assert_allclose(getattr(enough, name)[:-1], getattr(few, name), rtol=2.0 * RTOL)
 
 
+@pytest.mark.parametrize("worth", [1, 10**9], ids=["tables", "quadrature"])
+@pytest.mark.parametrize("viscosity", [0.0, 1e-2])
+def test_points_on_several_surfaces_are_what_they_are_on_one(
+    parameters, loads, monkeypatch, worth, viscosity
+):
+    monkeypatch.setattr(interface, "TABLE_WORTH", worth)
+    # on the smoothest of them the film is thicker than any table reaches
+    roughness = np.array([[1e-8], [1e-7], [3e-7]])
+    together = solve(parameters, load=loads, roughness=roughness, viscosity=viscosity)
+    for place, (sigma,) in enumerate(roughness):
+        alone = solve(parameters, load=loads, roughness=sigma, viscosity=viscosity)
+        for name in VARIABLES:
+            found = getattr(together, name)[place]
+            assert np.array_equal(found, getattr(alone, name), equal_nan=True), name
+
+
 def test_separations_beyond_the_table_are_solved_too(parameters):
     # thick films on a smooth surface: d/sigma_s up to thousands, past any table
     viscosity = np.geomspace(20e-6, 1e-2, 2 * interface.TABLE_WORTH)
