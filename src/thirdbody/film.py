@@ -101,5 +101,9 @@ class Film:
         Eq. 7 lets the film grow without bound as U goes to zero; where dH_c/dU < 0 it is
         outside its meaning (roughness term above 3 at kappa = 1).
         """
-        excess = self.rough - self.smooth + ROUGHNESS_LOAD_EXPONENT * log_load_parameter
-        return excess < np.log(self.turning_ratio)
+        return log_load_parameter > self.turning()
+
+    def turning(self):
+        """ln W below which H_c falls with viscosity."""
+        excess = np.log(self.turning_ratio) + self.smooth - self.rough
+        return excess / ROUGHNESS_LOAD_EXPONENT

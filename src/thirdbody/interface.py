@@ -17,7 +17,7 @@ from thirdbody.asperity import SummitPopulation
 from thirdbody.balance import Points, RoughSurface, RoughSurfaces
 from thirdbody.film import Film
 from thirdbody.parameters import Parameters
-from thirdbody.particles import ParticleLayer
+from thirdbody.particles import ParticleLayer, has_particles
 from thirdbody.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
 from thirdbody.tabulation import PiecewisePolynomial, sample_points
 
@@ -91,17 +91,11 @@ def _solved_parts(columns, parameters, rtol, variables):
     """Pairs of a part of the points, as a slice or an array of indices, and these solved; points
     that are beyond the fastest way of solving them come again, solved in a slower one."""
     together = defaultdict(list)
-    for table_rtol, kind, group in _groups(columns, rtol):
+    for roughness, table_rtol, kind, group in _groups(columns, rtol):
         if _size(group) >= COMPILATION_WORTH and parameters.film_load == "fluid":
-            from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
-
-            left = []
-            for part in _pieces(group, CHUNK):
-                points = _points(columns, part, parameters, rtol)
-                solved = CompiledPoints(points, rtol, areas=not OF_AREAS.isdisjoint(variables))
-                yield part, solved
-                left.append(_indices(part)[solved.left])
-            group = np.concatenate(left)
+            rough = prepare_surface(roughness, parameters, rtol)
+            areas = not OF_AREAS.isdisjoint(variables)
+            group = yield from _compiled_parts(columns, group, rough, parameters, rtol, areas)
             table_rtol = rtol if tables_pay(group.size, rtol) else None
         together[table_rtol, kind].append(group)
     for (table_rtol, _), groups in together.items():
@@ -109,8 +103,28 @@ def _solved_parts(columns, parameters, rtol, variables):
             solved = SolvedPoints(_points(columns, part, parameters, table_rtol), rtol)
             yield part, solved
             if table_rtol is not None and solved.imprecise.any():
-                again = _indices(part)[solved.imprecise]
+                again = _chosen(part, solved.imprecise)
                 yield again, SolvedPoints(_points(columns, again, parameters, None), rtol)
+
+
+def _compiled_parts(columns, group, rough, parameters, rtol, areas):
+    """Pairs as of ``_solved_parts`` from the compiled loop; returns the points it leaves."""
+    from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
+    from thirdbody.compiled_tables import precisions
+
+    for real in precisions(rtol):
+        left = []
+        for part in _pieces(group, CHUNK):
+            load, viscosity, diameter, _, density = (column[part] for column in columns)
+            solved = CompiledPoints(
+                rough, parameters, load, viscosity, diameter, density, rtol, real, areas
+            )
+            yield part, solved
+            left.append(_chosen(part, solved.left))
+        group = np.concatenate(left)
+        if not group.size:
+            break
+    return group
 
 
 def _points(columns, part, parameters, table_rtol):
@@ -217,9 +231,9 @@ def _distinct(columns):
         columns = list(columns)
         for place in (2, 4):
             columns[place] = np.where(three_body, columns[place], 0.0)
-    sums = np.zeros(size, dtype=np.uint64)
+    sums, product = np.zeros((2, size), dtype=np.uint64)
     for factor, column in zip(MIXERS, columns, strict=True):
-        sums += np.ascontiguousarray(column).view(np.uint64) * factor
+        sums += np.multiply(np.ascontiguousarray(column).view(np.uint64), factor, out=product)
     in_order = np.sort(sums)
     if (in_order[1:] != in_order[:-1]).all():
         return columns, None
@@ -234,11 +248,11 @@ def _distinct(columns):
 def _groups(columns, rtol):
     """Groups of points of one roughness and one kind, all with or without film and particles.
 
-    The ``rtol`` of the tables of their surface, None if it is not worth any; the number of their
+    Their roughness; the ``rtol`` of its tables, None if it is not worth any; the number of their
     kind; their places as a slice or an array of indices.
     """
-    _, viscosity, diameter, roughness, density = columns
-    wet, three_body = viscosity > 0.0, has_particles(diameter, density)
+    _, viscosity, diameter, roughness, _ = columns
+    wet, three_body = viscosity > 0.0, diameter > 0.0
     kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
     numbers = {}
     if (roughness != roughness[:1]).any():
@@ -247,8 +261,9 @@ def _groups(columns, rtol):
         labels = 4 * surface + kinds
     for group in _runs(labels):
         first = group.start if isinstance(group, slice) else group[0]
-        points = numbers.get(roughness[first], roughness.size)
-        yield rtol if tables_pay(points, rtol) else None, kinds[first], group
+        sigma = float(roughness[first])
+        points = numbers.get(sigma, roughness.size)
+        yield sigma, rtol if tables_pay(points, rtol) else None, kinds[first], group
 
 
 def _runs(labels):
@@ -269,9 +284,10 @@ def _size(group) -> int:
     return group.stop - group.start if isinstance(group, slice) else group.size
 
 
-def _indices(part):
-    """The indices in a slice or an array of indices."""
-    return np.arange(part.start, part.stop) if isinstance(part, slice) else part
+def _chosen(part, mask):
+    """Indices of the points of a part, a slice or an array of indices, that a mask chooses."""
+    chosen = np.flatnonzero(mask)
+    return chosen + part.start if isinstance(part, slice) else part[chosen]
 
 
 def _pieces(group, size):
@@ -281,11 +297,6 @@ def _pieces(group, size):
             yield slice(start, min(start + size, group.stop))
     else:
         yield from (group[start : start + size] for start in range(0, group.size, size))
-
-
-def has_particles(diameter, density):
-    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
-    return diameter**2 * density > np.finfo(float).tiny
 
 
 def make_points(

@@ -80,7 +80,9 @@ class ParticleLayer:
     spread: np.ndarray  # S [m]
     depth: np.ndarray  # h_e/S [1]
     share: np.ndarray  # pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times hardness and M of the interface
-    log_bare: np.ndarray  # ln of the share that particles of all sizes leave bare, if Eq. 4 counts them
+    log_bare: (
+        np.ndarray
+    )  # ln of the share that particles of all sizes leave bare, if Eq. 4 counts them
     law: tuple[float, float]  # c_2, c_3
     largest: float  # M at X_max
     parameters: Parameters
@@ -102,7 +104,7 @@ class ParticleLayer:
             every = 1.0  # without a smallest or largest size
             if np.isfinite(sizes.smallest):
                 every = float(_moment(sizes.smallest, *law)[0]) - largest
-            log_bare, _ = log_bare_share(parameters.hardness_surface_1 * every * share, 0.0)
+            log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every * share))
         return cls(sizes.mean, sizes.spread, depth, share, log_bare, law, largest, parameters)
 
     def take(self, chosen) -> ParticleLayer:
@@ -173,10 +175,20 @@ def _moment(alpha, constant, linear):
 
 def log_bare_share(coverage, slope):
     """ln(1 - coverage) and its slope; below ``FULL`` where particles cover everything."""
+    bare = _bare_share(coverage)
+    covers = bare == np.finfo(bare.dtype).tiny
+    return np.log(bare), np.where(covers, 0.0, -slope) / bare
+
+
+def _bare_share(coverage):
+    """1 - coverage, or next to nothing where particles cover everything."""
     bare = 1.0 - coverage
-    left = ~(bare <= np.finfo(float).eps)
-    bare = np.where(left, bare, np.finfo(float).tiny)
-    return np.log(bare), np.where(left, -slope, 0.0) / bare
+    return np.where(bare <= np.finfo(float).eps, np.finfo(bare.dtype).tiny, bare)
+
+
+def has_particles(diameter, density):
+    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
+    return diameter**2 * density > np.finfo(float).tiny
 
 
 def separation_bearing(area, layer: ParticleLayer):

@@ -29,9 +29,8 @@ class PiecewisePolynomial:
             values = function(x)[0]
         *at_nodes, middle = values.reshape(pieces, degree + 2).T
         self.centres = x[degree + 1 :: degree + 2]
-        powers = np.linalg.solve(np.vander(chebyshev_points(degree), increasing=True), at_nodes)
-        # local variable 2(x - centre)/width in [-1, 1]; row k holds the k-th power of all pieces
-        self.coefficients = np.ascontiguousarray(powers)
+        # local variable 2(x - centre)/width in [-1, 1]
+        self.coefficients = interpolants(at_nodes)
         self.error = float(np.abs(self(self.centres)[0] - middle).max())
 
     def __call__(self, x):
@@ -76,6 +75,16 @@ class PiecewisePolynomial:
 def chebyshev_points(degree: int):
     """The ``degree`` + 1 places within [-1, 1] at which a polynomial interpolates best."""
     return np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
+
+
+def interpolants(at_nodes):
+    """Coefficients of the polynomials that go through values at ``chebyshev_points``.
+
+    ``at_nodes`` has a row for each of those and a column for each piece; row k of the result holds
+    the coefficients of the k-th power.
+    """
+    nodes = chebyshev_points(len(at_nodes) - 1)
+    return np.ascontiguousarray(np.linalg.solve(np.vander(nodes, increasing=True), at_nodes))
 
 
 def sample_points(start: float, end: float, pieces: int, degree: int):

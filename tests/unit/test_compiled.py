@@ -12,10 +12,15 @@ import thirdbody as tb
 from thirdbody import interface
 from thirdbody.accuracy.points import relative_errors
 from thirdbody.compiled import CompiledPoints, _loop
-from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, make_points, prepare_surface
+from thirdbody.compiled_loop import ROOT
+from thirdbody.compiled_tables import DOUBLE, SINGLE, precisions, prepare_model
+from thirdbody.film import Film
+from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
+from thirdbody.particles import unit_moment
 from thirdbody.solution import QUANTITIES, VARIABLES
 
 ROUGHNESS = 300e-9
+QUADRATURE = 5e-12  # what is left of errors by the other ways
 READINGS = {
     "centred": {},
     "uncentred": {"size_distribution": "uncentred"},
@@ -51,16 +56,14 @@ def conditions(count, seed=0):
     return {name: np.exp(random.uniform(*np.log(pair), count)) for name, pair in ends.items()}
 
 
-def compiled(parameters, rtol, **given):
+def compiled(parameters, rtol, real=None, **given):
+    """The points by the loop, in numbers of type ``real`` or those that are tried first."""
     rough = prepare_surface(ROUGHNESS, parameters, rtol)
-    columns = np.broadcast_arrays(
-        *(given[name] for name in ("load", "viscosity", "particle_diameter")),
-        ROUGHNESS,
-        given["particle_density"],
-    )
-    points = make_points(rough, parameters, *map(np.ascontiguousarray, columns))
+    names = "load", "viscosity", "particle_diameter", "particle_density"
+    columns = map(np.ascontiguousarray, np.broadcast_arrays(*(given[name] for name in names)))
+    real = real or precisions(rtol)[0]
     with np.errstate(all="ignore"):
-        return CompiledPoints(points, rtol, areas=True)
+        return CompiledPoints(rough, parameters, *columns, rtol, real, areas=True)
 
 
 def best(monkeypatch, parameters, **given):
@@ -80,13 +83,13 @@ def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium,
     if bodies == "two_body":
         given["particle_density"] = np.zeros(1500)
     found = compiled(reading, rtol, **given)
-    assert found.left.mean() < (0.01 if rtol > 1e-10 else 0.1)
+    assert found.left.mean() < {1e-2: 0.01, 1e-3: 0.05, 1e-10: 0.1}.get(rtol, 0.01)
     known = ~found.left
     expected = best(monkeypatch, reading, **given)
     errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
-    beyond_rounding = expected.error_bound[known] + found.error_bound[known]
+    allowed = np.maximum(expected.error_bound, QUADRATURE) + found.error_bound
     for name, error in errors.items():
-        assert (error[known] <= beyond_rounding).all(), name
+        assert (error[known] <= allowed[known]).all(), name
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
@@ -104,9 +107,73 @@ def test_nothing_is_extrapolated_across_first_contact(monkeypatch, parameters, r
         expected = best(monkeypatch, parameters, **given | {"particle_diameter": diameter})
         errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
         known = ~found.left
-        assert known.mean() > 0.25
+        assert known.mean() > 0.1
         for name, error in errors.items():
             assert (error[known] <= rtol).all(), (name, error[known].max())
+
+
+def looked_up(table, x):
+    """Values of a table at ``x``, as the loop finds them."""
+    if hasattr(table, "scale"):
+        position = (x - table.start) * table.scale
+        piece = position.astype(int)
+        local = 2.0 * (position - piece) - 1.0
+    else:
+        mantissa, exponent = np.frexp(x)
+        position = (2.0 * mantissa - 1.0) * table.pieces
+        within = position.astype(int)
+        local = 2.0 * (position - within) - 1.0
+        first_mantissa, first_exponent = np.frexp(first_of(table))
+        assert first_mantissa == 0.5
+        piece = (exponent - first_exponent) * table.pieces + within
+    powers = table.rows[piece].astype(float)
+    return sum(power * local**index for index, power in enumerate(powers.T))
+
+
+def first_of(table):
+    """Where an octave table begins: the number with these leading bits."""
+    integer = np.int32 if isinstance(table.within, np.float32) else np.int64
+    return np.array(table.first << table.shift, integer).view(type(table.within))
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize("real", [SINGLE, DOUBLE])
+def test_tables_are_as_good_as_they_say(reading, real, rtol):
+    rough = prepare_surface(ROUGHNESS, reading, rtol)
+    exact = prepare_surface(ROUGHNESS, reading, None)
+    model = prepare_model(rough, reading, rtol, real)
+    random = np.random.default_rng(1)
+    t = random.uniform(-5.0, 40.0, 3000)
+    terms = model.degree + 1
+    for start, curve in ((0, exact.log_load), (terms, exact.log_area)):
+        table = model.summits._replace(rows=model.summits.rows[:, start : start + terms])
+        error = ROOT * np.log(looked_up(table, t)) - curve(t)[0]
+        assert np.abs(error).max() <= 1.5 * model.summit_error + 1e-12  # of curves e^-800 high
+    like = Film.of(np.ones(1), np.ones(1), reading)
+    thickness = np.exp(random.uniform(-6.0, 14.0, 3000))
+    alone = replace(like, smooth=0.0, rough=0.0)
+    error = ROOT * np.log(looked_up(model.film, thickness)) - alone.load_parameter(thickness)
+    assert np.abs(error).max() <= 1.5 * model.film_error
+    alpha = random.uniform(-9.0, reading.truncation, 3000)
+    moment = unit_moment(reading)
+    above = moment(alpha)[0] - moment(reading.truncation)[0]
+    slope = np.abs(moment(alpha)[1])
+    error = looked_up(model.moment, alpha) - above
+    moved = 10.0 * model.rounding * slope  # the start of the table is rounded
+    assert (np.abs(error) <= 2.0 * model.moment_error * (above + slope) + moved).all()
+
+
+@pytest.mark.parametrize("given", [{}, {"viscosity": 0.0}, {"particle_density": 0.0}])
+def test_what_single_precision_leaves_is_solved_in_double(parameters, given):
+    given = conditions(COMPILATION_WORTH) | given
+    single = compiled(parameters, 1e-3, SINGLE, **given)
+    double = compiled(parameters, 1e-3, DOUBLE, **given)
+    both = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-3)
+    for name in QUANTITIES:
+        chosen = np.where(single.left, getattr(double, name), getattr(single, name))
+        settled = ~(single.left & double.left)
+        np.testing.assert_array_equal(getattr(both, name)[settled], chosen[settled])
+    assert double.left.mean() <= single.left.mean() < 0.03
 
 
 def test_points_beyond_the_tables_are_left(parameters):

@@ -9,12 +9,13 @@ LIBRARY = ROOT / "src" / "thirdbody"
 # each layer imports from itself and from those above it
 LAYERS = (
     {"__init__", "files", "custody", "closure", "parameters", "roots", "tabulation", "regimes", "places"},
-    {"bracketing", "bytecode"},
+    {"bracketing", "bytecode", "compiled_loop"},
     {"configuration"},
     {"scene"},
     {"asperity", "particles", "film"},
     {"balance"},
     {"solution"},
+    {"compiled_tables"},
     {"compiled"},
     {"interface"},
     {"dataset"},

@@ -15,7 +15,7 @@ from thirdbody.accuracy.measuring import (
     peak_megabytes,
     processor_seconds,
 )
-from thirdbody.compiled import prepare_model
+from thirdbody.compiled_tables import precisions, prepare_model
 from thirdbody.interface import prepare_surface, solve
 from thirdbody.parameters import Parameters
 
@@ -67,7 +67,9 @@ def _prepare(given, parameters, rtol):
     """All that is prepared once for the points of a surface."""
     prepare_surface.cache_clear()
     roughness = float(given["roughness"][0])
-    prepare_model(prepare_surface(roughness, parameters, rtol), parameters)
+    rough = prepare_surface(roughness, parameters, rtol)
+    for real in precisions(rtol):
+        prepare_model(rough, parameters, rtol, real)
 
 
 def _elementwise(given, parameters, rtol):
