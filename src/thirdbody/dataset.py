@@ -8,6 +8,7 @@ import json
 from collections.abc import Collection
 from importlib.metadata import PackageNotFoundError, version
 
+import netCDF4  # noqa: F401  xarray would import it at the first file
 import numpy as np
 import xarray as xr
 
