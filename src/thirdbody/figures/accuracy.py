@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
@@ -32,6 +34,7 @@ NAMES = {
 NO_DIGIT, ALL_DIGITS = 1.0, 1e-16  # errors beyond these are drawn there
 LABELLED = ("lubricated", "three_body")  # whose points are labelled with some of their rtol
 LABELS = (1e-2, 1e-3, 1e-6, 1e-9, 1e-11)
+LABEL_HEIGHT = 4.0  # ratio of errors
 
 
 def plot(errors, times) -> Figure:
@@ -70,8 +73,12 @@ def _draw(panel, points, label, style):
 
 
 def _label(panel, points, colour):
-    """The rtol asked for beside some of the points."""
-    for rtol, x, y in (point for point in points if point[0] in LABELS):
+    """The rtol asked for beside some of the points, one where two would overlap."""
+    above = math.inf
+    for rtol, x, y in sorted(points, key=lambda point: -point[2]):
+        if rtol not in LABELS or y > above / LABEL_HEIGHT:
+            continue
+        above = y
         place = {"xytext": (7, 0), "textcoords": "offset points", "va": "center", "zorder": 5}
         paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.6}
         panel.annotate(power_text(rtol), (x, y), color=colour, fontsize=6, bbox=paper, **place)
