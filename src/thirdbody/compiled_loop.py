@@ -42,7 +42,7 @@ POSITION, BEYOND, PIECE, LOCAL, HALVES = _rows(5)
 COEFFICIENTS = _rows(8)[0]
 # each with its slope and half of its curvature
 SUMMITS, SUMMIT_AREA, HERE, THERE, SOLID, FILM, TOUCHING, COVERED = _rows(24)[::3]
-STEP, LEFT, GAIN, UNSURE, UNSURE_1, ASTRAY, ERROR = _rows(7)
+UNSURE_1, STEP, LEFT, GAIN, UNSURE, ASTRAY, ERROR = _rows(7)
 ROWS = next(_row)
 # rows of the array of results, of float64 always
 _row = iter(range(100))
@@ -116,7 +116,7 @@ def solve_points(
     what a last step changes comes from its Taylor series.
     """
     total = np.uintp(found.shape[1])
-    work[:] = work.dtype.type(0)
+    work[FILM:STEP] = work.dtype.type(0)  # what is missing bears and covers nothing
     for start in range(ZERO, total, np.uintp(WIDTH)):
         count = min(np.uintp(WIDTH), total - start)
         for row in range(np.uintp(GIVEN)):

@@ -18,7 +18,6 @@ from thirdbody.accuracy.measuring import (
 from thirdbody.interface import solve
 from thirdbody.parameters import Parameters
 
-ARRAYS = 10  # of a size below a block, one after the other
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
 
 
@@ -31,8 +30,8 @@ def _size_rows(parameters, budget):
     """Processor time of a point for each number of points, over that of the cheapest.
 
     More than a block are solved block by block and their results dropped, as when they are
-    streamed.  The sizes take turns, so that what else the machine does falls on all of them: a
-    block of the largest, a share of those of the others, and of each size below some arrays.
+    streamed; of fewer, a block of points is solved in arrays of that size.  The sizes take turns, so
+    that what else the machine does falls on all of them.
     """
     settings = budget["sizes"]
     counts, block, rtol = settings["points"], settings["block"], settings["rtol"]
@@ -45,9 +44,8 @@ def _size_rows(parameters, budget):
         for count in counts:
             if number % (rounds // max(count // block, 1)) and count > block:
                 continue
-            given = {name: values[: count * ARRAYS] for name, values in drawn.items()}
-            seconds = processor_seconds(partial(_solve_arrays, given, count, parameters, rtol))
-            costs[count].append(seconds / given["load"].size)
+            seconds = processor_seconds(partial(_solve_arrays, drawn, count, parameters, rtol))
+            costs[count].append(seconds / drawn["load"].size)
     costs = {count: median(each) for count, each in costs.items()}
     return [
         _row("points", count, 1, rtol, cost, cost / min(costs.values()))
