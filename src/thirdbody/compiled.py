@@ -35,6 +35,9 @@ from thirdbody.regimes import contact_mode, lubrication_regime
 from thirdbody.solution import CONVERGED, OUTSIDE_FILM_FORMULA
 
 
+OILS = 1e-9, 1e-3  # viscosities [m2/s] between which nothing is extrapolated
+
+
 class FilmScales(NamedTuple):
     """Where the terms of Eq. 7 are equal, for a viscosity of 1 m2/s; and the powers of viscosity by
     which that changes."""
@@ -137,15 +140,20 @@ def _fill_particles(layer, roughness, columns):
 
 @lru_cache(maxsize=64)
 def _film_scales(roughness: float, parameters: Parameters) -> FilmScales:
-    films = Film.of(np.array([1.0, math.e]), roughness, parameters)
+    """Both are lines over the logarithm of viscosity, drawn through the ends of oils' viscosities."""
+    ends = np.log(OILS)
+    films = Film.of(np.array(OILS), roughness, parameters)
     log_parameters, log_thicknesses = films.crossing()
+    parameter_slope, thickness_slope = (
+        float(np.diff(values)[0] / np.diff(ends)[0]) for values in (log_parameters, log_thicknesses)
+    )
     thickest, _ = films.thickness(films.turning())
-    area = parameters.apparent_area / parameters.ball_radius**2
+    log_area = math.log(parameters.apparent_area / parameters.ball_radius**2)
     return FilmScales(
-        math.exp((log_parameters[0] - math.log(area)) / ROOT),
-        float(np.diff(log_parameters)[0]) / ROOT,
-        math.exp(-log_thicknesses[0]) * roughness / parameters.ball_radius,
-        -float(np.diff(log_thicknesses)[0]),
+        math.exp((log_parameters[0] - parameter_slope * ends[0] - log_area) / ROOT),
+        parameter_slope / ROOT,
+        math.exp(thickness_slope * ends[0] - log_thicknesses[0]) * roughness / parameters.ball_radius,
+        -thickness_slope,
         float(thickest[0] / math.exp(log_thicknesses[0])),
     )
 

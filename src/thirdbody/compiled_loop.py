@@ -81,6 +81,7 @@ class Model(NamedTuple):
     particles_alone: OctaveTable  # alpha of their area over that of M = 1, for first guesses
     summit_error: float  # relative, of loads and areas
     film_error: float
+    level_error: float  # of a film's thickness where its terms are equal
     moment_error: float
     slope_error: float  # of the moment
     per_deviation: float  # sigma/sigma_s
@@ -408,7 +409,7 @@ def _particles_bear(work, bits, count, model):
 def _film_bears(work, bits, count, model):
     """``FILM`` becomes the load of the film, with slopes."""
     real = work.dtype.type
-    four, root, less, invalid = real(4), real(ROOT), real(ROOT - 1), real(np.nan)
+    root, less, invalid = real(ROOT), real(ROOT - 1), real(np.nan)
     for k in range(count):
         work[POSITION + k] = work[SEPARATION + k] * work[PER_LEVEL + k]
     _find_octave_piece(work, bits, count, model.film)
@@ -421,7 +422,7 @@ def _film_bears(work, bits, count, model):
         work[FILM + k] = load
         work[FILM + STRIDE + k] = slope * load
         work[FILM + STRIDE + STRIDE + k] = curve * load
-        astray = four * model.rounding * abs(slope) * work[SEPARATION + k]
+        astray = model.level_error * abs(slope) * work[SEPARATION + k]
         work[ASTRAY + k] += astray
         work[UNSURE + k] += (model.film_error + astray) * load
         work[GAIN + k] = max(work[GAIN + k], -slope)

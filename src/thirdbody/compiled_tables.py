@@ -29,6 +29,7 @@ LOAD_OCTAVES = -110, 2  # first guesses: of F_t*,
 ROOT_OCTAVES = -12, 12  # of the root of W, where the terms are equal, over that of all loads,
 AREA_OCTAVES = -24, 2  # and of the particles' area over that of M = 1
 GUESS_PIECES = 8
+LEVEL_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of small differences
 # what rounding does to a number, and which are so small that they have lost digits, or will; single
 # precision holds the summits' area 2^96-fold
 LIMITS = {
@@ -86,6 +87,7 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     numbers = {
         "summit_error": max(table_error - rounded, 0.0) + 2.0 * ROOT * rounding,
         "film_error": ROOT * (film_error + 6.0 * rounding),  # with those of powers of viscosity
+        "level_error": max(4.0 * rounding, LEVEL_ERROR),
         "moment_error": moment_error,
         "slope_error": 2.0 * degree**2 * moment_error,
         "per_deviation": 1.0 / deviation,

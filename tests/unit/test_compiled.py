@@ -92,6 +92,30 @@ def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium,
         assert (error[known] <= allowed[known]).all(), name
 
 
+@pytest.mark.parametrize(
+    ("real", "rtol"), [(SINGLE, 1e-2), (SINGLE, 1e-3), (DOUBLE, 1e-3), (DOUBLE, 1e-9)]
+)
+@pytest.mark.parametrize("medium", ["dry", "lubricated"])
+def test_bounds_hold_far_beyond_the_ranges_of_the_paper(monkeypatch, reading, medium, real, rtol):
+    random = np.random.default_rng(5)
+    count = 1500
+    diameter = 10.0 ** random.uniform(-9.0, -5.0, count)
+    given = {
+        "load": 10.0 ** random.uniform(-12.0, -1.0, count),
+        "viscosity": 10.0 ** random.uniform(-10.0, -2.0, count) * (medium == "lubricated"),
+        "particle_diameter": diameter,
+        "particle_density": 10.0 ** random.uniform(-6.0, -0.5, count) / diameter**2,
+    }
+    found = compiled(reading, rtol, real, **given)
+    expected = best(monkeypatch, reading, **given)
+    known = ~found.left & (expected.error_bound < 1e-9)
+    assert known.mean() > 0.4
+    errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
+    allowed = np.maximum(expected.error_bound, QUADRATURE) + found.error_bound
+    for name, error in errors.items():
+        assert (error[known] <= allowed[known]).all(), name
+
+
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
 @pytest.mark.parametrize("limits", ["printed", "physical"])
 def test_nothing_is_extrapolated_across_first_contact(monkeypatch, parameters, rtol, limits):
