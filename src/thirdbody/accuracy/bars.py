@@ -33,6 +33,7 @@ class Bar:
 BARS = {
     "baseline": Bar("quad and brentq over the library at 1e-9, heaviest class", 8000.0, True),
     "loose": Bar("quad and brentq over the library at 1e-3, heaviest class", 16000.0, True),
+    "trade": Bar("time at 1e-9 over that at 1e-3, heaviest class", 2.0, True),
     "setup": Bar("seconds to prepare a surface", 0.2, False),
     "processes": Bar("speed of several processes over one", 1.8, True),
     "streaming": Bar("streaming over 1.5 solving + writing", 1.0, False),
@@ -68,6 +69,7 @@ def _of_times(rows):
     return {
         "baseline": cost["nested_roots", None] / cost["library", USUAL_RTOL],
         "loose": cost["nested_roots", None] / cost["library", LOOSE_RTOL],
+        "trade": cost["library", USUAL_RTOL] / cost["library", LOOSE_RTOL],
         "setup": max(row["setup_seconds"] or 0.0 for row in rows),
     }
 
