@@ -86,7 +86,6 @@ class Model(NamedTuple):
     slope_error: float  # of the moment
     per_deviation: float  # sigma/sigma_s
     offset: float  # y_s
-    truncation: float
     elastic: float  # part of the elastic particles in the area, negative if they lie beyond alpha
     pressure: float  # F_sa/(A_sa E_ss)
     coverage: float  # coverage of Eq. 5 over the area of plastic particles
@@ -344,7 +343,7 @@ def _particles_bear(work, bits, count, model):
     zero, one, four, invalid = real(0), real(1), real(4), real(np.nan)
     scale, last = model.moment.scale, real(model.moment.rows.shape[0] - 1.5)
     for k in range(count):
-        alpha = (work[SEPARATION + k] - work[MEAN + k]) * work[PER_SPREAD + k] - model.truncation
+        alpha = (work[SEPARATION + k] - work[MEAN + k]) * work[PER_SPREAD + k] - model.moment.start
         work[POSITION + k] = min(alpha * scale, last)
         work[BEYOND + k] = min((alpha + work[SHIFT + k]) * scale, last)
     for position, into in ((POSITION, HERE), (BEYOND, THERE)):
@@ -472,7 +471,7 @@ def _stop_before_contact(work, count, model):
     endless, eight = work.dtype.type(np.inf), work.dtype.type(8)
     for k in range(count):
         separation = work[SEPARATION + k]
-        alpha = (separation - work[MEAN + k]) * work[PER_SPREAD + k] - model.truncation
+        alpha = (separation - work[MEAN + k]) * work[PER_SPREAD + k] - model.moment.start
         close = min(abs(alpha), abs(alpha + work[SHIFT + k]))
         unsure = abs(work[STEP + k]) + eight * model.rounding * separation
         stays = unsure * work[PER_SPREAD + k] < close

@@ -22,7 +22,6 @@ INTEGERS = {SINGLE: np.int32, DOUBLE: np.int64}  # of the same size
 SINGLE_RTOL = 1e-3  # from which numbers of half the size have digits enough for most points
 # by degree: pieces a unit of t, pieces a unit of alpha, pieces an octave of a film's thickness
 PIECES = {3: (16, 48, 32), 5: (32, 16, 64), 7: (16, 16, 32)}
-SUMMITS_START, SUMMITS_END = -5.0, 40.0  # t
 MOMENT_START = -9.0  # alpha where all particles are larger
 FILM_OCTAVES = -9, 21  # of H_c over that where the terms of Eq. 7 are equal
 LOAD_OCTAVES = -110, 2  # first guesses: of F_t*,
@@ -61,12 +60,13 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     degree = 3 if real is SINGLE else rough.log_load.degree
     summit_pieces, moment_pieces, film_pieces = PIECES[degree]
     rounding = float(LIMITS[real]["rounding"])
-    summits = SUMMITS_START, SUMMITS_END, summit_pieces, degree, real
+    first, last = rough.log_load.start, rough.log_load.end
+    summits = first, last, summit_pieces, degree, real
     load, load_error = _table(_root(lambda t: rough.log_load(t)[0]), *summits)
     area, area_error = _table(_root(lambda t: rough.log_area(t)[0]), *summits)
     table_error = rough.table_error + ROOT * max(load_error, area_error)
     # rounding at the largest t, which the loop counts by itself where a point is
-    rounded = 3.0 * np.finfo(float).eps * abs(rough.log_load(np.full(1, SUMMITS_END))[0][0])
+    rounded = 3.0 * np.finfo(float).eps * abs(rough.log_load(np.full(1, last))[0][0])
     end = parameters.truncation
     moment, moment_error = _table(
         _moment_above(unit_moment(parameters), end),
@@ -79,7 +79,7 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     surface = rough.surface
     deviation = surface.summit_deviation / surface.roughness
     offset = surface.summit_offset / surface.roughness
-    t = np.linspace(SUMMITS_END, SUMMITS_START, 1000)
+    t = np.linspace(last, first, 1000)
     loads, separations = rough.log_load(t)[0], offset + deviation * t
     areas, alpha = sampled_contact(parameters)
     areas = areas / parameters.hardness_surface_2
@@ -92,7 +92,6 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
         "slope_error": 2.0 * degree**2 * moment_error,
         "per_deviation": 1.0 / deviation,
         "offset": offset,
-        "truncation": end,
         "elastic": parameters.elastic_factor * (1.0 if near else -1.0),
         "pressure": parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
         "coverage": parameters.hardness_surface_1 / parameters.hardness_surface_2,

@@ -80,9 +80,7 @@ class ParticleLayer:
     spread: np.ndarray  # S [m]
     depth: np.ndarray  # h_e/S [1]
     share: np.ndarray  # pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times hardness and M of the interface
-    log_bare: (
-        np.ndarray
-    )  # ln of the share that particles of all sizes leave bare, if Eq. 4 counts them
+    log_bare: np.ndarray  # ln of the share that all sizes leave bare, if Eq. 4 counts them
     law: tuple[float, float]  # c_2, c_3
     largest: float  # M at X_max
     parameters: Parameters
