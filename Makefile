@@ -43,14 +43,14 @@ verify: $(VENV)/workflow.done
 	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
 
 overhead: $(VENV)/test.done
-	$(BIN)/python tests/workflow/measure_overhead.py
+	$(BIN)/python benchmarks/measure_overhead.py
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
 
 format: $(VENV)/test.done
-	$(BIN)/snakefmt Snakefile workflow/rules
+	$(BIN)/snakefmt workflow/Snakefile workflow/rules
 
 clean:
-	rm -rf results logs benchmarks .snakemake
+	rm -rf results logs .snakemake

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from thirdbody.accuracy.points import CLASS, VARIABLES
-from thirdbody.dataset import software_version
-from thirdbody.tables import TABLES
+from benchmarks.points import CLASS, VARIABLES
+from thirdbody.data.dataset import software_version
+from thirdbody.data.tables import TABLES
 
 COORDINATES = {
     "method": "library, or the baseline that it is measured against",

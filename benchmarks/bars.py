@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from thirdbody.accuracy.classes import HEAVIEST
-from thirdbody.accuracy.points import CLASS
+from benchmarks.classes import HEAVIEST
+from benchmarks.points import CLASS
 
 USUAL_RTOL, LOOSE_RTOL = 1e-9, 1e-3
 

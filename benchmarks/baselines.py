@@ -16,12 +16,12 @@ import numpy as np
 from scipy.optimize import brentq, elementwise
 from scipy.special import expit, log_expit
 
-from thirdbody.accuracy.points import VARIABLES
-from thirdbody.asperity import SummitPopulation, asperity_load_and_area
-from thirdbody.balance import Points, RoughSurface
-from thirdbody.film import Film
-from thirdbody.particles import ParticleLayer
-from thirdbody.scene import DIMENSIONS
+from benchmarks.points import VARIABLES
+from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
+from thirdbody.solver.balance import Points, RoughSurface
+from thirdbody.model.film import Film
+from thirdbody.model.particles import ParticleLayer
+from thirdbody.data.scene import DIMENSIONS
 
 LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch

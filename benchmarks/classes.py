@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 
 class PointClass(NamedTuple):

@@ -8,10 +8,10 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
-from thirdbody.accuracy.classes import CLASSES, PointClass
-from thirdbody.accuracy.library import solutions
-from thirdbody.accuracy.points import CLASS, VARIABLES, grouped, relative_errors
+from benchmarks.baselines import ElementwiseRoots, NestedRoots
+from benchmarks.classes import CLASSES, PointClass
+from benchmarks.library import solutions
+from benchmarks.points import CLASS, VARIABLES, grouped, relative_errors
 
 
 def error_rows(rows, rtols, plain) -> list[dict]:

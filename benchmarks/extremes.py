@@ -6,9 +6,9 @@ import warnings
 
 import numpy as np
 
-from thirdbody.accuracy.library import solutions
-from thirdbody.accuracy.points import VARIABLES, grouped, parameters_of, relative_errors
-from thirdbody.regimes import SOLUTION_STATUSES
+from benchmarks.library import solutions
+from benchmarks.points import VARIABLES, grouped, parameters_of, relative_errors
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 VERDICTS = ("right", "refused", "wrong")
 UNSOLVED = ("coverage_exceeded", "not_converged")

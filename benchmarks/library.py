@@ -7,8 +7,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from thirdbody.accuracy.points import VARIABLES, Group
-from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, solve
+from benchmarks.points import VARIABLES, Group
+from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH, solve
 
 COMPANIES = 0, 2 * TABLE_WORTH, COMPILATION_WORTH  # points of the surface beside them
 LIGHTER = 0.5, 0.99  # their loads over those of the golden points, so that no two are equal

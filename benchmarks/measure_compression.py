@@ -1,6 +1,6 @@
 """Size and read time of datasets under each lossless compression that NetCDF-4 offers.
 
-    python tests/performance/measure_compression.py results/datasets/*.nc
+    python benchmarks/measure_compression.py results/datasets/*.nc
 
 Every file is written anew with each setting, one chunk a variable, and then read whole several
 times; the least processor time of all readings counts, so that neither disk nor neighbours do.

@@ -1,6 +1,6 @@
 """Time of a clean run, against that of the same jobs if all they do is import what they import.
 
-    python tests/workflow/measure_overhead.py [--repeats 3] [--configfile FILE] [target ...]
+    python benchmarks/measure_overhead.py [--repeats 3] [--configfile FILE] [target ...]
 
 Both are run in turn in copies of the repository.  What else the machine does changes from minute to
 minute: it is the ratio of each run to the one after it that counts, and the median of these.  Exit

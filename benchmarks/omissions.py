@@ -6,10 +6,10 @@ from functools import partial
 
 import numpy as np
 
-from thirdbody.accuracy.classes import HEAVIEST, random_conditions
-from thirdbody.accuracy.measuring import MICROSECONDS, least_seconds
-from thirdbody.interface import solve
-from thirdbody.parameters import Parameters
+from benchmarks.classes import HEAVIEST, random_conditions
+from benchmarks.measuring import MICROSECONDS, least_seconds
+from thirdbody.solver.solve import solve
+from thirdbody.model.parameters import Parameters
 
 # what is left out: the class of points that remains
 BODIES = {

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.parameters import Parameters
-from thirdbody.scene import DIMENSIONS
-from thirdbody.solution import QUANTITIES
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import DIMENSIONS
+from thirdbody.solver.solution import QUANTITIES
 
 VARIABLES = QUANTITIES  # those that the files give
 CLASS = ("medium", "bodies", "span")

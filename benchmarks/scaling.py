@@ -8,15 +8,15 @@ from functools import cache, partial
 from operator import call
 from statistics import median
 
-from thirdbody.accuracy.classes import HEAVIEST, random_conditions
-from thirdbody.accuracy.measuring import (
+from benchmarks.classes import HEAVIEST, random_conditions
+from benchmarks.measuring import (
     MICROSECONDS,
     least_seconds,
     processor_seconds,
     wall_seconds,
 )
-from thirdbody.interface import solve
-from thirdbody.parameters import Parameters
+from thirdbody.solver.solve import solve
+from thirdbody.model.parameters import Parameters
 
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
 

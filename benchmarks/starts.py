@@ -7,14 +7,14 @@ import subprocess
 import sys
 from tempfile import TemporaryDirectory
 
-from thirdbody.accuracy.measuring import wall_seconds
-from thirdbody.interface import COMPILATION_WORTH
+from benchmarks.measuring import wall_seconds
+from thirdbody.solver.solve import COMPILATION_WORTH
 
 PROGRAM = """
 import sys
 import numpy as np
-from thirdbody.configuration import load_parameters
-from thirdbody.interface import solve
+from thirdbody.configuration.settings import load_parameters
+from thirdbody.solver.solve import solve
 solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, load_parameters())
 """
 

@@ -8,13 +8,13 @@ import shutil
 
 import numpy as np
 
-from thirdbody.accuracy.classes import ROUGHNESS, SPANS
-from thirdbody.accuracy.measuring import MEGABYTE, MICROSECONDS, wall_seconds
-from thirdbody.dataset import FLAGS, QUANTITIES
-from thirdbody.interface import solve
-from thirdbody.parameters import Parameters
-from thirdbody.scene import DIMENSIONS
-from thirdbody.streaming import (
+from benchmarks.classes import ROUGHNESS, SPANS
+from benchmarks.measuring import MEGABYTE, MICROSECONDS, wall_seconds
+from thirdbody.data.dataset import FLAGS, QUANTITIES
+from thirdbody.solver.solve import solve
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.streaming import (
     POINTS_PER_BLOCK,
     block_lengths,
     blocks,

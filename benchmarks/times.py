@@ -7,17 +7,17 @@ from functools import partial
 
 import numpy as np
 
-from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots
-from thirdbody.accuracy.classes import CLASSES, HEAVIEST, PointClass, random_conditions
-from thirdbody.accuracy.measuring import (
+from benchmarks.baselines import ElementwiseRoots, NestedRoots
+from benchmarks.classes import CLASSES, HEAVIEST, PointClass, random_conditions
+from benchmarks.measuring import (
     MICROSECONDS,
     least_seconds,
     peak_megabytes,
     processor_seconds,
 )
-from thirdbody.compiled_tables import precisions, prepare_model
-from thirdbody.interface import prepare_surface, solve
-from thirdbody.parameters import Parameters
+from thirdbody.solver.compiled.tables import precisions, prepare_model
+from thirdbody.solver.solve import prepare_surface, solve
+from thirdbody.model.parameters import Parameters
 
 
 def time_rows(parameters: Parameters, budget, plain) -> list[dict]:

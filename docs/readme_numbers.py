@@ -1,7 +1,7 @@
 """Puts the numbers of the last run into README and docs, between their markers.
 
-    python tools/readme_numbers.py            say which pages differ from results/, exit 1 if any
-    python tools/readme_numbers.py --write    renew them
+    python docs/readme_numbers.py            say which pages differ from results/, exit 1 if any
+    python docs/readme_numbers.py --write    renew them
 
 What `snakemake -c2 accuracy` measures differs from run to run: a page agrees with it if its words do
 and its numbers up to a factor, and keeps what it says where there is no such run.
@@ -13,10 +13,10 @@ from pathlib import Path
 
 from tabulate import tabulate
 
-from thirdbody.configuration import read_yaml
-from thirdbody.interface import COMPILATION_WORTH
-from thirdbody.tables import TABLES, read_csv
-from thirdbody.verdicts import counts
+from thirdbody.configuration.settings import read_yaml
+from thirdbody.solver.solve import COMPILATION_WORTH
+from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.study.verdicts import counts
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (ROOT / "README.md", ROOT / "docs" / "calibration.md")
@@ -195,7 +195,7 @@ def main(arguments) -> int:
     if not measured:
         print("errors and times stay as they are: run snakemake -c2 accuracy to renew them")
     if stale:
-        print(f"{', '.join(stale)}: numbers differ from results/; run tools/readme_numbers.py --write")
+        print(f"{', '.join(stale)}: numbers differ from results/; run docs/readme_numbers.py --write")
     return 1 if stale else 0
 
 

@@ -85,7 +85,7 @@ def tell(pytestconfig):
 @pytest.fixture(scope="session")
 def parameters():
     """Inputs whose turning points, windows and transitions the tests know."""
-    from thirdbody.parameters import Parameters
+    from thirdbody.model.parameters import Parameters
 
     return Parameters(**INPUTS)
 

@@ -3,12 +3,12 @@
 __all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve", "stream"]
 
 _HOMES = {
-    "Parameters": "parameters",
-    "Solution": "solution",
-    "grid": "dataset",
-    "load_parameters": "configuration",
-    "solve": "interface",
-    "stream": "streaming",
+    "Parameters": "model.parameters",
+    "Solution": "solver.solution",
+    "grid": "data.dataset",
+    "load_parameters": "configuration.settings",
+    "solve": "solver.solve",
+    "stream": "data.streaming",
 }
 
 

@@ -7,7 +7,7 @@ import pytest
 
 pytestmark = pytest.mark.results
 
-TOOL = Path(__file__).parents[2] / "tools" / "readme_numbers.py"
+TOOL = Path(__file__).parents[2] / "docs" / "readme_numbers.py"
 
 
 def test_the_pages_say_what_the_results_say(capsys):

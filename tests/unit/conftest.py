@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from small_release import make_release
 
-from thirdbody import interface
+from thirdbody.solver import solve as interface
 from thirdbody.release.citation import Release
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -7,15 +7,15 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.closure import import_closure
-from thirdbody.dataset import scene_dataset, write_dataset
+from thirdbody.run.closure import import_closure
+from thirdbody.data.dataset import scene_dataset, write_dataset
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.datapackage import DRAWN_POINTS
 from thirdbody.release.pack import pack
 from thirdbody.release.staging import stage, whole_folder
-from thirdbody.scene import Scene
-from thirdbody.tables import TABLES, write_csv, write_schema
+from thirdbody.data.scene import Scene
+from thirdbody.data.tables import TABLES, write_csv, write_schema
 
 SCENES = {
     # dry, with and without particles
@@ -26,7 +26,7 @@ SCENES = {
     "fig07": [([0, 90], [1000], [300], [1.0e10, 8.0e13])],
 }
 SCRIPT = "workflow/scripts/compute_dataset.py"
-SOURCES = ("Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
+SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
 PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
 
 

@@ -9,21 +9,21 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.accuracy.baselines import ElementwiseRoots, NestedRoots, load_plain_model
-from thirdbody.accuracy.classes import CLASSES, HEAVIEST, ROUGHNESS, SPANS, random_conditions
-from thirdbody.accuracy.errors import error_rows
-from thirdbody.accuracy.extremes import beyond_float64, judge_extremes, verdict
-from thirdbody.accuracy.library import solutions
-from thirdbody.accuracy.measuring import least_seconds, peak_megabytes, wall_seconds
-from thirdbody.accuracy.points import (
+from benchmarks.baselines import ElementwiseRoots, NestedRoots, load_plain_model
+from benchmarks.classes import CLASSES, HEAVIEST, ROUGHNESS, SPANS, random_conditions
+from benchmarks.errors import error_rows
+from benchmarks.extremes import beyond_float64, judge_extremes, verdict
+from benchmarks.library import solutions
+from benchmarks.measuring import least_seconds, peak_megabytes, wall_seconds
+from benchmarks.points import (
     VARIABLES,
     grouped,
     read_rows,
     relative_error,
     relative_errors,
 )
-from thirdbody.accuracy.streams import stream_rows
-from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH
+from benchmarks.streams import stream_rows
+from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
@@ -68,7 +68,7 @@ def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypa
             error_bound=solution.error_bound,
         )
 
-    monkeypatch.setattr("thirdbody.accuracy.library.solve", spoilt)
+    monkeypatch.setattr("benchmarks.library.solve", spoilt)
     table = [row for row in error_rows(rows, [1e-9], plain) if row["method"] == "library"]
     assert {row["variable"] for row in table} == set(VARIABLES)
     for row in table:
@@ -84,7 +84,7 @@ def test_golden_points_are_solved_by_quadrature_by_tables_and_by_the_compiled_lo
         sizes.append(given["load"].size)
         return tb.solve(**given)
 
-    monkeypatch.setattr("thirdbody.accuracy.library.solve", noted)
+    monkeypatch.setattr("benchmarks.library.solve", noted)
     (group, *_) = grouped(read_rows(GOLDEN / "accuracy_points.csv"))
     given = group.conditions
     group = group.take(np.flatnonzero(given["viscosity"] * given["particle_diameter"]))
@@ -170,7 +170,7 @@ def test_conditioning_tells_what_float64_cannot_resolve(conditioning, beyond):
 
 def test_a_warning_makes_a_point_wrong(monkeypatch):
     rows = read_rows(GOLDEN / "extremes.csv")[:1]
-    monkeypatch.setattr("thirdbody.accuracy.library.solve", lambda **_: np.log(np.zeros(1)))
+    monkeypatch.setattr("benchmarks.library.solve", lambda **_: np.log(np.zeros(1)))
     (found,) = judge_extremes(rows, 1e-9)
     assert found["verdict"].startswith("wrong: RuntimeWarning")
 

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = pytest.mark.filterwarnings("error")
 

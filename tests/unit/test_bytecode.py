@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from thirdbody import bytecode
+from thirdbody.run import bytecode
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.calibration import Objective, Reading, Unknown, acceptable, loss, search, spread_out
-from thirdbody.claims import assign_roles, load_claims, referenced_conditions
-from thirdbody.configuration import read_yaml
-from thirdbody.posterior import summary
+from thirdbody.study.calibration import Objective, Reading, Unknown, acceptable, loss, search, spread_out
+from thirdbody.study.claims import assign_roles, load_claims, referenced_conditions
+from thirdbody.configuration.settings import read_yaml
+from thirdbody.study.posterior import summary
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")

@@ -7,9 +7,11 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody import checks, claims
-from thirdbody.checks import Curve, TurningPoint, judge
-from thirdbody.claims import Claim, Condition
+from thirdbody.study import checks
+
+from thirdbody.study import claims
+from thirdbody.study.checks import Curve, TurningPoint, judge
+from thirdbody.study.claims import Claim, Condition
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody import verdicts
-from thirdbody.claims import assign_roles, load_claims
-from thirdbody.conflict import PARTS, conflict_rows
+from thirdbody.study import verdicts
+from thirdbody.study.claims import assign_roles, load_claims
+from thirdbody.study.conflict import PARTS, conflict_rows
 from thirdbody.figures import claims, conflict
 from thirdbody.figures.saving import drawn_points
-from thirdbody.places import part_of_paper
+from thirdbody.study.places import part_of_paper
 
 ROOT = Path(__file__).parents[2]
 PLACES = [
@@ -29,7 +29,7 @@ PLACES = [
 
 @pytest.fixture(autouse=True, scope="module")
 def style():
-    with matplotlib.style.context(ROOT / "styles" / "paper.mplstyle", after_reset=True):
+    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
         yield
 
 

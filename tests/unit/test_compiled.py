@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody import interface
-from thirdbody.accuracy.points import relative_errors
-from thirdbody.compiled import CompiledPoints, _loop
-from thirdbody.compiled_loop import ROOT
-from thirdbody.compiled_tables import DOUBLE, SINGLE, precisions, prepare_model
-from thirdbody.film import Film
-from thirdbody.interface import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
-from thirdbody.particles import unit_moment
-from thirdbody.solution import QUANTITIES, VARIABLES
+from thirdbody.solver import solve as interface
+from benchmarks.points import relative_errors
+from thirdbody.solver.compiled.points import CompiledPoints, _loop
+from thirdbody.solver.compiled.loop import ROOT
+from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
+from thirdbody.model.film import Film
+from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
+from thirdbody.model.particles import unit_moment
+from thirdbody.solver.solution import QUANTITIES, VARIABLES
 
 ROUGHNESS = 300e-9
 QUADRATURE = 5e-12  # what is left of errors by the other ways
@@ -245,8 +245,8 @@ def test_it_compiles_where_nothing_can_be_kept(monkeypatch, parameters):
         return numba.njit(**options)
 
     found = compiled(parameters, 1e-6, **conditions(10))
-    monkeypatch.setattr("thirdbody.compiled.njit", refusing)
-    monkeypatch.setattr("thirdbody.compiled._loop", _loop.__wrapped__)
+    monkeypatch.setattr("thirdbody.solver.compiled.points.njit", refusing)
+    monkeypatch.setattr("thirdbody.solver.compiled.points._loop", _loop.__wrapped__)
     again = compiled(parameters, 1e-6, **conditions(10))
     np.testing.assert_array_equal(again.separation, found.separation)
 

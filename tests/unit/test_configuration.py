@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.configuration import (
+from thirdbody.configuration.settings import (
     config_directory,
     load_parameters,
     read_inputs,
@@ -17,7 +17,7 @@ from thirdbody.configuration import (
     validate,
     workflow_settings,
 )
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

@@ -5,14 +5,14 @@ import os
 
 import pytest
 
-from thirdbody.custody import (
+from thirdbody.run.custody import (
     hold_alone,
     recorded_digests,
     remove_damaged,
     require_recorded,
     require_writable,
 )
-from thirdbody.files import logged, whole
+from thirdbody.data.files import logged, whole
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.dataset import read_dataset, scene_dataset, write_dataset
-from thirdbody.scene import DIMENSIONS, Scene
+from thirdbody.data.dataset import read_dataset, scene_dataset, write_dataset
+from thirdbody.data.scene import DIMENSIONS, Scene
 
 UNITS = {
     "load": "1",
@@ -313,9 +313,9 @@ def test_another_user_place_time_zone_and_hash_seed_give_the_same_bytes(
 ):
     code = (
         "import json, sys\n"
-        "from thirdbody.dataset import scene_dataset, write_dataset\n"
-        "from thirdbody.parameters import Parameters\n"
-        "from thirdbody.scene import Scene\n"
+        "from thirdbody.data.dataset import scene_dataset, write_dataset\n"
+        "from thirdbody.model.parameters import Parameters\n"
+        "from thirdbody.data.scene import Scene\n"
         "given, inputs = map(json.loads, sys.argv[1:])\n"
         "inputs = Parameters(**inputs)\n"
         "scene = Scene.of('test', given, inputs.newtons_per_load)\n"

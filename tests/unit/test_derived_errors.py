@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.transitions import LIMITS, transitions
-from thirdbody.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.accuracy.extremes import beyond_float64, judge_extremes
-from thirdbody.accuracy.points import VARIABLES, read_rows, relative_error
-from thirdbody.regimes import SOLUTION_STATUSES
+from benchmarks.extremes import beyond_float64, judge_extremes
+from benchmarks.points import VARIABLES, read_rows, relative_error
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -11,15 +11,15 @@ import yaml
 from matplotlib.colors import to_rgb
 from matplotlib.transforms import Bbox
 
-from thirdbody.dataset import scene_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.figures.curves import shown_curves
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
 from thirdbody.figures.saving import SUFFIXES, drawn_points, save
 from thirdbody.figures.section import section_through, solved_state
-from thirdbody.scene import DIMENSIONS, Scene
+from thirdbody.data.scene import DIMENSIONS, Scene
 
 ROOT = Path(__file__).parents[2]
-STYLE = ROOT / "styles" / "paper.mplstyle"
+STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
 LOAD_AXIS = {"load_N": [0.04, 80.0], "count": 25}
 RATIO, AREA, SOLID, FILM = (
     "particle_contact_area_ratio",

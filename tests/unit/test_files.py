@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from thirdbody.files import logged, whole
+from thirdbody.data.files import logged, whole
 
 
 def listing(folder):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.film import Film
+from thirdbody.model.film import Film
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.parameters import Parameters
-from thirdbody.solution import OUTSIDE_FILM_FORMULA
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solution import OUTSIDE_FILM_FORMULA
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "solutions.csv"
 VARIABLES = (

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody import interface
-from thirdbody.balance import Points
-from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.solution import Solution
+from thirdbody.solver import solve as interface
+from thirdbody.solver.balance import Points
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.solver.solution import Solution
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -525,7 +525,7 @@ def test_importing_the_package_imports_nothing_heavy():
         "import sys, thirdbody; "
         "heavy = {'numpy', 'scipy', 'xarray', 'matplotlib'} & set(sys.modules); "
         "assert not heavy, heavy; "
-        "import thirdbody.interface; "
+        "import thirdbody.solver.solve; "
         "heavy = {'xarray', 'matplotlib', 'netCDF4', 'pandas'} & set(sys.modules); "
         "assert not heavy, heavy; "
         "assert set(thirdbody.__all__) <= {n for n in thirdbody.__all__ if getattr(thirdbody, n)}"

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration import read_yaml
-from thirdbody.paper_tables import RECOMPUTED, paper_table
-from thirdbody.tables import TABLES
+from thirdbody.configuration.settings import read_yaml
+from thirdbody.data.paper_tables import RECOMPUTED, paper_table
+from thirdbody.data.tables import TABLES
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 

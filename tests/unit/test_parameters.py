@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 # the data contract's keys: numbers, lists along the roughness, names of readings
 NUMBERS = (

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from thirdbody.particles import ParticleLayer
+from thirdbody.model.particles import ParticleLayer
 
 pytestmark = pytest.mark.filterwarnings("error")
 

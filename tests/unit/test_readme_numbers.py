@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.accuracy.classes import CLASSES
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.classes import CLASSES
+from thirdbody.data.tables import TABLES, write_csv
 
-TOOL = Path(__file__).parents[2] / "tools" / "readme_numbers.py"
+TOOL = Path(__file__).parents[2] / "docs" / "readme_numbers.py"
 BLOCK = "<!-- accuracy -->\n{}\n<!-- /accuracy -->\n"
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from thirdbody.regimes import (
+from thirdbody.model.regimes import (
     CONTACT_MODES,
     LUBRICATION_REGIMES,
     SOLUTION_STATUSES,

@@ -22,7 +22,7 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
-from thirdbody.dataset import RELEASE_DATE
+from thirdbody.data.dataset import RELEASE_DATE
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import Release
 from thirdbody.release.codecheck import codecheck_text, targets
@@ -101,7 +101,7 @@ def test_crate_is_valid(built, terms, profile, monkeypatch):
 
 def test_crate_says_who_made_what_from_what(built):
     crate = ROCrate(str(built / "data"))
-    assert crate.mainEntity.id == "source/Snakefile"
+    assert crate.mainEntity.id == "source/workflow/Snakefile"
     assert "ComputationalWorkflow" in crate.mainEntity.type
     metadata = read_json(built / "data" / "ro-crate-metadata.json")
     assert metadata["@context"] == "https://w3id.org/ro/crate/1.1/context"
@@ -184,7 +184,7 @@ def test_the_sources_are_the_repository():
 
 def test_codecheck_lists_the_targets_of_the_workflow(release):
     text = (ROOT / "codecheck.yml").read_text(encoding="utf-8")
-    products = targets(ROOT / "Snakefile")
+    products = targets(ROOT / "workflow/Snakefile")
     assert len(products) > 20
     renew = "renew it: python -m thirdbody.release.codecheck > codecheck.yml"
     assert text == codecheck_text(products, release), renew

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.roots import decreasing_roots
+from thirdbody.solver.roots import decreasing_roots
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration import read_yaml
-from thirdbody.scene import DIMENSIONS, Curves, Scene, load_values, relative, scaled
+from thirdbody.configuration.settings import read_yaml
+from thirdbody.data.scene import DIMENSIONS, Curves, Scene, load_values, relative, scaled
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}

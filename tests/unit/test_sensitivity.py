@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.checks import Curve
-from thirdbody.configuration import read_yaml, validate
-from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.study.checks import Curve
+from thirdbody.configuration.settings import read_yaml, validate
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.figures.saving import drawn_points
 from thirdbody.figures.sensitivity import plot
-from thirdbody.interface import solve
-from thirdbody.sensitivity import (
+from thirdbody.solver.solve import solve
+from thirdbody.study.sensitivity import (
     STEP,
     Found,
     Subject,
@@ -24,9 +24,9 @@ from thirdbody.sensitivity import (
     sensitivity_rows,
     varied_inputs,
 )
-from thirdbody.sobol import ResponseSurface, Sampling, quadratic_terms
-from thirdbody.tables import TABLES, read_csv, write_csv
-from thirdbody.transitions import LIMITS, transitions
+from thirdbody.study.sobol import ResponseSurface, Sampling, quadratic_terms
+from thirdbody.data.tables import TABLES, read_csv, write_csv
+from thirdbody.curves.transitions import LIMITS, transitions
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
@@ -248,7 +248,7 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
     rows += sensitivity_rows(subject, base, INPUTS, indices)
     path = tmp_path / "sensitivity.csv"
     write_csv(path, rows, TABLES["sensitivity"])
-    with matplotlib.style.context(ROOT / "styles" / "paper.mplstyle", after_reset=True):
+    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
         figure = plot(read_csv(path, TABLES["sensitivity"]))
     for panel, values in zip(figure.axes, (found.value, indices.value), strict=True):
         drawn = dict(drawn_points(panel))

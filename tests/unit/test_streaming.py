@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
-from thirdbody import streaming
-from thirdbody.dataset import read_dataset
+from thirdbody.data import streaming
+from thirdbody.data.dataset import read_dataset
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -29,7 +29,7 @@ def hook(event, given):
 import thirdbody
 sys.addaudithook(hook)
 names = [module.name for module in pkgutil.walk_packages(thirdbody.__path__, "thirdbody.")]
-names = [name for name in names if not name.startswith(("thirdbody.figures", "thirdbody.sobol"))]
+names = [name for name in names if not name.startswith(("thirdbody.figures", "thirdbody.study.sobol"))]
 for name in names:
     importlib.import_module(name)
 print(len(names))

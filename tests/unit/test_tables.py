@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from thirdbody.tables import TABLES, Column, read_csv, write_csv, write_schema, write_text
+from thirdbody.data.tables import TABLES, Column, read_csv, write_csv, write_schema, write_text
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),

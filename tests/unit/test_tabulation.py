@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.tabulation import PiecewisePolynomial
+from thirdbody.solver.tabulation import PiecewisePolynomial
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.transitions import LIMITS, transitions
+from thirdbody.curves.transitions import LIMITS, transitions
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
 
 pytestmark = pytest.mark.filterwarnings("error")
 

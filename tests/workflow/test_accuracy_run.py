@@ -6,7 +6,7 @@ import pytest
 import yaml
 from workspace import ROOT
 
-from thirdbody.tables import TABLES, read_csv
+from thirdbody.data.tables import TABLES, read_csv
 
 NAMES = ("errors", "extremes", "times", "omissions", "scaling", "starts", "streaming", "bars")
 PRODUCTS = {
@@ -48,7 +48,7 @@ def test_it_makes_its_products_and_no_others(measured):
 
 
 def test_the_default_run_makes_none_of_them(sources):
-    listed = (sources.root / "Snakefile").read_text(encoding="utf-8")
+    listed = (sources.root / "workflow/Snakefile").read_text(encoding="utf-8")
     assert not [name for name in PRODUCTS if f"results/{name}" in listed]
 
 
@@ -56,7 +56,7 @@ def test_what_is_timed_leaves_no_share_to_others(measured):
     rules = measured.rules()
     timed = {name for name, text in rules.items() if "quiet=100" in text}
     assert timed == {name for name in rules if name.startswith("time_")} != set()
-    profile = yaml.safe_load((measured.root / "profiles/default/config.yaml").read_text())
+    profile = yaml.safe_load((measured.root / "workflow/profiles/default/config.yaml").read_text())
     assert profile["resources"] == ["quiet=100"]
     assert profile["default-resources"] == ["quiet=1"]
 

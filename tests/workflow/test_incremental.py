@@ -56,14 +56,14 @@ def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspac
 
 
 def test_another_style_draws_again_and_solves_nothing(workspace):
-    workspace.rewrite("styles/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n")
+    workspace.rewrite("src/thirdbody/figures/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n")
     assert workspace.pending() == workspace.products("figures/*")
     drawn = remade(workspace, "results/figures/fig03.png")
     assert drawn == workspace.products("figures/fig03.*")
 
 
 def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
-    module = "src/thirdbody/paper_tables.py"
+    module = "src/thirdbody/data/paper_tables.py"
     told = "import sys\nprint('these tables are from', __file__, file=sys.__stderr__)\n"
     workspace.rewrite(module, lambda text: f"{text}\n{told}")
     before = workspace.stamps()
@@ -85,13 +85,13 @@ def test_another_library_module_reruns_what_imports_it(workspace, recorded, modu
 def test_the_figures_solve_nothing_and_the_film_enters_no_paper_table(finished, recorded):
     drawn = followers(recorded, "src/thirdbody/figures/saving.py")
     assert drawn == finished.products("figures/*")
-    film = followers(recorded, "src/thirdbody/film.py")
+    film = followers(recorded, "src/thirdbody/model/film.py")
     assert film >= finished.products(*ALL_CURVES, *WINDOWS)
     assert film.isdisjoint(finished.products(*PAPER_TABLES))
 
 
 def test_touching_a_module_without_changing_it_reruns_nothing(workspace):
-    (workspace.root / "src/thirdbody/film.py").touch()
+    (workspace.root / "src/thirdbody/model/film.py").touch()
     assert not workspace.pending()
 
 

@@ -26,7 +26,7 @@ def test_nothing_unfinished_is_left_behind(finished):
 
 def test_every_job_leaves_a_log_and_a_benchmark(finished, recorded):
     logs = {name for row in recorded for name in row["log-file(s)"].split(",")}
-    benchmarks = {log.replace("logs/", "benchmarks/").replace(".log", ".tsv") for log in logs}
+    benchmarks = {log.replace(".log", ".tsv") for log in logs}
     assert all((finished.root / name).is_file() for name in logs | benchmarks)
 
 
@@ -36,7 +36,7 @@ def test_nothing_is_left_to_do_after_a_run(finished):
     assert "Nothing to be done" in run.stdout + run.stderr
 
 
-@pytest.mark.parametrize("module", ["thirdbody", "thirdbody.film"])
+@pytest.mark.parametrize("module", ["thirdbody", "thirdbody.model.film"])
 def test_a_copy_of_the_repository_runs_its_own_library(finished, module):
     told = finished.python(f"import {module}; print({module}.__file__)")
     assert told.stdout.startswith(str(finished.root / "src"))

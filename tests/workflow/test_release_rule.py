@@ -60,7 +60,7 @@ def test_release_is_one_folder_its_archive_and_the_record(released, tell):
 
 
 def test_every_target_of_the_workflow_is_in_the_release(released):
-    listed = {name.removeprefix("results/") for name in targets(ROOT / "Snakefile")}
+    listed = {name.removeprefix("results/") for name in targets(ROOT / "workflow/Snakefile")}
     archived = set(files_in(released / "data", released / "data"))
     assert {name.partition("/")[0] for name in listed - archived} == {"accuracy"}
 

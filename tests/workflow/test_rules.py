@@ -8,7 +8,7 @@ import pytest
 from test_minimal_run import PRODUCTS
 from workspace import ROOT, Workspace
 
-from thirdbody.closure import import_closure
+from thirdbody.run.closure import import_closure
 from thirdbody.release.codecheck import targets
 
 RULES = Workspace(ROOT).rules()
@@ -16,7 +16,7 @@ WORKING = [name for name, text in RULES.items() if "\n    output:" in text]
 
 
 def test_rule_all_lists_every_product_once():
-    listed = targets(ROOT / "Snakefile")
+    listed = targets(ROOT / "workflow/Snakefile")
     assert len(listed) == len(set(listed))
     assert {name.removeprefix("results/") for name in listed} >= PRODUCTS
 
@@ -47,5 +47,5 @@ def test_the_linter_of_snakemake_finds_nothing(sources):
 
 def test_the_formatter_would_change_nothing(sources):
     snakefmt = Path(sys.executable).with_name("snakefmt")
-    run = sources.execute(str(snakefmt), "--check", "Snakefile", "workflow/rules")
+    run = sources.execute(str(snakefmt), "--check", "workflow/Snakefile", "workflow/rules")
     assert run.returncode == 0, run.stdout + run.stderr

@@ -16,7 +16,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
-MADE_BY_RUNS = ("results", "logs", "benchmarks", ".snakemake")
+MADE_BY_RUNS = ("results", "logs", ".snakemake")
 NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
 
 
@@ -45,7 +45,7 @@ class Workspace:
 
     def execute(self, *command) -> subprocess.CompletedProcess:
         """Run a command at the root; ``thirdbody`` is the copy's own, whichever is installed."""
-        library = {"PYTHONPATH": str(self.root / "src")}
+        library = {"PYTHONPATH": os.pathsep.join([str(self.root / "src"), str(self.root)])}
         return subprocess.run(
             command,
             cwd=self.root,
@@ -141,8 +141,8 @@ def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:
         os.dup2(stream.fileno(), 1)
         os.dup2(stream.fileno(), 2)
     os.chdir(root)
-    os.environ["PYTHONPATH"] = str(root / "src")
-    sys.path.insert(0, str(root / "src"))
+    os.environ["PYTHONPATH"] = os.pathsep.join([str(root / "src"), str(root)])
+    sys.path[:0] = [str(root / "src"), str(root)]
     from snakemake.cli import main
 
     try:

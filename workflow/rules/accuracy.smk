@@ -2,7 +2,7 @@
 # takes all of the resource `quiet`, of which profiles/default gives every other job a share.
 import sys
 
-from thirdbody.configuration import read_valid
+from thirdbody.configuration.settings import read_valid
 
 try:
     ACCURACY = read_valid(settings["accuracy"], "config/accuracy.schema.yaml")
@@ -20,7 +20,7 @@ rule measure_errors:
     log:
         "logs/measure_errors.log",
     benchmark:
-        "benchmarks/measure_errors.tsv"
+        "logs/measure_errors.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -41,7 +41,7 @@ rule judge_extremes:
     log:
         "logs/judge_extremes.log",
     benchmark:
-        "benchmarks/judge_extremes.tsv"
+        "logs/judge_extremes.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -62,7 +62,7 @@ rule time_classes:
     log:
         "logs/time_classes.log",
     benchmark:
-        "benchmarks/time_classes.tsv"
+        "logs/time_classes.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -87,7 +87,7 @@ rule time_sweeps:
     log:
         "logs/time_sweeps.log",
     benchmark:
-        "benchmarks/time_sweeps.tsv"
+        "logs/time_sweeps.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -110,7 +110,7 @@ rule time_streaming:
     log:
         "logs/time_streaming.log",
     benchmark:
-        "benchmarks/time_streaming.tsv"
+        "logs/time_streaming.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -140,7 +140,7 @@ rule gather_accuracy:
     log:
         "logs/gather_accuracy.log",
     benchmark:
-        "benchmarks/gather_accuracy.tsv"
+        "logs/gather_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -154,14 +154,14 @@ rule render_accuracy:
     input:
         errors="results/accuracy/errors.csv",
         times="results/accuracy/times.csv",
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_accuracy.py"),
     output:
         multiext("results/figures/accuracy", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_accuracy.log",
     benchmark:
-        "benchmarks/render_accuracy.tsv"
+        "logs/render_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -2,7 +2,7 @@
 import sys
 
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.jobs import jobs_behind
+from thirdbody.run.jobs import jobs_behind
 from thirdbody.release.sources import source_files
 
 try:
@@ -35,7 +35,7 @@ rule stage_release:
     log:
         "logs/stage_release.log",
     benchmark:
-        "benchmarks/stage_release.tsv"
+        "logs/stage_release.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -58,7 +58,7 @@ rule pack_release:
     log:
         "logs/pack_release.log",
     benchmark:
-        "benchmarks/pack_release.tsv"
+        "logs/pack_release.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -80,7 +80,7 @@ rule record_provenance:
     log:
         "logs/record_provenance.log",
     benchmark:
-        "benchmarks/record_provenance.tsv"
+        "logs/record_provenance.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -11,7 +11,7 @@ rule compute_band:
     log:
         "logs/compute_band/{figure}.log",
     benchmark:
-        "benchmarks/compute_band/{figure}.tsv"
+        "logs/compute_band/{figure}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

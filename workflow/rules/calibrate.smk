@@ -14,7 +14,7 @@ rule search_reading:
     log:
         "logs/search_reading/{reading}_{seed}.log",
     benchmark:
-        "benchmarks/search_reading/{reading}_{seed}.tsv"
+        "logs/search_reading/{reading}_{seed}.tsv"
     wildcard_constraints:
         seed="[0-9]+",
     conda:
@@ -40,7 +40,7 @@ rule summarise_reading:
     log:
         "logs/summarise_reading/{reading}.log",
     benchmark:
-        "benchmarks/summarise_reading/{reading}.tsv"
+        "logs/summarise_reading/{reading}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -61,7 +61,7 @@ rule calibrate:
     log:
         "logs/calibrate.log",
     benchmark:
-        "benchmarks/calibrate.tsv"
+        "logs/calibrate.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

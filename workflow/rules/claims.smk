@@ -11,14 +11,14 @@ MAIN_READINGS = [
 rule render_claims:
     input:
         claims="results/claims/claims.csv",
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_claims.py"),
     output:
         multiext("results/figures/claims", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_claims.log",
     benchmark:
-        "benchmarks/render_claims.tsv"
+        "logs/render_claims.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -38,7 +38,7 @@ rule judge_conflict:
     log:
         "logs/judge_conflict.log",
     benchmark:
-        "benchmarks/judge_conflict.tsv"
+        "logs/judge_conflict.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -55,14 +55,14 @@ rule judge_conflict:
 rule render_conflict:
     input:
         conflict="results/claims/conflict.csv",
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_conflict.py"),
     output:
         multiext("results/figures/conflict", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_conflict.log",
     benchmark:
-        "benchmarks/render_conflict.tsv"
+        "logs/render_conflict.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -10,7 +10,7 @@ rule compute_dataset:
     log:
         "logs/compute_dataset/{figure}.log",
     benchmark:
-        "benchmarks/compute_dataset/{figure}.tsv"
+        "logs/compute_dataset/{figure}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -11,7 +11,7 @@ rule extract_curves:
     log:
         "logs/extract_curves/{figure}.log",
     benchmark:
-        "benchmarks/extract_curves/{figure}.tsv"
+        "logs/extract_curves/{figure}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -31,7 +31,7 @@ rule find_windows:
     log:
         "logs/find_windows.log",
     benchmark:
-        "benchmarks/find_windows.tsv"
+        "logs/find_windows.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -54,7 +54,7 @@ rule recompute_paper_table:
     log:
         "logs/recompute_paper_table/{table}.log",
     benchmark:
-        "benchmarks/recompute_paper_table/{table}.tsv"
+        "logs/recompute_paper_table/{table}.tsv"
     wildcard_constraints:
         table="table[12]",
     conda:

@@ -15,7 +15,7 @@ rule judge_claims:
     log:
         "logs/judge_claims.log",
     benchmark:
-        "benchmarks/judge_claims.tsv"
+        "logs/judge_claims.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"

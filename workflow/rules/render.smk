@@ -17,14 +17,14 @@ rule render_figure:
         dataset="results/datasets/{figure}.nc",
         turning_points="results/extracted/tpca_loads/{figure}.csv",
         band=branch(settings["bands"], then="results/bands/{figure}.nc", otherwise=[]),
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_figure.py"),
     output:
         multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_figure/{figure}.log",
     benchmark:
-        "benchmarks/render_figure/{figure}.tsv"
+        "logs/render_figure/{figure}.tsv"
     wildcard_constraints:
         figure="fig0[3-9]|fig1[0-3]",
     conda:
@@ -38,14 +38,14 @@ rule render_figure:
 
 rule render_schematic:
     input:
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_schematic.py"),
     output:
         multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_schematic/{figure}.log",
     benchmark:
-        "benchmarks/render_schematic/{figure}.tsv"
+        "logs/render_schematic/{figure}.tsv"
     wildcard_constraints:
         figure="fig0[12]",
     conda:
@@ -73,7 +73,7 @@ rule write_table:
     log:
         "logs/write_table/{table}.log",
     benchmark:
-        "benchmarks/write_table/{table}.tsv"
+        "logs/write_table/{table}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -92,7 +92,7 @@ rule write_solver_cost:
     log:
         "logs/write_solver_cost.log",
     benchmark:
-        "benchmarks/write_solver_cost.tsv"
+        "logs/write_solver_cost.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -11,7 +11,7 @@ rule compute_elasticities:
     log:
         "logs/compute_elasticities.log",
     benchmark:
-        "benchmarks/compute_elasticities.tsv"
+        "logs/compute_elasticities.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -34,7 +34,7 @@ rule compute_sobol_indices:
     log:
         "logs/compute_sobol_indices.log",
     benchmark:
-        "benchmarks/compute_sobol_indices.tsv"
+        "logs/compute_sobol_indices.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -52,14 +52,14 @@ rule compute_sobol_indices:
 rule render_sensitivity:
     input:
         table="results/tables/sensitivity.csv",
-        style="styles/paper.mplstyle",
+        style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_sensitivity.py"),
     output:
         multiext("results/figures/sensitivity", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
     log:
         "logs/render_sensitivity.log",
     benchmark:
-        "benchmarks/render_sensitivity.tsv"
+        "logs/render_sensitivity.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -3,7 +3,7 @@
 import shutil
 from pathlib import Path
 
-from thirdbody.files import logged, whole
+from thirdbody.data.files import logged, whole
 
 PLACE = Path("config/calibrated")
 

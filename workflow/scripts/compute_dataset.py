@@ -2,11 +2,11 @@
 
 import time
 
-from thirdbody.dataset import scene_dataset, write_dataset
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.scene import Scene
-from thirdbody.tables import TABLES, write_csv
+from thirdbody.data.dataset import scene_dataset, write_dataset
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import Scene
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def compute(figure, scene, parameters, dataset, cost):

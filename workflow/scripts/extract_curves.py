@@ -1,10 +1,10 @@
 """Turning points and transitions of the curves of one dataset."""
 
-from thirdbody.dataset import read_dataset
-from thirdbody.extraction import tpca_rows, transition_rows
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from thirdbody.data.dataset import read_dataset
+from thirdbody.data.extraction import tpca_rows, transition_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def extract(figure, dataset, parameters, tpca_loads, transitions):

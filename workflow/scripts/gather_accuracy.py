@@ -1,9 +1,9 @@
 """The measured errors and times as one dataset, and what the solver is to achieve beside them."""
 
-from thirdbody.accuracy.archive import accuracy_dataset
-from thirdbody.accuracy.bars import bar_rows
-from thirdbody.files import logged, whole
-from thirdbody.tables import TABLES, read_csv, write_csv, write_text
+from benchmarks.archive import accuracy_dataset
+from benchmarks.bars import bar_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, read_csv, write_csv, write_text
 
 NAMES = ("errors", "extremes", "times", "scaling", "streaming")
 

@@ -1,13 +1,13 @@
 """The verdict on every statement of the paper, as a table and as text."""
 
-from thirdbody.calibration import Reading
-from thirdbody.claims import load_claims
-from thirdbody.configuration import read_calibrated
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
-from thirdbody.verdict_text import claims_markdown
-from thirdbody.verdicts import Court, Trial, verdict_rows
+from thirdbody.study.calibration import Reading
+from thirdbody.study.claims import load_claims
+from thirdbody.configuration.settings import read_calibrated
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.study.verdict_text import claims_markdown
+from thirdbody.study.verdicts import Court, Trial, verdict_rows
 
 
 def judge_claims(claims, default, calibrated, settings, parameters, table, text):

@@ -1,11 +1,11 @@
 """Scores of the statements of Figures 4, 6 and 11 under calibrated readings."""
 
-from thirdbody.claims import load_claims
-from thirdbody.configuration import read_calibrated
-from thirdbody.conflict import conflict_rows
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from thirdbody.study.claims import load_claims
+from thirdbody.configuration.settings import read_calibrated
+from thirdbody.study.conflict import conflict_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def judge_conflict(claims, calibrated, newtons, parameters, table):

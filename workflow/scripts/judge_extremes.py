@@ -2,10 +2,10 @@
 
 from collections import Counter
 
-from thirdbody.accuracy.extremes import judge_extremes
-from thirdbody.accuracy.points import read_rows
-from thirdbody.files import logged, whole
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.extremes import judge_extremes
+from benchmarks.points import read_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def judge(extremes, rtols, verdicts):

@@ -1,10 +1,10 @@
 """Errors of the library and of the baselines at points known in multiple precision."""
 
-from thirdbody.accuracy.baselines import load_plain_model
-from thirdbody.accuracy.errors import error_rows
-from thirdbody.accuracy.points import read_rows
-from thirdbody.files import logged, whole
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.baselines import load_plain_model
+from benchmarks.errors import error_rows
+from benchmarks.points import read_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def measure(points, plain, rtols, errors):

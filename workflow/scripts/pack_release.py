@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from thirdbody.files import logged, whole
+from thirdbody.data.files import logged, whole
 from thirdbody.release.pack import pack
 
 

@@ -1,10 +1,10 @@
 """One of the paper's own tables with each derived entry recomputed."""
 
-from thirdbody.configuration import read_yaml
-from thirdbody.files import logged, whole
-from thirdbody.paper_tables import paper_table
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from thirdbody.configuration.settings import read_yaml
+from thirdbody.data.files import logged, whole
+from thirdbody.data.paper_tables import paper_table
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def recompute(printed, table, parameters, rows):

@@ -3,9 +3,9 @@
 import json
 from pathlib import Path
 
-from thirdbody.files import logged, whole
+from thirdbody.data.files import logged, whole
 from thirdbody.release.provenance import provenance
-from thirdbody.tables import TABLES, read_csv
+from thirdbody.data.tables import TABLES, read_csv
 
 
 def record(archive, cost, place):

@@ -6,8 +6,8 @@ import matplotlib.style
 
 from thirdbody.figures.registry import SCHEMATICS
 from thirdbody.figures.saving import save
-from thirdbody.files import logged
-from thirdbody.parameters import Parameters
+from thirdbody.data.files import logged
+from thirdbody.model.parameters import Parameters
 
 
 def render(figure, parameters, panels, style, stem):

@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from thirdbody.custody import require_recorded
-from thirdbody.files import logged
+from thirdbody.run.custody import require_recorded
+from thirdbody.data.files import logged
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.staging import stage, whole_folder

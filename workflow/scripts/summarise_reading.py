@@ -3,9 +3,9 @@
 import numpy as np
 import yaml
 
-from thirdbody.calibration import Reading
-from thirdbody.files import logged, whole
-from thirdbody.posterior import summary
+from thirdbody.study.calibration import Reading
+from thirdbody.data.files import logged, whole
+from thirdbody.study.posterior import summary
 
 HEADER = "# Calibrated inputs of one reading, made by `snakemake -c2 calibrate`; not edited by hand.\n"
 

@@ -1,10 +1,10 @@
 """Time of a point in the library and in the baselines, class by class."""
 
-from thirdbody.accuracy.baselines import load_plain_model
-from thirdbody.accuracy.times import time_rows
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.baselines import load_plain_model
+from benchmarks.times import time_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def measure(plain, budget, parameters, times):

@@ -3,10 +3,10 @@
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from thirdbody.accuracy.streams import stream_rows
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.streams import stream_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def measure(settings, parameters, table, directory):

@@ -1,12 +1,12 @@
 """Times of the heaviest class: with something left out, in any number, in several processes, and
 until the first solution."""
 
-from thirdbody.accuracy.omissions import omission_rows
-from thirdbody.accuracy.scaling import scaling_rows
-from thirdbody.accuracy.starts import start_rows
-from thirdbody.files import logged, whole
-from thirdbody.parameters import Parameters
-from thirdbody.tables import TABLES, write_csv
+from benchmarks.omissions import omission_rows
+from benchmarks.scaling import scaling_rows
+from benchmarks.starts import start_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.tables import TABLES, write_csv
 
 
 def measure(budget, parameters, omissions, scaling, starts):

@@ -1,7 +1,7 @@
 """What solving each dataset cost, and all of them together."""
 
-from thirdbody.files import logged, whole
-from thirdbody.tables import TABLES, read_csv, write_csv
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, read_csv, write_csv
 
 
 def write(parts, table):

@@ -1,7 +1,7 @@
 """Gather the parts of a table and write it as CSV with its Table Schema, Markdown and LaTeX."""
 
-from thirdbody.files import logged, whole
-from thirdbody.tables import TABLES, read_csv, write_csv, write_schema, write_text
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema, write_text
 
 
 def write(table, parts, csv, schema, markdown, latex):

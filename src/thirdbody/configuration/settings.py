@@ -9,7 +9,7 @@ from pathlib import Path
 
 import yaml
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 
 class _StrictLoader(yaml.composer.Composer, yaml.CSafeLoader):
@@ -296,7 +296,7 @@ def read_calibrated(path) -> dict:
 
 def config_directory() -> Path:
     """Where the configuration lies: inside an installed package, else beside ``src/``."""
-    package = Path(__file__).resolve().parent
+    package = Path(__file__).resolve().parents[1]
     installed = package / "config"
     return installed if installed.is_dir() else package.parents[1] / "config"
 

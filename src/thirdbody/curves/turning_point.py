@@ -13,19 +13,19 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from scipy.special import expit, logit
 
-from thirdbody.balance import Points
-from thirdbody.bracketing import bracketed_roots
-from thirdbody.film import Film
-from thirdbody.interface import (
+from thirdbody.solver.balance import Points
+from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.model.film import Film
+from thirdbody.solver.solve import (
     DEFAULT_RTOL,
     has_particles,
     make_points,
     prepare_surfaces,
     tables_pay,
 )
-from thirdbody.parameters import Parameters
-from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.solution import SolvedPoints
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.solver.solution import SolvedPoints
 
 CHEAP_TABLES = 1e-5  # rtol from which tables cost less than any search without them
 FARTHEST = 20.0  # a logit beyond it is as good as infinite

@@ -12,10 +12,10 @@ import netCDF4  # noqa: F401  xarray would import it at the first file
 import numpy as np
 import xarray as xr
 
-from thirdbody.interface import DEFAULT_RTOL, check_variables, checked_axis, solve
-from thirdbody.parameters import Parameters
-from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.scene import DIMENSIONS, Scene
+from thirdbody.solver.solve import DEFAULT_RTOL, check_variables, checked_axis, solve
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.data.scene import DIMENSIONS, Scene
 
 SCHEMA_VERSION = "1.0"
 PAPER_DOI = "10.3389/fmech.2024.1390335"
@@ -178,7 +178,7 @@ def write_dataset(dataset: xr.Dataset, path) -> None:
     missing ones: the nan of an unsolved point stays what it is.  Raises ``OSError`` if there is no
     room, however the library below says so.
     """
-    # smallest of what every NetCDF-4 library reads, by tests/performance/measure_compression.py,
+    # smallest of what every NetCDF-4 library reads, by benchmarks/measure_compression.py,
     # to 0.2 %: level 9 takes half as long again to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     encoding = {name: {"_FillValue": None} for name in dataset.coords}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 # Table 1 prints Poisson's ratio; Young's modulus of the steel is not printed.
 POISSON_RATIO = 0.29

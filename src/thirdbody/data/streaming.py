@@ -8,11 +8,11 @@ from itertools import product
 import netCDF4
 import numpy as np
 
-from thirdbody.dataset import CONTRACT, described_grid, grid_axes, with_status
-from thirdbody.files import whole
-from thirdbody.interface import DEFAULT_RTOL, solve, type_of
-from thirdbody.parameters import Parameters
-from thirdbody.scene import DIMENSIONS
+from thirdbody.data.dataset import CONTRACT, described_grid, grid_axes, with_status
+from thirdbody.data.files import whole
+from thirdbody.solver.solve import DEFAULT_RTOL, solve, type_of
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import DIMENSIONS
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.panel import FURNITURE, POINTS_PER_INCH, NamedPoints, Panel
-from thirdbody.places import part_of_paper
+from thirdbody.study.places import part_of_paper
 
 COLUMNS = 2
 WIDTH = 7.0  # inches
@@ -54,7 +54,7 @@ def plot(rows) -> Figure:
 
 
 def score_of(distance: float) -> float:
-    """The score of a ``distance`` in tolerances, as ``thirdbody.checks`` counts it."""
+    """The score of a ``distance`` in tolerances, as ``thirdbody.study.checks`` counts it."""
     return distance if distance <= 1.0 else 1.0 + math.log(distance)
 
 

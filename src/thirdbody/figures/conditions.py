@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from thirdbody.figures.panel import power_text
-from thirdbody.scene import CENTISTOKES, NANOMETRE
+from thirdbody.data.scene import CENTISTOKES, NANOMETRE
 
 # a parameter in which curves may differ: title of their key, unit of its values
 PARAMETERS = {

@@ -9,7 +9,7 @@ import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
 from thirdbody.figures.panel import NamedOutlines, NamedPoints
-from thirdbody.files import whole
+from thirdbody.data.files import whole
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {

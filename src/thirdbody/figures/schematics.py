@@ -10,7 +10,7 @@ from thirdbody.figures.conditions import shared_texts
 from thirdbody.figures.key import draw_key
 from thirdbody.figures.panel import FURNITURE, Panel, panel_figure
 from thirdbody.figures.section import section_through, solved_state
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 SEED = 20240507  # the day on which the paper appeared
 INTERFACE_LENGTH = 12e-6  # of the section in figure 1 [m]

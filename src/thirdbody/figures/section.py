@@ -12,10 +12,10 @@ import numpy as np
 from scipy.special import ndtr, ndtri
 
 from thirdbody.figures.conditions import Conditions
-from thirdbody.interface import solve
-from thirdbody.parameters import Parameters
-from thirdbody.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.scene import CENTISTOKES, NANOMETRE
+from thirdbody.solver.solve import solve
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.data.scene import CENTISTOKES, NANOMETRE
 
 POINTS = 500
 CLEARANCE = 0.12  # share of the section that contacts keep from its ends

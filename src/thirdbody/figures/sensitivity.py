@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
-from thirdbody.scene import CENTISTOKES, NANOMETRE
+from thirdbody.data.scene import CENTISTOKES, NANOMETRE
 
 WIDTH = 7.0  # inches
 LINE_INCHES = 0.032  # height of one result's line

@@ -9,7 +9,7 @@ from matplotlib.colors import to_rgb
 
 from thirdbody.figures.conditions import PARAMETERS
 from thirdbody.figures.panel import power_text
-from thirdbody.scene import CENTISTOKES
+from thirdbody.data.scene import CENTISTOKES
 
 MARKERS = "osv^DX<>PphHd8"
 MARKERS_PER_CURVE = 7

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.special import erfcx
 
-from thirdbody.parameters import Parameters, Surface
+from thirdbody.model.parameters import Parameters, Surface
 
 # Summits whose weight is below exp(-NEGLIGIBLE) of the largest do not matter in float64.
 NEGLIGIBLE = 40.0

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 SPEED_EXPONENT = 0.663
 ROUGHNESS_SPEED_EXPONENT = 0.884

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)

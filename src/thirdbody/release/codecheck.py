@@ -77,4 +77,4 @@ def _sort(product: str) -> tuple[str, str]:
 
 if __name__ == "__main__":
     release = Release.of("pyproject.toml", "CITATION.cff")
-    sys.stdout.write(codecheck_text(targets("Snakefile"), release))
+    sys.stdout.write(codecheck_text(targets("workflow/Snakefile"), release))

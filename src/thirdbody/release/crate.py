@@ -14,7 +14,7 @@ from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
 from thirdbody.release.media import media_type
 
 METADATA = "ro-crate-metadata.json"
-WORKFLOW = "source/Snakefile"
+WORKFLOW = "source/workflow/Snakefile"
 CONFIGURATION = "configuration/config.json"
 CONTEXT = "https://w3id.org/ro/crate/1.1/context"
 SPECIFICATION = "https://w3id.org/ro/crate/1.1"

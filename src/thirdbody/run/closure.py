@@ -1,4 +1,4 @@
-"""Which modules of this package a file needs: the rules list them as inputs."""
+"""Which modules of this repository a file needs: the rules list them as inputs."""
 
 from __future__ import annotations
 
@@ -6,43 +6,55 @@ import ast
 from functools import cache
 from pathlib import Path
 
-PACKAGE = Path(__file__).resolve().parent
+ROOT = Path(__file__).resolve().parents[3]
+HOMES = {"thirdbody": ROOT / "src", "benchmarks": ROOT}  # where each package lies
 
 
 def import_closure(script) -> list[str]:
-    """Files of this package that ``script`` imports, directly or not.
+    """Modules of this repository that ``script`` imports, directly or not.
 
     ``script`` and the result are relative to the root of the repository.  Snakemake reruns a rule
     whose listed inputs changed; with these it follows the library.
     """
     found: set[Path] = set()
-    root = PACKAGE.parents[1]
-    waiting = list(_imported(root / script))
+    waiting = list(_imported(ROOT / script))
     while waiting:
         module = waiting.pop()
         if module not in found:
             found.add(module)
             waiting.extend(_imported(module))
-    return sorted(str(path.relative_to(root)) for path in found)
+    return sorted(str(path.relative_to(ROOT)) for path in found)
 
 
 @cache
 def _imported(path: Path) -> tuple[Path, ...]:
-    """Modules of this package that stand in the import statements of ``path``."""
+    """Modules of this repository that stand in the import statements of ``path``."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(path.read_bytes())):
-        if isinstance(node, ast.ImportFrom) and (node.module or "").split(".")[0] == "thirdbody":
+        if isinstance(node, ast.ImportFrom) and _package(node.module or "") in HOMES:
             names.add(node.module)
             names.update(f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.Import):
             names.update(alias.name for alias in node.names)
-    parents = {name.rpartition(".")[0] for name in names}
-    files = (_file(name) for name in names | parents if name.split(".")[0] == "thirdbody")
+    files = (_file(each) for name in names for each in _with_parents(name))
     return tuple(file for file in files if file is not None)
 
 
+def _package(name: str) -> str:
+    return name.partition(".")[0]
+
+
+def _with_parents(name: str) -> list[str]:
+    """``a.b.c`` with ``a.b`` and ``a``, whose ``__init__`` Python runs first."""
+    words = name.split(".")
+    return [".".join(words[: count + 1]) for count in range(len(words))]
+
+
 def _file(name: str) -> Path | None:
-    base = PACKAGE.parent.joinpath(*name.split("."))
+    """The file of a module of this repository; None for any other name."""
+    if _package(name) not in HOMES:
+        return None
+    base = HOMES[_package(name)].joinpath(*name.split("."))
     for candidate in (base.with_suffix(".py"), base / "__init__.py"):
         if candidate.is_file():
             return candidate

@@ -9,7 +9,7 @@ import re
 from collections import defaultdict
 from pathlib import Path
 
-# a line of a log as ``thirdbody.files.whole`` prints it and ``sha256sum -c`` reads it
+# a line of a log as ``thirdbody.data.files.whole`` prints it and ``sha256sum -c`` reads it
 RECORD = re.compile(rb"^([0-9a-f]{64})  (results(?:/\w[\w.-]*)+)$", re.MULTILINE)
 
 

@@ -12,12 +12,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.special import log_expit
 
-from thirdbody.asperity import SummitPopulation
-from thirdbody.film import Film
-from thirdbody.parameters import Parameters, Surface
-from thirdbody.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
-from thirdbody.roots import NOISE, decreasing_roots
-from thirdbody.tabulation import PiecewisePolynomial
+from thirdbody.model.asperity import SummitPopulation
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters, Surface
+from thirdbody.model.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
+from thirdbody.solver.roots import NOISE, decreasing_roots
+from thirdbody.solver.tabulation import PiecewisePolynomial
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 TINY = np.finfo(float).tiny

@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from scipy.special import expit, log_expit
 
-from thirdbody.balance import BALANCES, TINY, Points, dry_balance
-from thirdbody.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.solver.balance import BALANCES, TINY, Points, dry_balance
+from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
@@ -23,7 +23,7 @@ class Solution:
     """Solved points; every attribute has the broadcast shape of the five arguments of ``solve``.
 
     Lengths in m, all else dimensionless; the ``FLAGS`` are indices into the tuples of
-    ``thirdbody.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
+    ``thirdbody.model.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
     regime and mode, and ``solution_status`` says why.  ``error_bound`` is what the relative error
     of every variable stays below; where rounding in float64 keeps it above the ``rtol`` asked for,
     the status is that of a point that did not converge, but its values stand.  A variable that

@@ -13,13 +13,13 @@ from numbers import Real
 
 import numpy as np
 
-from thirdbody.asperity import SummitPopulation
-from thirdbody.balance import Points, RoughSurface, RoughSurfaces
-from thirdbody.film import Film
-from thirdbody.parameters import Parameters
-from thirdbody.particles import ParticleLayer, has_particles
-from thirdbody.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
-from thirdbody.tabulation import PiecewisePolynomial, sample_points
+from thirdbody.model.asperity import SummitPopulation
+from thirdbody.solver.balance import Points, RoughSurface, RoughSurfaces
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ParticleLayer, has_particles
+from thirdbody.solver.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
+from thirdbody.solver.tabulation import PiecewisePolynomial, sample_points
 
 DEFAULT_RTOL = 1e-9
 BLOCK = 2**18  # points among which equal ones are looked for
@@ -109,8 +109,8 @@ def _solved_parts(columns, parameters, rtol, variables):
 
 def _compiled_parts(columns, group, rough, parameters, rtol, areas):
     """Pairs as of ``_solved_parts`` from the compiled loop; returns the points it leaves."""
-    from thirdbody.compiled import CompiledPoints  # what compiles is slow to import
-    from thirdbody.compiled_tables import precisions
+    from thirdbody.solver.compiled.points import CompiledPoints  # what compiles is slow to import
+    from thirdbody.solver.compiled.tables import precisions
 
     for real in precisions(rtol):
         left = []

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from thirdbody.dataset import FILL_FLOAT, QUANTITIES
-from thirdbody.extraction import curves_of
-from thirdbody.interface import solve
-from thirdbody.parameters import Parameters
-from thirdbody.scene import DIMENSIONS
+from thirdbody.data.dataset import FILL_FLOAT, QUANTITIES
+from thirdbody.data.extraction import curves_of
+from thirdbody.solver.solve import solve
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import DIMENSIONS
 
 BAND_RTOL = 1e-4  # of the members: below the width of a line by far
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import differential_evolution, least_squares
 
-from thirdbody.checks import MISSING_SCORE, judge
-from thirdbody.claims import Claim, assign_roles, referenced_conditions
-from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
-from thirdbody.parameters import Parameters
+from thirdbody.study.checks import MISSING_SCORE, judge
+from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
+from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.model.parameters import Parameters
 
 SLOPE_OF_LOSS = 0.1  # keeps a statement that fails badly worth improving
 LOCAL_POOL = 12  # of the best sets: local searches start from those farthest apart among them

@@ -8,7 +8,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from thirdbody.claims import (
+from thirdbody.study.claims import (
     BOUNDS,
     CURVE_QUANTITIES,
     REVERSAL_LOAD,

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from thirdbody.checks import judge
-from thirdbody.claims import Claim, referenced_conditions
-from thirdbody.evidence import QUICK_EFFORT, SolvedEvidence
-from thirdbody.parameters import Parameters
-from thirdbody.places import part_of_paper
+from thirdbody.study.checks import judge
+from thirdbody.study.claims import Claim, referenced_conditions
+from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.places import part_of_paper
 
 MEMBERS = 4  # of each ensemble: the best and those farthest from it and from each other
 PARTS = ("Figure 4", "Figure 6", "Figure 11")
@@ -24,7 +24,7 @@ def conflict_rows(
 ) -> Iterator[dict]:
     """One row a reading, member and statement with a published value or course.
 
-    ``readings`` are contents of calibrated files (``thirdbody.posterior``), whose first member is
+    ``readings`` are contents of calibrated files (``thirdbody.study.posterior``), whose first member is
     the best and whose next are the farthest apart; ``newtons`` is the first and last normal load
     [N].
     """

@@ -7,12 +7,12 @@ from functools import cached_property
 
 import numpy as np
 
-from thirdbody.checks import Curve, TurningPoint
-from thirdbody.claims import Condition
-from thirdbody.interface import DEFAULT_RTOL, solve
-from thirdbody.parameters import Parameters
-from thirdbody.solution import COVERAGE_EXCEEDED, VARIABLES
-from thirdbody.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.study.checks import Curve, TurningPoint
+from thirdbody.study.claims import Condition
+from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solution import COVERAGE_EXCEEDED, VARIABLES
+from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
 
 # variables of ``Solution`` that a ``Curve`` has, and what else must be solved
 SHOWN = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
@@ -38,9 +38,9 @@ QUICK_EFFORT = Effort(
 
 
 class SolvedEvidence:
-    """Evidence for claims (``thirdbody.checks.Evidence``) from the solved model.
+    """Evidence for claims (``thirdbody.study.checks.Evidence``) from the solved model.
 
-    ``asked`` is what ``thirdbody.claims.referenced_conditions`` returns; all its curves are
+    ``asked`` is what ``thirdbody.study.claims.referenced_conditions`` returns; all its curves are
     solved together over ``newtons``, the first and last normal load [N]; ``places`` are those of
     the loads that are looked at, by default all.
     """

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from thirdbody.calibration import Reading, acceptable, spread_out
+from thirdbody.study.calibration import Reading, acceptable, spread_out
 
 DIGITS = 6  # of an input in the calibrated file
 IDENTIFIED_SHARE = 0.25  # of its bounds: an input whose acceptable range is wider is not identified
@@ -17,7 +17,7 @@ PROFILE_BINS = 12
 def summary(reading: Reading, searches: Sequence[np.ndarray], settings: dict) -> dict:
     """The content of ``config/calibrated/<reading>.yaml``.
 
-    ``searches`` are the rows of ``thirdbody.calibration.search``, one array a seed.
+    ``searches`` are the rows of ``thirdbody.study.calibration.search``, one array a seed.
     """
     rows = np.concatenate(searches)
     good = acceptable(rows, settings["acceptance"])

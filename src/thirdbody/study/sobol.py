@@ -18,9 +18,9 @@ from SALib.analyze import sobol as analysis
 from SALib.sample import sobol as sampling
 from scipy.stats import qmc
 
-from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT
-from thirdbody.parameters import Parameters
-from thirdbody.sensitivity import Found, Subject
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.sensitivity import Found, Subject
 
 LEAST_SETS = 1.2  # solved sets a term of the response surface
 

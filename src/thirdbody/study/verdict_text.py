@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from tabulate import tabulate
 
-from thirdbody.verdicts import (
+from thirdbody.study.verdicts import (
     CONTRADICTED,
     FAILS,
     HOLDS,

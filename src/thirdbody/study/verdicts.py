@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from thirdbody.calibration import Reading
-from thirdbody.checks import Verdict, judge
-from thirdbody.claims import Claim, assign_roles, referenced_conditions
-from thirdbody.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
-from thirdbody.parameters import Parameters
+from thirdbody.study.calibration import Reading
+from thirdbody.study.checks import Verdict, judge
+from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
+from thirdbody.model.parameters import Parameters
 
 HOLDS, FAILS = "holds", "fails"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"

@@ -11,14 +11,14 @@ from harm import LONG
 from mutations import Mutation, mutations
 from workspace import ROOT, run_here
 
-from thirdbody import configuration
-from thirdbody.claims import load_claims
-from thirdbody.parameters import Parameters
-from thirdbody.scene import Scene
+from thirdbody.configuration.settings import settings as configuration
+from thirdbody.study.claims import load_claims
+from thirdbody.model.parameters import Parameters
+from thirdbody.data.scene import Scene
 
 NAMES = ("a b", "it's", 'say "no"', "a\nb", "$(touch pwned)", "`touch pwned`", "; touch pwned", "é*")
 CHEAP = "results/extracted/table1/all.csv"
-MADE = ("results", "logs", "benchmarks", ".snakemake", "__pycache__")
+MADE = ("results", "logs", ".snakemake", "__pycache__")
 # what Snakemake says of its own settings before it reads the workflow
 ANNOUNCED = ("Using workflow specific profile", "Config file config/")
 

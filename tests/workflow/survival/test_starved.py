@@ -18,7 +18,7 @@ from harm import (
 )
 from workspace import MINIMAL
 
-from thirdbody.custody import hold_alone
+from thirdbody.run.custody import hold_alone
 
 GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
@@ -135,7 +135,7 @@ def test_each_job_of_the_papers_run_does_with_one_gigabyte(sources, tmp_path, te
         resource.setrlimit(resource.RLIMIT_DATA, (GIGABYTE, GIGABYTE))
 
     complete(workspace, config=(), prepare=limit)
-    benchmarks = list(workspace.root.glob("benchmarks/**/*.tsv"))
+    benchmarks = list(workspace.root.glob("logs/**/*.tsv"))
     rows = [path.read_text().splitlines()[1].split("\t") for path in benchmarks]
     largest = max(float(row[2]) for row in rows if row[2] not in ("-", "NA"))
     tell(f"{len(rows)} jobs of the paper's run within 1 GB each; largest resident {largest:.0f} MB")

@@ -3,8 +3,8 @@
 Whatever depends on one variable is read from a table: the summits' load and area from t, the
 second moment of the particles from alpha, the load of a film from its thickness.  What is left to
 do at a point is the balance of forces (Eqs. 1, 2 and 4), as a sum instead of the difference of
-logarithms by which ``thirdbody.balance`` survives extremes.  Points for which the loop cannot
-promise the error asked for are left to ``thirdbody.solution``.
+logarithms by which ``thirdbody.solver.balance`` survives extremes.  Points for which the loop cannot
+promise the error asked for are left to ``thirdbody.solver.solution``.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
-from thirdbody.balance import RoughSurface
-from thirdbody.compiled_loop import (
+from thirdbody.solver.balance import RoughSurface
+from thirdbody.solver.compiled.loop import (
     COMPILED,
     GIVEN,
     RESULTS,
@@ -27,12 +27,12 @@ from thirdbody.compiled_loop import (
     WIDTH,
     solve_points,
 )
-from thirdbody.compiled_tables import INTEGERS, prepare_model
-from thirdbody.film import Film
-from thirdbody.parameters import Parameters
-from thirdbody.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
-from thirdbody.regimes import contact_mode, lubrication_regime
-from thirdbody.solution import CONVERGED, OUTSIDE_FILM_FORMULA
+from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
+from thirdbody.model.regimes import contact_mode, lubrication_regime
+from thirdbody.solver.solution import CONVERGED, OUTSIDE_FILM_FORMULA
 
 
 OILS = 1e-9, 1e-3  # viscosities [m2/s] between which nothing is extrapolated

@@ -8,14 +8,14 @@ from functools import lru_cache
 
 import numpy as np
 
-from thirdbody.balance import RoughSurface
-from thirdbody.compiled_loop import ROOT, Model, OctaveTable, Table
-from thirdbody.film import Film
-from thirdbody.parameters import Parameters
-from thirdbody.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
-from thirdbody.roots import NOISE
-from thirdbody.solution import ROOT_SHARE
-from thirdbody.tabulation import chebyshev_points, interpolants
+from thirdbody.solver.balance import RoughSurface
+from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
+from thirdbody.solver.roots import NOISE
+from thirdbody.solver.solution import ROOT_SHARE
+from thirdbody.solver.tabulation import chebyshev_points, interpolants
 
 SINGLE, DOUBLE = np.float32, np.float64
 INTEGERS = {SINGLE: np.int32, DOUBLE: np.int64}  # of the same size

@@ -1,0 +1,4 @@
+"""Reading and judging configuration.
+
+Imports ``thirdbody.model.parameters``.
+"""

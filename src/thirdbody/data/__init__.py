@@ -1,0 +1,4 @@
+"""Solved points as archival data: scenes, datasets, tables.
+
+Imports ``thirdbody.curves`` and below.
+"""

@@ -1,0 +1,4 @@
+"""What the workflow relies on while it runs.
+
+Imports the standard library.
+"""

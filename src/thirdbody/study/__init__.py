@@ -1,0 +1,4 @@
+"""The paper's statements, and the unprinted inputs as an inverse problem.
+
+Imports ``thirdbody.data`` and below.
+"""
