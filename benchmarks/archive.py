@@ -62,6 +62,10 @@ def _arrays(rows, axes, table, names):
         for name in names:
             arrays[name][place] = np.nan if row[name] is None else row[name]
     return {
-        name: (list(axes), array, {"units": columns[name].unit, "long_name": columns[name].description})
+        name: (
+            list(axes),
+            array,
+            {"units": columns[name].unit, "long_name": columns[name].description},
+        )
         for name, array in arrays.items()
     }

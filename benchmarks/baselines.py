@@ -17,11 +17,11 @@ from scipy.optimize import brentq, elementwise
 from scipy.special import expit, log_expit
 
 from benchmarks.points import VARIABLES
+from thirdbody.data.scene import DIMENSIONS
 from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
-from thirdbody.solver.balance import Points, RoughSurface
 from thirdbody.model.film import Film
 from thirdbody.model.particles import ParticleLayer
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.solver.balance import Points, RoughSurface
 
 LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch
@@ -181,7 +181,9 @@ class ElementwiseRoots:
         columns = np.broadcast_arrays(*(conditions[name] for name in DIMENSIONS))
         with np.errstate(all="ignore"):
             parts = [
-                self._solve_some(self._points(*(column[start : start + CHUNK] for column in columns)))
+                self._solve_some(
+                    self._points(*(column[start : start + CHUNK] for column in columns))
+                )
                 for start in range(0, columns[0].size, CHUNK)
             ]
         values = (np.concatenate(values) for values in zip(*parts, strict=True))
@@ -211,7 +213,9 @@ class ElementwiseRoots:
             return some.log_solid_load(separation)[0] - some.log_load - log_solid
 
         found = elementwise.find_root(
-            residual, self._ends(points), args=(np.arange(points.log_load.size),),
+            residual,
+            self._ends(points),
+            args=(np.arange(points.log_load.size),),
             tolerances=self.tolerances,
         )
         explicit = points.film is not None and self.parameters.film_load == "total"

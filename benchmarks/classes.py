@@ -48,7 +48,8 @@ def random_conditions(kind: PointClass, count: int, parameters: Parameters, seed
     """``count`` random points of a class: the arguments of ``solve`` as 1-D arrays, by name."""
     random = np.random.default_rng(seed)
     drawn = {
-        name: np.exp(random.uniform(*np.log(ends), count)) for name, ends in SPANS[kind.span].items()
+        name: np.exp(random.uniform(*np.log(ends), count))
+        for name, ends in SPANS[kind.span].items()
     }
     if kind.medium == "dry":
         drawn["viscosity"] = np.zeros(count)

@@ -63,7 +63,13 @@ def _rows_of(method, rtol, groups, solutions_of):
         errors = [relative_errors(each, group.expected) for each in solutions_of(group)]
         found[kind].append(np.stack([np.max([e[name] for e in errors], 0) for name in VARIABLES]))
     return [
-        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(errors, rtol)}
+        {
+            "method": method,
+            "rtol": rtol,
+            **kind._asdict(),
+            "variable": name,
+            **_summary(errors, rtol),
+        }
         for kind, parts in found.items()
         if parts
         for name, errors in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)

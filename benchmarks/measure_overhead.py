@@ -51,7 +51,9 @@ class Cost:
 def only_imports(script: str) -> str:
     """The import statements of ``script``, wherever they stand, and empty outputs."""
     kinds = (ast.Import, ast.ImportFrom)
-    statements = [ast.unparse(node) for node in ast.walk(ast.parse(script)) if isinstance(node, kinds)]
+    statements = [
+        ast.unparse(node) for node in ast.walk(ast.parse(script)) if isinstance(node, kinds)
+    ]
     return "\n".join(dict.fromkeys(statements)) + "\n" + WRITE_NOTHING
 
 

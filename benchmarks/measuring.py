@@ -20,10 +20,7 @@ def least_seconds(functions: dict, rounds: int, timed=processor_seconds) -> dict
     What else a machine does only adds to a time, and does so for long enough to spoil all that is
     timed meanwhile: hence the least, and the rounds.
     """
-    times = [
-        {name: timed(function) for name, function in functions.items()}
-        for _ in range(rounds)
-    ]
+    times = [{name: timed(function) for name, function in functions.items()} for _ in range(rounds)]
     return {name: min(each[name] for each in times) for name in functions}
 
 

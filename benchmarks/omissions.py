@@ -8,8 +8,8 @@ import numpy as np
 
 from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import MICROSECONDS, least_seconds
-from thirdbody.solver.solve import solve
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
 
 # what is left out: the class of points that remains
 BODIES = {

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.scene import DIMENSIONS
+from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import QUANTITIES
 
 VARIABLES = QUANTITIES  # those that the files give

@@ -15,8 +15,8 @@ from benchmarks.measuring import (
     processor_seconds,
     wall_seconds,
 )
-from thirdbody.solver.solve import solve
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
 
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
 

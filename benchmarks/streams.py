@@ -11,8 +11,6 @@ import numpy as np
 from benchmarks.classes import ROUGHNESS, SPANS
 from benchmarks.measuring import MEGABYTE, MICROSECONDS, wall_seconds
 from thirdbody.data.dataset import FLAGS, QUANTITIES
-from thirdbody.solver.solve import solve
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.scene import DIMENSIONS
 from thirdbody.data.streaming import (
     POINTS_PER_BLOCK,
@@ -22,6 +20,8 @@ from thirdbody.data.streaming import (
     stream,
     write_blocks,
 )
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
 
 POINT_BYTES = 8 * len(QUANTITIES) + len(FLAGS)
 
@@ -68,7 +68,9 @@ def stream_rows(parameters: Parameters, settings, directory) -> list[dict]:
 
 def _axes(parameters, values) -> dict:
     """Axes over the usual span, with so many values each, on one roughness."""
-    spans = {name: np.geomspace(*ends, values.get(name, 0)) for name, ends in SPANS["usual"].items()}
+    spans = {
+        name: np.geomspace(*ends, values.get(name, 0)) for name, ends in SPANS["usual"].items()
+    }
     load = np.geomspace(*SPANS["usual"]["normal_load"], values["load"])
     given = {**spans, "load": load / parameters.newtons_per_load, "roughness": ROUGHNESS["usual"]}
     return {name: np.asarray(given[name]) for name in DIMENSIONS}

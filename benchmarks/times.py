@@ -15,9 +15,9 @@ from benchmarks.measuring import (
     peak_megabytes,
     processor_seconds,
 )
+from thirdbody.model.parameters import Parameters
 from thirdbody.solver.compiled.tables import precisions, prepare_model
 from thirdbody.solver.solve import prepare_surface, solve
-from thirdbody.model.parameters import Parameters
 
 
 def time_rows(parameters: Parameters, budget, plain) -> list[dict]:

@@ -14,8 +14,8 @@ from pathlib import Path
 from tabulate import tabulate
 
 from thirdbody.configuration.settings import read_yaml
-from thirdbody.solver.solve import COMPILATION_WORTH
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.solver.solve import COMPILATION_WORTH
 from thirdbody.study.verdicts import counts
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -195,7 +195,9 @@ def main(arguments) -> int:
     if not measured:
         print("errors and times stay as they are: run snakemake -c2 accuracy to renew them")
     if stale:
-        print(f"{', '.join(stale)}: numbers differ from results/; run docs/readme_numbers.py --write")
+        print(
+            f"{', '.join(stale)}: numbers differ from results/; run docs/readme_numbers.py --write"
+        )
     return 1 if stale else 0
 
 

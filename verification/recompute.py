@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import netCDF4
 import numpy as np
-
 import plain_model
 
 DIMENSIONS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")

@@ -7,6 +7,7 @@ It shares nothing with the library that is tested against it.
 Inputs are exact: the float64 that is passed is the number that is solved. Constants that an equation prints (0.663,
 0.884, ...) are exact decimals. Units are SI. Loads are divided by A_n E_ss, areas by A_n.
 """
+
 from types import SimpleNamespace
 from typing import NamedTuple
 
@@ -53,7 +54,9 @@ def integrate(function, edges, rule):
         for part in range(rule.parts):
             start = left + part * length
             scale = max(abs(function(start + length * s)) for s in (0.015625, 0.125, 0.5, 0.875))
-            scaled = mp.quad(lambda s: function(start + length * s) / scale, [0, 1], method=rule.method)
+            scaled = mp.quad(
+                lambda s: function(start + length * s) / scale, [0, 1], method=rule.method
+            )
             total += scaled * scale * length
     return total
 
@@ -87,7 +90,9 @@ def solve(function, low, high):
     with mp.workdps(SEARCH_DIGITS):
         near = find_root(function, low, high, mp.mpf("1e-9"))
     for width in (mp.mpf("1e-8"), mp.mpf("1e-5")):
-        root = find_root(function, max(low, near - width), min(high, near + width), mp.mpf(10) ** (4 - mp.dps))
+        root = find_root(
+            function, max(low, near - width), min(high, near + width), mp.mpf(10) ** (4 - mp.dps)
+        )
         if root is not None:
             return root
     raise ArithmeticError("the low-precision root does not hold")
@@ -224,8 +229,14 @@ def film_terms(load, p):
     """Smooth film thickness H_c and the roughness term r, so that H_c (1 + r) is Eq. 7; load is F/(A_n E_ss)."""
     W, U = load * p.A_n / p.R_x**2, p.U_per_viscosity * p.viscosity
     n = mp.mpf
-    smooth = n("3.672") * W ** (-n("0.045") * p.kappa ** n("0.18")) * U ** (n("0.663") * p.kappa ** n("0.025"))
-    smooth *= p.G ** (n("0.502") * p.kappa ** n("0.064")) * (1 - n("0.573") * mp.exp(-n("0.74") * p.kappa))
+    smooth = (
+        n("3.672")
+        * W ** (-n("0.045") * p.kappa ** n("0.18"))
+        * U ** (n("0.663") * p.kappa ** n("0.025"))
+    )
+    smooth *= p.G ** (n("0.502") * p.kappa ** n("0.064")) * (
+        1 - n("0.573") * mp.exp(-n("0.74") * p.kappa)
+    )
     r = n("0.025") * (p.roughness / p.R_x) ** n("1.248") * p.V ** n("0.119") * W ** -n("0.133")
     r *= U ** -n("0.884") * p.G ** -n("0.977") * p.kappa ** n("0.081")
     return smooth, r
@@ -297,4 +308,8 @@ def solve_contact(row, rule=RULE):
         raise Meaningless
     in_film = p.load * (L_f if p.film_load == "fluid" else 1)
     solution = dict(zip(OUTPUTS, (*contact_areas(d, p), L_s, L_f, d, d / p.R_x)))
-    return row | solution | {"outside_film_formula": outside_film_formula(in_film, p) if p.viscosity else 0}
+    return (
+        row
+        | solution
+        | {"outside_film_formula": outside_film_formula(in_film, p) if p.viscosity else 0}
+    )

@@ -9,6 +9,7 @@ solved as one array.
     python tests/golden/generate_accuracy_points.py             # writes accuracy_points.csv: 10 minutes on one core
     python tests/golden/generate_accuracy_points.py --check     # recomputes some rows another way: 3 minutes
 """
+
 import argparse
 import csv
 import itertools
@@ -24,15 +25,26 @@ from mpmath import mp
 
 PRODUCT = Path(__file__).with_name("accuracy_points.csv")
 CLASS = ("medium", "bodies", "span")
-COLUMNS = (*CLASS, *model.READINGS, *model.COORDINATES, *model.PARAMETERS, *model.OUTPUTS, "outside_film_formula")
+COLUMNS = (
+    *CLASS,
+    *model.READINGS,
+    *model.COORDINATES,
+    *model.PARAMETERS,
+    *model.OUTPUTS,
+    "outside_film_formula",
+)
 SEED = 20241
 POINTS = 64  # rows of a class
 DIGITS = 28  # working precision: five or more are lost in the Gaussian tails
 CHECKED_DIGITS = 20
-AS_PRINTED = dict(surface_offset=1, elastic_limits="printed", coverage_limits="printed", film_load="fluid")
+AS_PRINTED = dict(
+    surface_offset=1, elastic_limits="printed", coverage_limits="printed", film_load="fluid"
+)
 
 USUAL_SURFACES = [
-    (phi_a, roughness, {}) for phi_a in UNPUBLISHED for roughness in (100e-9, 200e-9, 300e-9, 400e-9, 500e-9)
+    (phi_a, roughness, {})
+    for phi_a in UNPUBLISHED
+    for roughness in (100e-9, 200e-9, 300e-9, 400e-9, 500e-9)
 ]
 # phi_a, roughness, and what differs from the published and unpublished inputs
 EXTREME_SURFACES = [
@@ -54,7 +66,11 @@ EXTREME_SURFACES = [
     ("centred", 300e-9, dict(truncation=10.0)),
     ("gap_convolved", 300e-9, dict(truncation=10.0)),
     ("centred", 300e-9, dict(sigma_a_ratio=0.01, mean_ratio=1.0)),  # nearly equal particles
-    ("uncentred", 300e-9, dict(beta=(0.0195, 0.0))),  # summits far above the mean plane: d/sigma_s below -3
+    (
+        "uncentred",
+        300e-9,
+        dict(beta=(0.0195, 0.0)),
+    ),  # summits far above the mean plane: d/sigma_s below -3
     ("uncentred", 300e-9, dict(beta=(5.0, 0.0), surface_offset=0)),
     ("uncentred", 300e-9, dict(h_e_ratio=0.5, elastic_limits="physical")),
     ("centred", 300e-9, dict(h_e_ratio=0.0, coverage_limits="contacting")),
@@ -63,10 +79,16 @@ EXTREME_SURFACES = [
 ]
 # conditions: ranges of load [N], viscosity [m2/s], particle diameter [m], coverage [1]
 USUAL = dict(
-    normal_load=(0.04, 80.0), viscosity=(10e-6, 150e-6), particle_diameter=(50e-9, 1e-6), particle_density=(1e10, 5e12)
+    normal_load=(0.04, 80.0),
+    viscosity=(10e-6, 150e-6),
+    particle_diameter=(50e-9, 1e-6),
+    particle_density=(1e10, 5e12),
 )
 EXTREMES = dict(
-    load=(1e-12, 1e-1), viscosity=(1e-9, 1e-2), particle_diameter=(1e-12, 1e-4), coverage=(1e-9, 0.899)
+    load=(1e-12, 1e-1),
+    viscosity=(1e-9, 1e-2),
+    particle_diameter=(1e-12, 1e-4),
+    coverage=(1e-9, 0.899),
 )
 
 
@@ -77,18 +99,32 @@ def logarithmic(rng, ends):
 
 def inputs_of(phi_a, roughness, changes):
     """All numbers and readings of a surface, without the conditions of a point."""
-    row = PUBLISHED | AS_PRINTED | {"phi_a": phi_a, "h_e_ratio": 0.0111} | UNPUBLISHED[phi_a] | changes
+    row = (
+        PUBLISHED
+        | AS_PRINTED
+        | {"phi_a": phi_a, "h_e_ratio": 0.0111}
+        | UNPUBLISHED[phi_a]
+        | changes
+    )
     (beta, m), (R, n) = row.pop("beta"), row.pop("R")
     scale = roughness / 300e-9
-    return row | {"roughness": roughness} | surface(beta * scale**m, R * scale**n, roughness, row["surface_offset"])
+    return (
+        row
+        | {"roughness": roughness}
+        | surface(beta * scale**m, R * scale**n, roughness, row["surface_offset"])
+    )
 
 
 def draw(medium, bodies, span, place, rng):
     """A candidate row on one of the surfaces of the span."""
     surfaces, ends = (USUAL_SURFACES, USUAL) if span == "usual" else (EXTREME_SURFACES, EXTREMES)
-    row = inputs_of(*surfaces[place % len(surfaces)]) | dict(medium=medium, bodies=bodies, span=span)
+    row = inputs_of(*surfaces[place % len(surfaces)]) | dict(
+        medium=medium, bodies=bodies, span=span
+    )
     drawn = {name: logarithmic(rng, range_) for name, range_ in ends.items()}
-    row["load"] = drawn["load"] if "load" in drawn else drawn["normal_load"] / (row["A_n"] * row["E_ss"])
+    row["load"] = (
+        drawn["load"] if "load" in drawn else drawn["normal_load"] / (row["A_n"] * row["E_ss"])
+    )
     row["viscosity"] = drawn["viscosity"] if medium == "lubricated" else 0.0
     three_body = bodies == "three_body"
     row["particle_diameter"] = drawn["particle_diameter"] if three_body else 0.0
@@ -114,13 +150,19 @@ def solve_slot(slot):
 def generate():
     """Solve all classes and write the product."""
     mp.dps = DIGITS
-    classes = itertools.product(("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes"))
+    classes = itertools.product(
+        ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
+    )
     slots = list(itertools.product(classes, range(POINTS)))
     start, rows = time.monotonic(), []
     for slot in slots:
         rows.append(solve_slot(slot))
         if len(rows) % 16 == 0:
-            print(f"{len(rows)}/{len(slots)} rows, {time.monotonic() - start:.0f} s", file=sys.stderr, flush=True)
+            print(
+                f"{len(rows)}/{len(slots)} rows, {time.monotonic() - start:.0f} s",
+                file=sys.stderr,
+                flush=True,
+            )
     with PRODUCT.open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(COLUMNS)
@@ -135,16 +177,25 @@ def check():
     for index in range(0, len(rows), 29):
         row = rows[index]
         numbers = {name: float(row[name]) for name in (*model.COORDINATES, *model.PARAMETERS)}
-        again = model.solve_contact(row | numbers | {"surface_offset": int(row["surface_offset"])}, CHECK_RULE)
-        differences = [abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS]
-        print(f"line {index + 2}: largest relative difference {mp.nstr(max(differences), 2)}", flush=True)
+        again = model.solve_contact(
+            row | numbers | {"surface_offset": int(row["surface_offset"])}, CHECK_RULE
+        )
+        differences = [
+            abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS
+        ]
+        print(
+            f"line {index + 2}: largest relative difference {mp.nstr(max(differences), 2)}",
+            flush=True,
+        )
         assert max(differences) < mp.mpf(10) ** -CHECKED_DIGITS, row
 
 
 def main():
     """Generate the product, or check it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="recompute rows of the file instead of writing it")
+    parser.add_argument(
+        "--check", action="store_true", help="recompute rows of the file instead of writing it"
+    )
     check() if parser.parse_args().check else generate()
 
 

@@ -7,6 +7,7 @@ error of d that a relative error of 1 in the solid load makes, |d ln d/d ln F_s|
 
     python tests/golden/generate_extremes.py      # writes extremes.csv: 5 minutes on one core
 """
+
 import csv
 import sys
 from pathlib import Path
@@ -24,7 +25,9 @@ COLUMNS = (*LEADING, *model.READINGS, *model.COORDINATES, *model.PARAMETERS, *mo
 WET, DRY = 90e-6, 0.0
 POINT = dict(load=1e-5, viscosity=WET, particle_diameter=500e-9, particle_density=1e11)
 TWO_BODY = dict(particle_diameter=0.0)
-OFFSET_LOST = dict(beta=(0.0195, 0.0))  # the summits' deviation nearly vanishes, their plane lies high
+OFFSET_LOST = dict(
+    beta=(0.0195, 0.0)
+)  # the summits' deviation nearly vanishes, their plane lies high
 EQUAL = dict(sigma_a_ratio=0.0, mean_ratio=1.0)
 
 
@@ -59,7 +62,9 @@ def outputs(p, d, L_s, L_f, A_sa, A_ss):
 def nearly_closed(row):
     """Dry, so close to zero separation that the search has to be for d/sigma and not for its logarithm."""
     p = parameters_of(row)
-    d = p.roughness * model.solve(lambda x: mp.log(model.solid_load(p.roughness * x, p) / p.load), mp.zero, mp.one)
+    d = p.roughness * model.solve(
+        lambda x: mp.log(model.solid_load(p.roughness * x, p) / p.load), mp.zero, mp.one
+    )
     areas = model.contact_areas(d, p)
     return dict(zip(model.OUTPUTS, (*areas, mp.one, mp.zero, d, d / p.R_x))), 0
 
@@ -86,7 +91,9 @@ def particles_alone(p):
     """d [m] at which particles bear the whole load, so far apart that no summit touches."""
     reach = (p.truncation * p.sigma_a_ratio + p.h_e_ratio) * p.particle_diameter
     wanted = p.load * p.E_ss / p.H_s1
-    d = reach * model.solve(lambda x: model.particle_area(reach * x, p) / wanted - 1, mp.mpf("0.1"), mp.one)
+    d = reach * model.solve(
+        lambda x: model.particle_area(reach * x, p) / wanted - 1, mp.mpf("0.1"), mp.one
+    )
     assert (d - p.y_s) / p.sigma_s > 140
     return d
 
@@ -163,7 +170,9 @@ def lifted(row, t):
         p.viscosity = mp.exp(log_viscosity)
         return mp.log(model.film_separation(p.load, p) / target)
 
-    return row | {"viscosity": float(mp.exp(model.solve(excess, mp.log(mp.mpf("5e-6")), mp.mpf(20))))}
+    return row | {
+        "viscosity": float(mp.exp(model.solve(excess, mp.log(mp.mpf("5e-6")), mp.mpf(20))))
+    }
 
 
 def loads():
@@ -179,8 +188,16 @@ def loads():
             nearly = row | dict(load=closing * (1 - below), viscosity=DRY)
             yield f"{below:g} below closing {bodies}", nearly_closed, nearly
         for factor in (1.1, 10.0, 1e6):
-            yield f"{factor:g} of closing {bodies}", "not_converged", row | dict(load=closing * factor, viscosity=DRY)
-            yield f"{factor:g} of closing {bodies} wet", equations, row | dict(load=closing * factor)
+            yield (
+                f"{factor:g} of closing {bodies}",
+                "not_converged",
+                row | dict(load=closing * factor, viscosity=DRY),
+            )
+            yield (
+                f"{factor:g} of closing {bodies} wet",
+                equations,
+                row | dict(load=closing * factor),
+            )
 
 
 def viscosities():
@@ -196,7 +213,15 @@ def viscosities():
 
 def particle_diameters():
     """From 1e-12 m to 1e-4 m, and exactly 0."""
-    sizes = ((0.0, 1e11), (1e-12, 1e11), (1e-10, 1e11), (1e-8, 1e11), (1e-6, 1e11), (1e-5, 1e9), (1e-4, 1e7))
+    sizes = (
+        (0.0, 1e11),
+        (1e-12, 1e11),
+        (1e-10, 1e11),
+        (1e-8, 1e11),
+        (1e-6, 1e11),
+        (1e-5, 1e9),
+        (1e-4, 1e7),
+    )
     for diameter, density in sizes:
         for medium, row in both(point(particle_diameter=diameter, particle_density=density)):
             yield f"{diameter:g} {medium}", equations, row
@@ -254,9 +279,18 @@ def fluid_shares():
     """L_f from 1 - 1e-15 to 1e-300."""
     for t in (7.2, 8.9, 9.5, 36):
         yield f"1 - L_f at t = {t}", equations, lifted(point(load=1e-6, **TWO_BODY), t)
-    for diameter, viscosity in ((1e-4, 1e-3), (1e-4, 3e-3), (1e2, 1e-2), (1e8, 1e-2), (1e20, 1e-2), (1e43, 1e-2)):
+    for diameter, viscosity in (
+        (1e-4, 1e-3),
+        (1e-4, 3e-3),
+        (1e2, 1e-2),
+        (1e8, 1e-2),
+        (1e20, 1e-2),
+        (1e43, 1e-2),
+    ):
         # so large a particle that no film has its height: beyond nature, within the equations
-        row = point(10e-9, particle_diameter=diameter, particle_density=4.5 / diameter**2, load=1e-6)
+        row = point(
+            10e-9, particle_diameter=diameter, particle_density=4.5 / diameter**2, load=1e-6
+        )
         yield f"x_a {diameter:g}, {viscosity:g}", vanishing_film, row | {"viscosity": viscosity}
 
 
@@ -275,13 +309,21 @@ def materials():
 def widths():
     """phi_a ever narrower, and of no width: the limit of equal particles."""
     for ratio in (1e-1, 1e-2, 1e-4, 1e-6, 1e-9):
-        for medium, row in both(point(phi_a="centred", sigma_a_ratio=ratio, mean_ratio=1.0, particle_diameter=1.2e-6)):
+        for medium, row in both(
+            point(phi_a="centred", sigma_a_ratio=ratio, mean_ratio=1.0, particle_diameter=1.2e-6)
+        ):
             yield f"{ratio:g} {medium}", equations, row
     for medium, row in both(point(phi_a="centred", particle_diameter=1.2e-6, **EQUAL)):
         for load in (1e-5, 1e-4):
             yield f"0 {load:g} {medium}", equal_particles, row | {"load": load}
         yield f"0 uncentred {medium}", no_particles, row | {"phi_a": "uncentred"}
-    gap = point(phi_a="gap_convolved", sigma_a_ratio=0.0, mean_ratio=1.0, gap_ratio=1.15, particle_density=1e10)
+    gap = point(
+        phi_a="gap_convolved",
+        sigma_a_ratio=0.0,
+        mean_ratio=1.0,
+        gap_ratio=1.15,
+        particle_density=1e10,
+    )
     for medium, row in both(gap):
         yield f"0 gap_convolved {medium}", equations, row
 
@@ -292,7 +334,9 @@ def truncations():
         for phi_a in ("uncentred", "centred", "gap_convolved"):
             density = 1e10 if phi_a == "gap_convolved" else 1e11
             for load in (1e-9, 1e-5):
-                for medium, row in both(point(phi_a=phi_a, truncation=truncation, load=load, particle_density=density)):
+                for medium, row in both(
+                    point(phi_a=phi_a, truncation=truncation, load=load, particle_density=density)
+                ):
                     yield f"{truncation:g} {phi_a} {load:g} {medium}", equations, row
 
 

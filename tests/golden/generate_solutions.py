@@ -14,6 +14,7 @@ the film thickness would grow with falling viscosity, always 0 for dry contacts.
 group `smooth` leaves the published ranges for film loads down to 1e-20 of the load. Numbers too small for float64 are
 meant as they stand: as float64 they are 0.
 """
+
 import argparse
 import csv
 import itertools
@@ -29,7 +30,14 @@ import contact_in_mpmath as model
 from mpmath import mp
 
 PRODUCT = Path(__file__).with_name("solutions.csv")
-COLUMNS = ("group", *model.READINGS, *model.COORDINATES, *model.PARAMETERS, *model.OUTPUTS, "outside_film_formula")
+COLUMNS = (
+    "group",
+    *model.READINGS,
+    *model.COORDINATES,
+    *model.PARAMETERS,
+    *model.OUTPUTS,
+    "outside_film_formula",
+)
 SEED = 20240
 CHECK_RULE = model.Rule("tanh-sinh", 2, 1)
 
@@ -63,7 +71,9 @@ UNPUBLISHED = {
 }  # fmt: skip
 REAL_SURFACE = dict(beta=(0.05, 0.0), R=(12e-6, 0.0))  # ASSUME: typical of measured surfaces
 VISCOSITIES = ((0.3e-6, 4e-6), (4e-6, 40e-6), (40e-6, 90e-6), (90e-6, 150e-6))  # [m2/s]
-FILM = dict(viscosity=(50e-6, 150e-6), particle_diameter=(20e-9, 200e-9), roughness=(100e-9, 300e-9))
+FILM = dict(
+    viscosity=(50e-6, 150e-6), particle_diameter=(20e-9, 200e-9), roughness=(100e-9, 300e-9)
+)
 # Groups that keep a candidate only where this output lies in this range
 WANTED = {
     "mixed": ("solid_load_fraction", 0.03, 0.90),
@@ -89,7 +99,9 @@ def draw(slot, rng):
         name: base[name] * rng.uniform(0.8, 1.25)
         for name in ("A_n", "mean_ratio", "sigma_a_ratio", "gap_ratio", "truncation")
     }
-    drawn["participation"] = rng.choice((base["participation"], 1.0, 0.0885, rng.uniform(0.01, 0.05)))
+    drawn["participation"] = rng.choice(
+        (base["participation"], 1.0, 0.0885, rng.uniform(0.01, 0.05))
+    )
     drawn["h_e_ratio"] = rng.choice((0.0111, 0.0885))
     drawn["roughness"] = rng.uniform(100e-9, 500e-9)
     drawn["particle_diameter"] = rng.uniform(20e-9, 1000e-9)
@@ -115,7 +127,11 @@ def lubricated_slots():
     conditions = [*(("lubricated", {"viscosity": band}) for band in VISCOSITIES), ("film", FILM)]
     for reading in itertools.islice(combinations(), 48):
         for group, condition in conditions:
-            yield {"group": group, **{name: rng.uniform(*band) for name, band in condition.items()}, **reading}
+            yield {
+                "group": group,
+                **{name: rng.uniform(*band) for name, band in condition.items()},
+                **reading,
+            }
         for group in ("mixed", "hybrid"):
             yield {"group": group, "viscosity": rng.uniform(20e-6, 150e-6), **reading}
 
@@ -163,7 +179,11 @@ def smooth_slots():
         participation=(0.01, 0.05), particle_density=(1e12, 5e12),
     )  # fmt: skip
     for reading in itertools.islice(combinations(step=10), 12):
-        yield {"group": "smooth", **{name: rng.uniform(*ends) for name, ends in ranges.items()}, **reading}
+        yield {
+            "group": "smooth",
+            **{name: rng.uniform(*ends) for name, ends in ranges.items()},
+            **reading,
+        }
 
 
 def text(value):
@@ -191,14 +211,24 @@ def fill(numbered_slot):
 
 def generate():
     """Fill all slots over two processes and write the product."""
-    slots = [*lubricated_slots(), *limit_slots(), *corner_slots(), *material_slots(), *smooth_slots()]
+    slots = [
+        *lubricated_slots(),
+        *limit_slots(),
+        *corner_slots(),
+        *material_slots(),
+        *smooth_slots(),
+    ]
     start, rows = time.monotonic(), []
     with multiprocessing.Pool(2) as pool:
         for done, row in enumerate(pool.imap(fill, enumerate(slots), chunksize=4), start=1):
             rows += [row] if row else []
             if done % 16 == 0 or done == len(slots):
                 elapsed = time.monotonic() - start
-                print(f"{done}/{len(slots)} slots, {len(rows)} rows, {elapsed:.0f} s", file=sys.stderr, flush=True)
+                print(
+                    f"{done}/{len(slots)} slots, {len(rows)} rows, {elapsed:.0f} s",
+                    file=sys.stderr,
+                    flush=True,
+                )
     with PRODUCT.open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(COLUMNS)
@@ -210,7 +240,9 @@ def recompute(row):
     mp.dps = 2 * model.DIGITS
     numbers = {name: float(row[name]) for name in (*model.COORDINATES, *model.PARAMETERS)}
     again = model.solve_contact(row | numbers, CHECK_RULE)
-    differences = [abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS]
+    differences = [
+        abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS
+    ]
     differences.append(abs(int(row["outside_film_formula"]) - again["outside_film_formula"]))
     return mp.nstr(max(differences), 2)
 
@@ -221,11 +253,18 @@ def check_rows():
         rows = list(csv.DictReader(file))
     chosen = {*range(0, len(rows), 20)}
     for name in model.OUTPUTS:
-        values = [(mp.mpf(row[name]), index) for index, row in enumerate(rows) if mp.mpf(row[name]) > 0]
+        values = [
+            (mp.mpf(row[name]), index) for index, row in enumerate(rows) if mp.mpf(row[name]) > 0
+        ]
         chosen |= {min(values)[1], max(values)[1]}
     with multiprocessing.Pool(2) as pool:
-        for index, difference in zip(sorted(chosen), pool.imap(recompute, (rows[index] for index in sorted(chosen)))):
-            print(f"line {index + 2} ({rows[index]['group']}): largest relative difference {difference}", flush=True)
+        for index, difference in zip(
+            sorted(chosen), pool.imap(recompute, (rows[index] for index in sorted(chosen)))
+        ):
+            print(
+                f"line {index + 2} ({rows[index]['group']}): largest relative difference {difference}",
+                flush=True,
+            )
             assert float(difference) < 1e-22, rows[index]
 
 
@@ -242,20 +281,30 @@ def check_asperities():
         p = SimpleNamespace(rule=model.RULE, **PUBLISHED | surface_in_sigma_s)
         for single, values in zip((model.asperity_load(p), model.asperity_area(p)), expected):
             computed = [model.population(single, d, p) for d in range(4)]
-            assert [mp.nstr(value, 5) for value in computed] == [mp.nstr(mp.mpf(v), 5) for v in values.split()], psi
+            assert [mp.nstr(value, 5) for value in computed] == [
+                mp.nstr(mp.mpf(v), 5) for v in values.split()
+            ], psi
 
 
 def check_film():
     """Reference values of Eq. 7 at a roughness of 300 nm."""
-    for W, viscosity, expected in ((1e-6, 120e-6, 1.783e-4), (1e-6, 70e-6, 1.274e-4), (8.86e-9, 120e-6, 2.273e-4)):
-        p = SimpleNamespace(viscosity=viscosity, roughness=300e-9, A_n=PUBLISHED["R_x"] ** 2, **PUBLISHED)
+    for W, viscosity, expected in (
+        (1e-6, 120e-6, 1.783e-4),
+        (1e-6, 70e-6, 1.274e-4),
+        (8.86e-9, 120e-6, 2.273e-4),
+    ):
+        p = SimpleNamespace(
+            viscosity=viscosity, roughness=300e-9, A_n=PUBLISHED["R_x"] ** 2, **PUBLISHED
+        )
         assert abs(model.film_separation(W, p) / p.R_x / expected - 1) < 3e-4, (W, viscosity)
 
 
 def main():
     """Generate the product, or check it."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--check", action="store_true", help="recompute rows of the file instead of writing it")
+    parser.add_argument(
+        "--check", action="store_true", help="recompute rows of the file instead of writing it"
+    )
     if not parser.parse_args().check:
         return generate()
     mp.dps = model.DIGITS

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from small_release import make_release
 
-from thirdbody.solver import solve as interface
 from thirdbody.release.citation import Release
+from thirdbody.solver import solve as interface
 
 ROOT = Path(__file__).resolve().parents[2]
 

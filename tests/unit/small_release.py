@@ -1,21 +1,21 @@
 """A release of a few points, made through the library alone.
 
-    python small_release.py FOLDER      in the root of the repository: what the tests compare
+python small_release.py FOLDER      in the root of the repository: what the tests compare
 """
 
 import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.run.closure import import_closure
 from thirdbody.data.dataset import scene_dataset, write_dataset
+from thirdbody.data.scene import Scene
+from thirdbody.data.tables import TABLES, write_csv, write_schema
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.datapackage import DRAWN_POINTS
 from thirdbody.release.pack import pack
 from thirdbody.release.staging import stage, whole_folder
-from thirdbody.data.scene import Scene
-from thirdbody.data.tables import TABLES, write_csv, write_schema
+from thirdbody.run.closure import import_closure
 
 SCENES = {
     # dry, with and without particles
@@ -52,7 +52,9 @@ def make_products(folder):
     write_csv(table, [row], columns)
     write_schema(schema, columns)
     products += [table, schema]
-    drawn = ",".join(column.name for column in DRAWN_POINTS) + "\nA,90 cSt,load,1e-5,separation,2e-7\n"
+    drawn = (
+        ",".join(column.name for column in DRAWN_POINTS) + "\nA,90 cSt,load,1e-5,separation,2e-7\n"
+    )
     for kind, content in {**PICTURES, "csv": drawn.encode()}.items():
         products.append(folder / "figures" / f"fig03.{kind}")
         products[-1].write_bytes(content)

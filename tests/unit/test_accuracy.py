@@ -124,7 +124,9 @@ def test_the_reading_of_the_total_load_is_solved_one_by_one_alone(parameters, pl
 
 
 def test_a_baseline_says_nan_where_it_finds_nothing(parameters, plain):
-    given = dict(load=1.0, viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0)
+    given = dict(
+        load=1.0, viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0
+    )
     given = {name: np.array([value]) for name, value in given.items()}
     assert np.isnan(NestedRoots(plain, parameters).solve(**given).separation).all()
     assert np.isnan(ElementwiseRoots(parameters, 3e-7, 1e-9).solve(**given).separation).all()
@@ -176,7 +178,9 @@ def test_a_warning_makes_a_point_wrong(monkeypatch):
 
 
 def test_waiting_takes_time_on_the_clock_but_not_of_the_processor():
-    least = least_seconds({"asleep": lambda: time.sleep(0.05), "awake": lambda: sum(range(10**6))}, 3)
+    least = least_seconds(
+        {"asleep": lambda: time.sleep(0.05), "awake": lambda: sum(range(10**6))}, 3
+    )
     assert least["asleep"] < 0.005 < least["awake"]
     assert 0.05 <= wall_seconds(lambda: time.sleep(0.05)) < 5.0
 

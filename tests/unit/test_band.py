@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from thirdbody.study.band import BAND_RTOL, band
 from thirdbody.data.dataset import QUANTITIES, read_dataset, scene_dataset, write_dataset
-from thirdbody.solver.solve import solve
 from thirdbody.data.scene import DIMENSIONS, Scene
+from thirdbody.solver.solve import solve
+from thirdbody.study.band import BAND_RTOL, band
 
 DENSITY = 1e11
 SCENE = {

@@ -7,9 +7,17 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.study.calibration import Objective, Reading, Unknown, acceptable, loss, search, spread_out
-from thirdbody.study.claims import assign_roles, load_claims, referenced_conditions
 from thirdbody.configuration.settings import read_yaml
+from thirdbody.study.calibration import (
+    Objective,
+    Reading,
+    Unknown,
+    acceptable,
+    loss,
+    search,
+    spread_out,
+)
+from thirdbody.study.claims import assign_roles, load_claims, referenced_conditions
 from thirdbody.study.posterior import summary
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -144,7 +152,9 @@ def test_an_ensemble_starts_with_the_best_and_spreads():
 
 
 def test_a_summary_tells_what_is_identified_and_what_is_not():
-    searches = [search(READING, Valley(), BUDGET, seed, report=lambda line: None) for seed in (1, 2)]
+    searches = [
+        search(READING, Valley(), BUDGET, seed, report=lambda line: None) for seed in (1, 2)
+    ]
     found = summary(READING, searches, {"acceptance": 0.02, "ensemble": 4})
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=1e-3)
     assert found["identification"]["gap_ratio"]["identified"]

@@ -7,9 +7,7 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody.study import checks
-
-from thirdbody.study import claims
+from thirdbody.study import checks, claims
 from thirdbody.study.checks import Curve, TurningPoint, judge
 from thirdbody.study.claims import Claim, Condition
 

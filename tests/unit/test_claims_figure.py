@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.figures import claims, conflict
+from thirdbody.figures.saving import drawn_points
 from thirdbody.study import verdicts
 from thirdbody.study.claims import assign_roles, load_claims
 from thirdbody.study.conflict import PARTS, conflict_rows
-from thirdbody.figures import claims, conflict
-from thirdbody.figures.saving import drawn_points
 from thirdbody.study.places import part_of_paper
 
 ROOT = Path(__file__).parents[2]

@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.solver import solve as interface
 from benchmarks.points import relative_errors
-from thirdbody.solver.compiled.points import CompiledPoints, _loop
-from thirdbody.solver.compiled.loop import ROOT
-from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.model.film import Film
-from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
 from thirdbody.model.particles import unit_moment
+from thirdbody.solver import solve as interface
+from thirdbody.solver.compiled.loop import ROOT
+from thirdbody.solver.compiled.points import CompiledPoints, _loop
+from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
+from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
 
 ROUGHNESS = 300e-9
 QUADRATURE = 5e-12  # what is left of errors by the other ways

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.solver import solve as interface
 from benchmarks.points import VARIABLES, relative_error
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver import solve as interface
 
 pytestmark = pytest.mark.filterwarnings("error")
 

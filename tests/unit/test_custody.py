@@ -5,6 +5,7 @@ import os
 
 import pytest
 
+from thirdbody.data.files import logged, whole
 from thirdbody.run.custody import (
     hold_alone,
     recorded_digests,
@@ -12,7 +13,6 @@ from thirdbody.run.custody import (
     require_recorded,
     require_writable,
 )
-from thirdbody.data.files import logged, whole
 
 
 @pytest.fixture

@@ -47,10 +47,19 @@ FLAGS = {
     "contact_mode": "two_body surface_surface hybrid particle_surface",
     "solution_status": "converged outside_film_formula coverage_exceeded not_converged",
 }
-GLOBAL_ATTRIBUTES = (
-    "title summary source references license creator_name conventions schema_version "
-    "software_version configuration_sha256 model_parameters"
-).split()
+GLOBAL_ATTRIBUTES = [
+    "title",
+    "summary",
+    "source",
+    "references",
+    "license",
+    "creator_name",
+    "conventions",
+    "schema_version",
+    "software_version",
+    "configuration_sha256",
+    "model_parameters",
+]
 AXES = {
     "load": [1e-6, 1e-5, 1e-4],
     "viscosity": [0.0, 90e-6],

@@ -13,7 +13,10 @@ pytestmark = pytest.mark.filterwarnings("error")
 
 RTOLS = [10.0**-power for power in range(2, 11)]
 BEST = 1e-11
-FEW, MANY = 12, 200  # loads of a curve: two in a decade and a half, and what results may not depend on
+FEW, MANY = (
+    12,
+    200,
+)  # loads of a curve: two in a decade and a half, and what results may not depend on
 # viscosity, diameter, roughness, density of curves with turning points and transitions
 CURVES = np.array(
     [

@@ -194,7 +194,8 @@ def assert_balanced(again, d, values, rtol):
     ``values`` are F_s*, A_t*, A_sa,t* and A_ss,t* (Eqs. 2, 4 and 5).
     """
     at, near, far = (
-        (again.solid_load(gap), *again.areas(gap)) for gap in (d, d * (1.0 - rtol), d * (1.0 + rtol))
+        (again.solid_load(gap), *again.areas(gap))
+        for gap in (d, d * (1.0 - rtol), d * (1.0 + rtol))
     )
     for index, value in enumerate(values):
         allowed = rtol * np.abs(at[index]) + np.abs(near[index] - far[index])

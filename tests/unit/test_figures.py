@@ -12,11 +12,11 @@ from matplotlib.colors import to_rgb
 from matplotlib.transforms import Bbox
 
 from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.scene import DIMENSIONS, Scene
 from thirdbody.figures.curves import shown_curves
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
 from thirdbody.figures.saving import SUFFIXES, drawn_points, save
 from thirdbody.figures.section import section_through, solved_state
-from thirdbody.data.scene import DIMENSIONS, Scene
 
 ROOT = Path(__file__).parents[2]
 STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
@@ -326,7 +326,7 @@ def test_section_has_the_statistics_of_the_model(parameters):
     assert gaps.std() == pytest.approx(state.roughness, rel=0.12)
     diameters = np.array([p.diameter for section in sections for p in section.particles])
     largest = parameters.truncation * parameters.spread_ratio * state.particle_diameter
-    assert 0.0 < diameters.min() and diameters.max() < largest * (1 + 1e-12)
+    assert diameters.min() > 0.0 and diameters.max() < largest * (1 + 1e-12)
 
 
 def test_particles_rest_on_the_lower_surface_or_are_held(parameters):

@@ -4,7 +4,6 @@ import csv
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 import thirdbody as tb
 from thirdbody.model.parameters import Parameters
@@ -85,8 +84,13 @@ def solve_row(row, rtol):
 def test_there_are_enough_golden_points_over_all_readings():
     rows = golden_rows()
     readings = {
-        (row["phi_a"], row["surface_offset"], row["elastic_limits"], row["coverage_limits"],
-         row["film_load"])
+        (
+            row["phi_a"],
+            row["surface_offset"],
+            row["elastic_limits"],
+            row["coverage_limits"],
+            row["film_load"],
+        )
         for row in rows
     }
     assert len(rows) >= 200

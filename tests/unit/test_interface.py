@@ -9,9 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.solver import solve as interface
 from thirdbody.solver.balance import Points
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -489,7 +489,9 @@ def test_areas_are_evaluated_where_asked_for_alone(parameters, loads, monkeypatc
 
 @pytest.mark.parametrize("names", [["total_area"], "separation", ["separation", "load"]])
 def test_an_unknown_variable_is_refused_by_its_name(parameters, names):
-    with pytest.raises(ValueError, match="variables has '.*'; allowed: a list out of total_contact"):
+    with pytest.raises(
+        ValueError, match="variables has '.*'; allowed: a list out of total_contact"
+    ):
         tb.solve(**POINT, parameters=parameters, variables=names)
 
 

@@ -11,12 +11,28 @@ from numpy.testing import assert_allclose
 from thirdbody.model.parameters import Parameters
 
 # the data contract's keys: numbers, lists along the roughness, names of readings
-NUMBERS = (
-    "E_ss E_sa H_s1 H_s2 k omega_ratio R_x G V kappa U_per_viscosity A_n "
-    "mean_ratio sigma_a_ratio gap_ratio truncation participation h_e_ratio"
-).split()
-LISTS = "eta_s R sigma_s y_s".split()
-NAMES = "phi_a elastic_limits coverage_limits film_load".split()
+NUMBERS = [
+    "E_ss",
+    "E_sa",
+    "H_s1",
+    "H_s2",
+    "k",
+    "omega_ratio",
+    "R_x",
+    "G",
+    "V",
+    "kappa",
+    "U_per_viscosity",
+    "A_n",
+    "mean_ratio",
+    "sigma_a_ratio",
+    "gap_ratio",
+    "truncation",
+    "participation",
+    "h_e_ratio",
+]
+LISTS = ["eta_s", "R", "sigma_s", "y_s"]
+NAMES = ["phi_a", "elastic_limits", "coverage_limits", "film_load"]
 
 
 def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):

@@ -22,7 +22,9 @@ def write_results(folder, rtols, microseconds):
     """Tables of an accuracy run in which every error is a tenth of what is asked for."""
     given = [("library", rtol) for rtol in rtols] + [("nested_roots", None)]
     rows = [
-        {"method": method, "rtol": rtol, **kind._asdict()} for method, rtol in given for kind in CLASSES
+        {"method": method, "rtol": rtol, **kind._asdict()}
+        for method, rtol in given
+        for kind in CLASSES
     ]
     filled = {
         "variable": "separation",

@@ -202,7 +202,11 @@ def test_guide_names_every_dataset_quantity_and_column(built):
             assert f"| `{name}` | {variable.symbol} | {variable.units} |" in guide
         for name in json.loads(dataset.model_parameters):
             assert f"| `{name}` | " in guide
-    for word in (*(f"`{name}.nc`" for name in SCENES), "`diameter_over_roughness`", "verification/verify.py"):
+    for word in (
+        *(f"`{name}.nc`" for name in SCENES),
+        "`diameter_over_roughness`",
+        "verification/verify.py",
+    ):
         assert word in guide
 
 
@@ -248,5 +252,3 @@ def test_folder_appears_whole_or_not_at_all(tmp_path):
         (part / "second").write_text("2")
         raise OSError
     assert files_in(tmp_path, tmp_path) == ["release/first"]
-
-

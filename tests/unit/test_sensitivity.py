@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.study.checks import Curve
 from thirdbody.configuration.settings import read_yaml, validate
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.saving import drawn_points
 from thirdbody.figures.sensitivity import plot
 from thirdbody.solver.solve import solve
+from thirdbody.study.checks import Curve
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -25,8 +27,6 @@ from thirdbody.study.sensitivity import (
     varied_inputs,
 )
 from thirdbody.study.sobol import ResponseSurface, Sampling, quadratic_terms
-from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.curves.transitions import LIMITS, transitions
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

@@ -24,7 +24,10 @@ def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, 
     monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", points)
     tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6)
     assert capsys.readouterr() == ("", "")
-    streamed, grid = read_dataset(tmp_path / "grid.nc"), tb.grid(**AXES, parameters=parameters, rtol=1e-6)
+    streamed, grid = (
+        read_dataset(tmp_path / "grid.nc"),
+        tb.grid(**AXES, parameters=parameters, rtol=1e-6),
+    )
     assert streamed.attrs == grid.attrs
     assert dict(streamed.sizes) == dict(grid.sizes)
     for name, expected in grid.variables.items():

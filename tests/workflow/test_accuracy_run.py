@@ -104,7 +104,11 @@ def test_sweeps_hold_what_was_asked_for(tables):
 def test_every_bar_is_judged_by_what_was_measured(tables):
     assert len(tables["bars"]) == 10
     for row in tables["bars"]:
-        holds = row["measured"] >= row["bar"] if row["sense"] == "at least" else row["measured"] <= row["bar"]
+        holds = (
+            row["measured"] >= row["bar"]
+            if row["sense"] == "at least"
+            else row["measured"] <= row["bar"]
+        )
         assert row["verdict"] == ("holds" if holds else "fails")
     times = {
         (row["method"], row["rtol"]): row["microseconds_per_point"]

@@ -94,11 +94,17 @@ CASES = [
     put("curves without viscosity", SCENES, f"{GROUP}/viscosity_cSt", ABSENT, GROUP_SHOWN, "cSt"),
     put("curves without density", SCENES, f"{GROUP}/particle_density_per_m2", ABSENT, GROUP_SHOWN),
     put("two sizes", SCENES, f"{GROUP}/particle_diameter_nm", [1], GROUP_SHOWN, "either"),
-    put("no size", SCENES, f"{GROUP}/particle_diameter_per_roughness", ABSENT, GROUP_SHOWN, "either"),
+    put(
+        "no size", SCENES, f"{GROUP}/particle_diameter_per_roughness", ABSENT, GROUP_SHOWN, "either"
+    ),
     put("no drawing", CONFIG, "schematics/fig02", ABSENT, "schematics", "'fig02' is missing"),
     # types
-    put("count is a word", SCENES, "load_axis/count", "many", "load_axis.count", "'many'", "integer"),
-    put("count is a fraction", SCENES, "load_axis/count", 24.5, "load_axis.count", "24.5", "integer"),
+    put(
+        "count is a word", SCENES, "load_axis/count", "many", "load_axis.count", "'many'", "integer"
+    ),
+    put(
+        "count is a fraction", SCENES, "load_axis/count", 24.5, "load_axis.count", "24.5", "integer"
+    ),
     put("number in quotes", SCENES, f"{GROUP}/roughness_nm", ["100"], "roughness_nm[0]", "number"),
     put("number for a list", SCENES, f"{GROUP}/roughness_nm", 100, "roughness_nm", "100", "list"),
     put("list for a number", CONFIG, "rtol", [1e-9], "rtol", "[1e-09]", "a number"),
@@ -113,7 +119,9 @@ CASES = [
     put("equal loads", SCENES, "load_axis/load_N", [1, 1], "load_axis.load_N", "[1, 1]", "below"),
     put("three ends", SCENES, "load_axis/load_N", [1, 2, 3], "load_axis.load_N", "at most 2"),
     put("no counts", SCENES, "load_axis/count", 0, "load_axis.count", "0", "at least 5"),
-    put("negative viscosity", SCENES, f"{GROUP}/viscosity_cSt", [-1], "viscosity_cSt[0]", "-1", "0"),
+    put(
+        "negative viscosity", SCENES, f"{GROUP}/viscosity_cSt", [-1], "viscosity_cSt[0]", "-1", "0"
+    ),
     put("no roughness", SCENES, f"{GROUP}/roughness_nm", [0], "roughness_nm[0]", "0", "at least 1"),
     put("empty list", SCENES, f"{GROUP}/roughness_nm", [], "roughness_nm", "[]", "at least 1"),
     put("value twice", SCENES, f"{GROUP}/roughness_nm", [9, 9], "roughness_nm", "[9, 9]", "twice"),
@@ -147,7 +155,9 @@ CASES = [
     ),
     put("rtol of zero", CONFIG, "rtol", 0, "rtol", "0", "at least 1e-11"),
     put("rtol above its range", CONFIG, "rtol", 0.1, "rtol", "0.1", "at most 0.01"),
-    put("rtol of a scene", SCENES, "scenes/fig04/rtol", 1e-12, "scenes.fig04.rtol", "1e-12", "1e-11"),
+    put(
+        "rtol of a scene", SCENES, "scenes/fig04/rtol", 1e-12, "scenes.fig04.rtol", "1e-12", "1e-11"
+    ),
     put("not a number", CONFIG, "rtol", float("nan"), "rtol", "nan", "finite"),
     put("infinite", SCENES, "load_axis/load_N", [1, float("inf")], "load_N[1]", "inf", "finite"),
     put("too few windows", CONFIG, "windows/count", 2, "windows.count", "2", "at least 10"),
@@ -159,8 +169,12 @@ CASES = [
         "windows.particle_diameter_per_roughness",
         "[2.5, 0.3]",
     ),
-    put("four panels", CONFIG, "schematics/fig02", [{}, {}, {}, {}], "schematics.fig02", "at most 3"),
-    put("line break in a title", SCENES, "scenes/fig03/title", "a\nb", "scenes.fig03.title", "a\\nb"),
+    put(
+        "four panels", CONFIG, "schematics/fig02", [{}, {}, {}, {}], "schematics.fig02", "at most 3"
+    ),
+    put(
+        "line break in a title", SCENES, "scenes/fig03/title", "a\nb", "scenes.fig03.title", "a\\nb"
+    ),
     put("line break in a name", SCENES, "scenes/fig03\n", {}, "scenes", "fig03\\n", "allowed"),
     # files named by the configuration
     put("path upwards", CONFIG, "inputs", "config/../../x.yaml", "inputs", "config/../../x.yaml"),
@@ -174,15 +188,21 @@ CASES = [
     inputs("input is not a number", b"truncation: .nan\n", "truncation", "nan", "0.5 to 10"),
     inputs("input is a word", b"truncation: wide\n", "truncation", "'wide'", "a number"),
     inputs("unknown reading", b"film_load: both\n", "film_load", "'both'", "fluid, total"),
-    inputs("word for a truth", b"summit_offset: 'true'\n", "summit_offset", "'true'", "True, False"),
+    inputs(
+        "word for a truth", b"summit_offset: 'true'\n", "summit_offset", "'true'", "True, False"
+    ),
     inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 2"),
     put("entry without value", INPUTS, "truncation/value", ABSENT, INPUTS, "truncation", "allowed"),
-    put("entry without bounds", INPUTS, "truncation/bounds", ABSENT, INPUTS, "truncation", "allowed"),
+    put(
+        "entry without bounds", INPUTS, "truncation/bounds", ABSENT, INPUTS, "truncation", "allowed"
+    ),
     put("entry without unit", INPUTS, "truncation", {"value": 99, "bounds": [0, 1]}, INPUTS, "99"),
     put("bare number as entry", INPUTS, "truncation", 2.5, INPUTS, "truncation", "allowed"),
     put("no such entry", INPUTS, "truncation", ABSENT, INPUTS, "truncation", "allowed"),
     put("one more entry", INPUTS, "colour", {"value": 1.0, "bounds": [0, 2]}, INPUTS, "'colour'"),
-    put("reading of no kind", INPUTS, "film_load/value", "both", INPUTS, "film_load", "fluid, total"),
+    put(
+        "reading of no kind", INPUTS, "film_load/value", "both", INPUTS, "film_load", "fluid, total"
+    ),
     # printed tables
     put("no printed table", "config/paper_tables.yaml", "table1", ABSENT, "table1", "allowed"),
     put("printed word", "config/paper_tables.yaml", "table1/0/printed", "x", "table1", "allowed"),
@@ -214,9 +234,13 @@ CASES = [
     # a second file and single keys on the command line
     second("second file: unknown key", b"colour: red\n", "'colour'", "inputs"),
     second("second file: value", b"rtol: 3\n", "rtol", "3", "at most 0.01"),
-    second("second file: key twice", b"rtol: 1.0e-8\nrtol: 1.0e-7\n", SECOND, "'rtol' stands twice"),
+    second(
+        "second file: key twice", b"rtol: 1.0e-8\nrtol: 1.0e-7\n", SECOND, "'rtol' stands twice"
+    ),
     second("second file: alias", b"a: &a [1]\nb: *a\n", SECOND, "anchor a", "plain values"),
-    second("second file: part of a scene", b"scenes: {fig03: {curves: []}}\n", "fig03.curves", "[]"),
+    second(
+        "second file: part of a scene", b"scenes: {fig03: {curves: []}}\n", "fig03.curves", "[]"
+    ),
     given("key on the command line", "colour=red", "'colour'", "inputs"),
     given("value on the command line", "rtol=much", "rtol", "'much'", "a number"),
 ]

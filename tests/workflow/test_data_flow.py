@@ -8,7 +8,17 @@ from workspace import ROOT
 LIBRARY = ROOT / "src" / "thirdbody"
 # each layer imports from itself and from those above it
 LAYERS = (
-    {"__init__", "files", "custody", "closure", "parameters", "roots", "tabulation", "regimes", "places"},
+    {
+        "__init__",
+        "files",
+        "custody",
+        "closure",
+        "parameters",
+        "roots",
+        "tabulation",
+        "regimes",
+        "places",
+    },
     {"bracketing", "bytecode", "compiled_loop"},
     {"configuration"},
     {"scene"},

@@ -56,7 +56,9 @@ def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspac
 
 
 def test_another_style_draws_again_and_solves_nothing(workspace):
-    workspace.rewrite("src/thirdbody/figures/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n")
+    workspace.rewrite(
+        "src/thirdbody/figures/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n"
+    )
     assert workspace.pending() == workspace.products("figures/*")
     drawn = remade(workspace, "results/figures/fig03.png")
     assert drawn == workspace.products("figures/fig03.*")
@@ -114,7 +116,12 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
         ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED)),
         ("config/config.yaml", "windows/roughness_nm", [100, 300], WINDOWS),
         ("config/config.yaml", "schematics/fig01/0/load_N", 21.0, ("figures/fig01.*",)),
-        ("config/scenes.yaml", "load_axis/load_N", [0.05, 80.0], (*ALL_CURVES, *GATHERED, *WINDOWS)),
+        (
+            "config/scenes.yaml",
+            "load_axis/load_N",
+            [0.05, 80.0],
+            (*ALL_CURVES, *GATHERED, *WINDOWS),
+        ),
         (
             "config/inputs.yaml",
             # an input that no calibrated file gives

@@ -8,8 +8,8 @@ import pytest
 from test_minimal_run import PRODUCTS
 from workspace import ROOT, Workspace
 
-from thirdbody.run.closure import import_closure
 from thirdbody.release.codecheck import targets
+from thirdbody.run.closure import import_closure
 
 RULES = Workspace(ROOT).rules()
 WORKING = [name for name, text in RULES.items() if "\n    output:" in text]
@@ -34,7 +34,9 @@ def test_each_rule_runs_a_script_and_has_its_modules_as_inputs(rule):
     assert listed == bool(import_closure(f"workflow/scripts/{script}"))
 
 
-@pytest.mark.parametrize("file", sorted((ROOT / "workflow").rglob("*.*")), ids=lambda file: file.name)
+@pytest.mark.parametrize(
+    "file", sorted((ROOT / "workflow").rglob("*.*")), ids=lambda file: file.name
+)
 def test_workflow_files_stay_small(file):
     lines = file.read_text(encoding="utf-8").count("\n") if file.suffix in (".py", ".smk") else 0
     assert lines < (200 if file.suffix == ".smk" else 60)

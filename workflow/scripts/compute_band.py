@@ -1,10 +1,10 @@
 """The envelope of the calibrated ensemble around the curves of one dataset."""
 
-from thirdbody.study.band import band
 from thirdbody.configuration.settings import read_yaml
 from thirdbody.data.dataset import read_dataset, write_dataset
 from thirdbody.data.files import logged, whole
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.band import band
 
 
 def compute(dataset, calibrated, parameters, place):

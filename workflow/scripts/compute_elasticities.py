@@ -1,9 +1,14 @@
 """Elasticities of results with respect to the inputs that the paper does not print."""
 
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
-from thirdbody.study.sensitivity import Subject, default_elasticities, sensitivity_rows, varied_inputs
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.sensitivity import (
+    Subject,
+    default_elasticities,
+    sensitivity_rows,
+    varied_inputs,
+)
 
 
 def compute(settings, unpublished, parameters, rows):

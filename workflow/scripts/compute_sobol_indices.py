@@ -1,10 +1,10 @@
 """Total Sobol indices of results in the inputs that the paper does not print."""
 
 from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.sensitivity import Subject, sensitivity_rows, varied_inputs
 from thirdbody.study.sobol import default_indices
-from thirdbody.data.tables import TABLES, write_csv
 
 
 def compute(settings, unpublished, parameters, rows):

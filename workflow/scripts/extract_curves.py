@@ -3,8 +3,8 @@
 from thirdbody.data.dataset import read_dataset
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def extract(figure, dataset, parameters, tpca_loads, transitions):

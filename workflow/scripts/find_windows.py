@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
-from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.data.files import logged, whole
+from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def find(search, load_axis, parameters, windows):

@@ -1,11 +1,11 @@
 """The verdict on every statement of the paper, as a table and as text."""
 
-from thirdbody.study.calibration import Reading
-from thirdbody.study.claims import load_claims
 from thirdbody.configuration.settings import read_calibrated
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Reading
+from thirdbody.study.claims import load_claims
 from thirdbody.study.verdict_text import claims_markdown
 from thirdbody.study.verdicts import Court, Trial, verdict_rows
 

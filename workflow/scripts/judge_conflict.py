@@ -1,11 +1,11 @@
 """Scores of the statements of Figures 4, 6 and 11 under calibrated readings."""
 
-from thirdbody.study.claims import load_claims
 from thirdbody.configuration.settings import read_calibrated
-from thirdbody.study.conflict import conflict_rows
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.claims import load_claims
+from thirdbody.study.conflict import conflict_rows
 
 
 def judge_conflict(claims, calibrated, newtons, parameters, table):

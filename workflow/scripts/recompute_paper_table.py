@@ -3,8 +3,8 @@
 from thirdbody.configuration.settings import read_yaml
 from thirdbody.data.files import logged, whole
 from thirdbody.data.paper_tables import paper_table
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def recompute(printed, table, parameters, rows):

@@ -4,8 +4,8 @@ import json
 from pathlib import Path
 
 from thirdbody.data.files import logged, whole
-from thirdbody.release.provenance import provenance
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.release.provenance import provenance
 
 
 def record(archive, cost, place):

@@ -5,10 +5,10 @@ import gc
 import matplotlib.style
 
 from thirdbody.data.dataset import read_dataset
+from thirdbody.data.files import logged
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES
 from thirdbody.figures.saving import save
-from thirdbody.data.files import logged
 
 
 def render(figure, dataset, turning_points, style, stem, band):

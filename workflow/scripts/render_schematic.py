@@ -4,9 +4,9 @@ import gc
 
 import matplotlib.style
 
+from thirdbody.data.files import logged
 from thirdbody.figures.registry import SCHEMATICS
 from thirdbody.figures.saving import save
-from thirdbody.data.files import logged
 from thirdbody.model.parameters import Parameters
 
 

@@ -4,10 +4,10 @@ import gc
 
 import matplotlib.style
 
-from thirdbody.figures.saving import save
-from thirdbody.figures.sensitivity import plot
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.saving import save
+from thirdbody.figures.sensitivity import plot
 
 
 def render(table, style, stem):

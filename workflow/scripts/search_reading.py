@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from thirdbody.study.calibration import Objective, Reading, search
-from thirdbody.study.claims import load_claims
 from thirdbody.data.files import logged, whole
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Objective, Reading, search
+from thirdbody.study.claims import load_claims
 
 
 def run(reading, seed, claims, settings, parameters, evaluations):

@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from thirdbody.run.custody import require_recorded
 from thirdbody.data.files import logged
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.staging import stage, whole_folder
+from thirdbody.run.custody import require_recorded
 
 
 def fill(place, products, sources, run):

@@ -3,21 +3,22 @@
 import numpy as np
 import yaml
 
-from thirdbody.study.calibration import Reading
 from thirdbody.data.files import logged, whole
+from thirdbody.study.calibration import Reading
 from thirdbody.study.posterior import summary
 
-HEADER = "# Calibrated inputs of one reading, made by `snakemake -c2 calibrate`; not edited by hand.\n"
+HEADER = (
+    "# Calibrated inputs of one reading, made by `snakemake -c2 calibrate`; not edited by hand.\n"
+)
 
 
 def summarise(reading, evaluations, settings, calibrated):
     """Write the best inputs of ``reading``, their ensemble and what it identifies."""
     searches = [np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations]
     content = summary(Reading.of(reading, settings), searches, settings)
-    with whole(calibrated) as part:
-        with open(part, "w", encoding="utf-8") as stream:
-            stream.write(HEADER)
-            yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
+    with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
+        stream.write(HEADER)
+        yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
 
 
 if __name__ == "__main__":

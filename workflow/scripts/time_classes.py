@@ -3,8 +3,8 @@
 from benchmarks.baselines import load_plain_model
 from benchmarks.times import time_rows
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def measure(plain, budget, parameters, times):

@@ -5,8 +5,8 @@ from tempfile import TemporaryDirectory
 
 from benchmarks.streams import stream_rows
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def measure(settings, parameters, table, directory):

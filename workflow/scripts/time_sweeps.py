@@ -5,8 +5,8 @@ from benchmarks.omissions import omission_rows
 from benchmarks.scaling import scaling_rows
 from benchmarks.starts import start_rows
 from thirdbody.data.files import logged, whole
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
 
 
 def measure(budget, parameters, omissions, scaling, starts):

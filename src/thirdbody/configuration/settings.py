@@ -220,7 +220,11 @@ def _check_allowed(path, name, entry: dict) -> None:
         shown = _shown(bounds)
         raise ValueError(f"{path}: {name}.bounds is {shown}; allowed: two finite numbers")
     listed = entry.get("allowed", [True])
-    if not isinstance(listed, list) or not listed or not all(type(x) in (bool, str) for x in listed):
+    if (
+        not isinstance(listed, list)
+        or not listed
+        or not all(type(x) in (bool, str) for x in listed)
+    ):
         shown = _shown(listed)
         raise ValueError(f"{path}: {name}.allowed is {shown}; allowed: a list of words or truths")
 
@@ -285,12 +289,16 @@ def read_calibrated(path) -> dict:
     for key, kind in CALIBRATED.items():
         if not isinstance(content.get(key), kind):
             shown = _shown(content.get(key))
-            raise ValueError(f"{path}: {key} is {shown}; allowed: what `snakemake calibrate` writes")
+            raise ValueError(
+                f"{path}: {key} is {shown}; allowed: what `snakemake calibrate` writes"
+            )
     names = {field.name for field in fields(Parameters)}
     for values in (content["inputs"], *content["ensemble"]):
         unknown = sorted(set(values) - names) if isinstance(values, dict) else [values]
         if unknown:
-            raise ValueError(f"{path}: unknown input {_shown(unknown[0])}; allowed: those of the model")
+            raise ValueError(
+                f"{path}: unknown input {_shown(unknown[0])}; allowed: those of the model"
+            )
     return content
 
 
@@ -387,12 +395,19 @@ def _check_readings(path: Path, calibration: dict, entries: dict) -> None:
             for name in names:
                 if name not in unknowns or name not in entries:
                     shown = _shown(name)
-                    raise ValueError(f"{place}: {shown} is no unknown; allowed: {', '.join(unknowns)}")
+                    raise ValueError(
+                        f"{place}: {shown} is no unknown; allowed: {', '.join(unknowns)}"
+                    )
         for name, unknown in unknowns.items():
             _check_increasing(unknown["bounds"], f"unknowns.{name}.bounds")
             _check_increasing(unknown["usual"], f"unknowns.{name}.usual")
-            if unknown["scale"] == "logarithmic" and min(*unknown["bounds"], *unknown["usual"]) <= 0:
-                raise ValueError(f"unknowns.{name} is logarithmic; allowed: bounds and usual above 0")
+            if (
+                unknown["scale"] == "logarithmic"
+                and min(*unknown["bounds"], *unknown["usual"]) <= 0
+            ):
+                raise ValueError(
+                    f"unknowns.{name} is logarithmic; allowed: bounds and usual above 0"
+                )
         for name, reading in calibration["readings"].items():
             for key, value in reading["fixed"].items():
                 try:
@@ -401,7 +416,9 @@ def _check_readings(path: Path, calibration: dict, entries: dict) -> None:
                     raise ValueError(f"readings.{name}.fixed: {error}") from None
             for key in (*calibration["always"], *reading.get("unknowns", [])):
                 if key not in reading["start"]:
-                    raise ValueError(f"readings.{name}.start: key {key!r} is missing; allowed: a number")
+                    raise ValueError(
+                        f"readings.{name}.start: key {key!r} is missing; allowed: a number"
+                    )
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from None
 

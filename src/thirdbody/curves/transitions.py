@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from thirdbody.solver.bracketing import bracketed_roots
-from thirdbody.solver.solve import solve
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.solver.solve import solve
 
 LIMITS = (
     ("solid_load_fraction", BOUNDARY_LIMIT),

@@ -13,9 +13,12 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from scipy.special import expit, logit
 
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solver.balance import Points
 from thirdbody.solver.bracketing import bracketed_roots
-from thirdbody.model.film import Film
+from thirdbody.solver.solution import SolvedPoints
 from thirdbody.solver.solve import (
     DEFAULT_RTOL,
     has_particles,
@@ -23,9 +26,6 @@ from thirdbody.solver.solve import (
     prepare_surfaces,
     tables_pay,
 )
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.solver.solution import SolvedPoints
 
 CHEAP_TABLES = 1e-5  # rtol from which tables cost less than any search without them
 FARTHEST = 20.0  # a logit beyond it is as good as infinite

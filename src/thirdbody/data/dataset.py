@@ -12,10 +12,10 @@ import netCDF4  # noqa: F401  xarray would import it at the first file
 import numpy as np
 import xarray as xr
 
-from thirdbody.solver.solve import DEFAULT_RTOL, check_variables, checked_axis, solve
+from thirdbody.data.scene import DIMENSIONS, Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.data.scene import DIMENSIONS, Scene
+from thirdbody.solver.solve import DEFAULT_RTOL, check_variables, checked_axis, solve
 
 SCHEMA_VERSION = "1.0"
 PAPER_DOI = "10.3389/fmech.2024.1390335"
@@ -224,9 +224,7 @@ def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
         for name, row in FLAGS.items()
         if name in values
     }
-    coordinates = {
-        name: (name, axis, _coordinate_attributes(name)) for name, axis in axes.items()
-    }
+    coordinates = {name: (name, axis, _coordinate_attributes(name)) for name, axis in axes.items()}
     newtons = axes["load"] * parameters.newtons_per_load
     coordinates["normal_load"] = ("load", newtons, _coordinate_attributes("normal_load"))
     attributes = _global_attributes(title, parameters, axes["roughness"], rtol, request)

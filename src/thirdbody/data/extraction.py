@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from thirdbody.model.parameters import Parameters
-from thirdbody.data.scene import DIMENSIONS
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
+from thirdbody.data.scene import DIMENSIONS
+from thirdbody.model.parameters import Parameters
 
 CONDITION_COLUMNS = (
     "viscosity_m2_per_s",

@@ -71,7 +71,9 @@ class Scene:
     @property
     def size(self) -> int:
         """Number of points."""
-        axes = (tuple(getattr(group, name).size for name in DIMENSIONS[1:]) for group in self.groups)
+        axes = (
+            tuple(getattr(group, name).size for name in DIMENSIONS[1:]) for group in self.groups
+        )
         return self.load.size * sum(math.prod(sizes) for sizes in axes)
 
     def axis(self, name: str):

@@ -10,9 +10,9 @@ import numpy as np
 
 from thirdbody.data.dataset import CONTRACT, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
-from thirdbody.solver.solve import DEFAULT_RTOL, solve, type_of
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.scene import DIMENSIONS
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import DEFAULT_RTOL, solve, type_of
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice

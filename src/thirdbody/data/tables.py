@@ -85,7 +85,9 @@ TABLES = {
         Column("statement", "string", "", "the statement in our own words"),
         Column("kind", "string", "", "kind of statement, which decides how it is checked"),
         Column("role", "string", "", "calibration, validation or withheld"),
-        Column("published", "string", "", "what the paper says, where it says a number or sequence"),
+        Column(
+            "published", "string", "", "what the paper says, where it says a number or sequence"
+        ),
         Column("measured", "string", "", "what the model gives"),
         Column("value", "number", "1", "the measured number that is farthest off"),
         Column("deviation", "number", "1", "its deviation, a fraction if the tolerance is one"),

@@ -45,7 +45,9 @@ def plot(errors, times) -> Figure:
         worst[_key(row)] = max(worst[_key(row)], row["largest_error"])
     figure = Figure(figsize=SIZE)
     for span, (letter, title, box) in PANELS.items():
-        panel = figure.add_axes(Panel(figure, box, letter, "microseconds_per_point", "largest_error"))
+        panel = figure.add_axes(
+            Panel(figure, box, letter, "microseconds_per_point", "largest_error")
+        )
         for contact, look in LOOKS.items():
             for method, style in METHODS.items():
                 points = [
@@ -106,5 +108,7 @@ def _draw_key(figure):
         for contact, look in LOOKS.items()
     ]
     grey = {"color": "0.4", "marker": "o"}
-    handles += [Line2D([], [], label=NAMES[name], **grey | style) for name, style in METHODS.items()]
+    handles += [
+        Line2D([], [], label=NAMES[name], **grey | style) for name, style in METHODS.items()
+    ]
     figure.legend(handles=handles, loc="lower center", ncols=4)

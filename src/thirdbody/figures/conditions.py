@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from thirdbody.figures.panel import power_text
 from thirdbody.data.scene import CENTISTOKES, NANOMETRE
+from thirdbody.figures.panel import power_text
 
 # a parameter in which curves may differ: title of their key, unit of its values
 PARAMETERS = {

@@ -8,12 +8,12 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from thirdbody.data.scene import DIMENSIONS
 from thirdbody.figures.conditions import PARAMETERS, Conditions, shared_texts
 from thirdbody.figures.key import draw_key
 from thirdbody.figures.marks import mark_entries, mark_turning_points, turning_points_of
 from thirdbody.figures.panel import QUANTITIES, panel_figure
 from thirdbody.figures.styles import Styles
-from thirdbody.data.scene import DIMENSIONS
 
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
 # of the key: the text, and a line about as wide as a band

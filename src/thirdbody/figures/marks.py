@@ -7,8 +7,8 @@ import csv
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.model.regimes import PARTICLE_LIMIT
 from thirdbody.data.scene import DIMENSIONS
+from thirdbody.model.regimes import PARTICLE_LIMIT
 
 COLUMNS = {
     "viscosity": "viscosity_m2_per_s",

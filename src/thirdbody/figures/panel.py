@@ -49,9 +49,7 @@ class Quantity:
 
 
 QUANTITIES = {
-    "load": Quantity(
-        "Dimensionless normal load", Symbol("F", "t", starred=True), logarithmic=True
-    ),
+    "load": Quantity("Dimensionless normal load", Symbol("F", "t", starred=True), logarithmic=True),
     "total_contact_area": Quantity(
         "Real contact area", Symbol("A", "t", starred=True), logarithmic=True
     ),

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 # the canvases that ``savefig`` takes for the formats below
-import matplotlib.backends.backend_agg  # noqa: F401
-import matplotlib.backends.backend_pdf  # noqa: F401
+import matplotlib.backends.backend_agg
+import matplotlib.backends.backend_pdf
 import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
-from thirdbody.figures.panel import NamedOutlines, NamedPoints
 from thirdbody.data.files import whole
+from thirdbody.figures.panel import NamedOutlines, NamedPoints
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr, ndtri
 
+from thirdbody.data.scene import CENTISTOKES, NANOMETRE
 from thirdbody.figures.conditions import Conditions
-from thirdbody.solver.solve import solve
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.data.scene import CENTISTOKES, NANOMETRE
+from thirdbody.solver.solve import solve
 
 POINTS = 500
 CLEARANCE = 0.12  # share of the section that contacts keep from its ends
@@ -95,8 +95,10 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
         touches = lower > upper
         particles = _particles(state, parameters, position, lower, upper, particle_bears, random)
         bears = any(particle.bears for particle in particles)
-        if touches.any() == summits_touch and bears == particle_bears and _are_apart(
-            particles, position[touches], length
+        if (
+            touches.any() == summits_touch
+            and bears == particle_bears
+            and _are_apart(particles, position[touches], length)
         ):
             middle = 0.5 * (lower + upper)
             lower, upper = (np.where(touches, middle, heights) for heights in (lower, upper))

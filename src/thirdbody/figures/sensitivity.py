@@ -9,8 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
 from thirdbody.data.scene import CENTISTOKES, NANOMETRE
+from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
 
 WIDTH = 7.0  # inches
 LINE_INCHES = 0.032  # height of one result's line

@@ -7,9 +7,9 @@ import numpy as np
 from matplotlib import rcParams
 from matplotlib.colors import to_rgb
 
+from thirdbody.data.scene import CENTISTOKES
 from thirdbody.figures.conditions import PARAMETERS
 from thirdbody.figures.panel import power_text
-from thirdbody.data.scene import CENTISTOKES
 
 MARKERS = "osv^DX<>PphHd8"
 MARKERS_PER_CURVE = 7

@@ -76,9 +76,13 @@ class Parameters:
     @property
     def elastic_factor(self) -> float:
         """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2), the weight of elastic particles in Eqs. 4-5 [1]."""
-        return 2.25 * math.pi**2 * (
-            (self.hardness_surface_1 / self.elastic_modulus_particle) ** 2
-            + (self.hardness_surface_2 / self.elastic_modulus_surfaces) ** 2
+        return (
+            2.25
+            * math.pi**2
+            * (
+                (self.hardness_surface_1 / self.elastic_modulus_particle) ** 2
+                + (self.hardness_surface_2 / self.elastic_modulus_surfaces) ** 2
+            )
         )
 
     @property
@@ -145,4 +149,3 @@ class Parameters:
     def as_dict(self) -> dict:
         """Plain mapping of all inputs."""
         return asdict(self)
-

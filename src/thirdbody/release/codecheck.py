@@ -1,6 +1,6 @@
 """codecheck.yml: what an independent checker compares, from the targets of the workflow.
 
-    python -m thirdbody.release.codecheck > codecheck.yml
+python -m thirdbody.release.codecheck > codecheck.yml
 """
 
 from __future__ import annotations

@@ -6,10 +6,10 @@ import csv
 import json
 from pathlib import Path
 
+from thirdbody.data.tables import TABLES, Column
 from thirdbody.release.bag import digest, files_in
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
 from thirdbody.release.media import media_type
-from thirdbody.data.tables import TABLES, Column
 
 # the data that a figure draws; its columns are named by their content, not by a unit
 DRAWN_POINTS = (

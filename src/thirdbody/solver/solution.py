@@ -8,8 +8,8 @@ from functools import cached_property
 import numpy as np
 from scipy.special import expit, log_expit
 
-from thirdbody.solver.balance import BALANCES, TINY, Points, dry_balance
 from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.solver.balance import BALANCES, TINY, Points, dry_balance
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots

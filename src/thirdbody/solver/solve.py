@@ -14,10 +14,10 @@ from numbers import Real
 import numpy as np
 
 from thirdbody.model.asperity import SummitPopulation
-from thirdbody.solver.balance import Points, RoughSurface, RoughSurfaces
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
+from thirdbody.solver.balance import Points, RoughSurface, RoughSurfaces
 from thirdbody.solver.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
 from thirdbody.solver.tabulation import PiecewisePolynomial, sample_points
 

@@ -12,9 +12,9 @@ import xarray as xr
 
 from thirdbody.data.dataset import FILL_FLOAT, QUANTITIES
 from thirdbody.data.extraction import curves_of
-from thirdbody.solver.solve import solve
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.scene import DIMENSIONS
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
 
 BAND_RTOL = 1e-4  # of the members: below the width of a line by far
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}

@@ -13,10 +13,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.optimize import differential_evolution, least_squares
 
+from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
 from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-from thirdbody.model.parameters import Parameters
 
 SLOPE_OF_LOSS = 0.1  # keeps a statement that fails badly worth improving
 LOCAL_POOL = 12  # of the best sets: local searches start from those farthest apart among them
@@ -111,7 +111,10 @@ class Objective:
         penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
         try:
             evidence = SolvedEvidence(
-                replace(self.base, **reading.fixed, **values), self.asked, self.newtons, QUICK_EFFORT
+                replace(self.base, **reading.fixed, **values),
+                self.asked,
+                self.newtons,
+                QUICK_EFFORT,
             )
             scores = [judge(claim, evidence).score for claim in self.claims]
         except ValueError:  # no surface has these inputs
@@ -152,7 +155,9 @@ def search(reading: Reading, objective, budget: dict, seed: int, report=print) -
 
 def _global_search(reading, recorded, budget, rng) -> None:
     """Differential evolution from the reading's start, its surroundings and all of the cube."""
-    start = np.array([unknown.position(reading.start[unknown.name]) for unknown in reading.unknowns])
+    start = np.array(
+        [unknown.position(reading.start[unknown.name]) for unknown in reading.unknowns]
+    )
     size = (budget["population"], start.size)
     near = start + rng.normal(scale=0.08, size=size)
     population = np.where(np.arange(size[0])[:, None] % 3 == 0, rng.uniform(size=size), near)

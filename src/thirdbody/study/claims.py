@@ -143,7 +143,9 @@ def load_claims(path) -> tuple[Claim, ...]:
     claims = []
     for entry in read_yaml(path, list):
         if not isinstance(entry, dict):
-            raise ValueError(f"{path}: {str(entry)[:60]!r} is no statement; allowed: keys with values")
+            raise ValueError(
+                f"{path}: {str(entry)[:60]!r} is no statement; allowed: keys with values"
+            )
         try:
             claims.append(_parsed(entry))
         except ValueError as error:

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.places import part_of_paper
 
 MEMBERS = 4  # of each ensemble: the best and those farthest from it and from each other
@@ -29,9 +29,7 @@ def conflict_rows(
     [N].
     """
     chosen = [
-        claim
-        for claim in claims
-        if part_of_paper(claim.where) in PARTS and not claim.is_withheld
+        claim for claim in claims if part_of_paper(claim.where) in PARTS and not claim.is_withheld
     ]
     asked = referenced_conditions(chosen)
     for reading in readings:

@@ -15,12 +15,12 @@ import numpy as np
 from scipy.interpolate import BarycentricInterpolator
 from scipy.special import logit
 
+from thirdbody.curves.transitions import LIMITS
+from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Curve
 from thirdbody.study.claims import AXES, Condition
 from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
-from thirdbody.model.parameters import Parameters
-from thirdbody.curves.transitions import LIMITS
-from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
 
 # of an input, up and down: the truncation error of a central difference grows with the square of
 # the step, the solver's part with its inverse, and together they are least about here

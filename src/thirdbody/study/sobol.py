@@ -18,8 +18,8 @@ from SALib.analyze import sobol as analysis
 from SALib.sample import sobol as sampling
 from scipy.stats import qmc
 
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.study.sensitivity import Found, Subject
 
 LEAST_SETS = 1.2  # solved sets a term of the response surface

@@ -8,11 +8,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.checks import Verdict, judge
 from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
-from thirdbody.model.parameters import Parameters
 
 HOLDS, FAILS = "holds", "fails"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
@@ -96,7 +96,9 @@ def verdict_rows(trial: Trial) -> list[dict]:
             "readings_size": len(trial.readings),
             "contradicts": " ".join(claim.contradicts),
         }
-        for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True))
+        for index, (claim, verdict) in enumerate(
+            zip(trial.claims, trial.main.verdicts, strict=True)
+        )
     ]
 
 
@@ -144,7 +146,9 @@ def explanations(trial: Trial) -> dict[str, str]:
     which statements forbid that.  By claim id."""
     return {
         claim.id: _paragraph(trial, index)
-        for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True))
+        for index, (claim, verdict) in enumerate(
+            zip(trial.claims, trial.main.verdicts, strict=True)
+        )
         if not verdict.holds and not claim.is_withheld
     }
 

@@ -131,10 +131,14 @@ def _changed(file, text, way, what, new) -> Mutation:
     """The text of a file after one change."""
     shown = repr(new)[:40] if what == "replaced" else ""
     name = f"{file}: {'/'.join(map(str, way))[:80]} {what} {shown}"
-    words = tuple(repr(part)[1:-1][:20] if isinstance(part, str) else f"[{part}]" for part in way[-3:])
+    words = tuple(
+        repr(part)[1:-1][:20] if isinstance(part, str) else f"[{part}]" for part in way[-3:]
+    )
     if what == "renamed":
         words = (new, way[-1])
-    if isinstance(way[0], int):  # a statement: what else it must have, or another that it contradicts
+    if isinstance(
+        way[0], int
+    ):  # a statement: what else it must have, or another that it contradicts
         words += ("must be given", "contradicts")
     if what == "doubled":
         changed = f"{text}\n{_dumped({way[-1]: new})}"

@@ -12,11 +12,20 @@ from mutations import Mutation, mutations
 from workspace import ROOT, run_here
 
 from thirdbody.configuration.settings import settings as configuration
-from thirdbody.study.claims import load_claims
-from thirdbody.model.parameters import Parameters
 from thirdbody.data.scene import Scene
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.claims import load_claims
 
-NAMES = ("a b", "it's", 'say "no"', "a\nb", "$(touch pwned)", "`touch pwned`", "; touch pwned", "é*")
+NAMES = (
+    "a b",
+    "it's",
+    'say "no"',
+    "a\nb",
+    "$(touch pwned)",
+    "`touch pwned`",
+    "; touch pwned",
+    "é*",
+)
 CHEAP = "results/extracted/table1/all.csv"
 MADE = ("results", "logs", ".snakemake", "__pycache__")
 # what Snakemake says of its own settings before it reads the workflow
@@ -72,7 +81,9 @@ def test_each_is_read_or_refused_in_one_line_that_names_the_fault(in_folder, tel
             place.write_bytes(original)
         count["read" if told == "read" else "refused"] += 1
         named = any(word in told for word in mutation.words)
-        if told != "read" and (not named or len(told.splitlines()) != 1 or len(told) > 700 or "TRACEBACK" in told):
+        if told != "read" and (
+            not named or len(told.splitlines()) != 1 or len(told) > 700 or "TRACEBACK" in told
+        ):
             faults.append(f"{mutation.name} -> {told[:300]}")
     assert not faults, "\n".join(faults)
     assert {path.name for path in in_folder.rglob("*")} == before

@@ -62,7 +62,17 @@ def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
     files = [path for path in sources.root.rglob("*") if path.is_file()]
     needed = sum(-(-path.stat().st_size // 4096) * 4 for path in files)
     ran = subprocess.run(
-        [*NAMESPACE, "sh", "-c", ON_A_SMALL_DISK, "sh", str(needed + room), disk, sources.root, kept]
+        [
+            *NAMESPACE,
+            "sh",
+            "-c",
+            ON_A_SMALL_DISK,
+            "sh",
+            str(needed + room),
+            disk,
+            sources.root,
+            kept,
+        ]
         + [*SNAKEMAKE, *MINIMAL],
         capture_output=True,
         text=True,

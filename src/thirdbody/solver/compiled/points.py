@@ -16,6 +16,10 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
+from thirdbody.model.regimes import contact_mode, lubrication_regime
 from thirdbody.solver.balance import RoughSurface
 from thirdbody.solver.compiled.loop import (
     COMPILED,
@@ -28,12 +32,7 @@ from thirdbody.solver.compiled.loop import (
     solve_points,
 )
 from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
-from thirdbody.model.film import Film
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
-from thirdbody.model.regimes import contact_mode, lubrication_regime
 from thirdbody.solver.solution import CONVERGED, OUTSIDE_FILM_FORMULA
-
 
 OILS = 1e-9, 1e-3  # viscosities [m2/s] between which nothing is extrapolated
 
@@ -152,7 +151,9 @@ def _film_scales(roughness: float, parameters: Parameters) -> FilmScales:
     return FilmScales(
         math.exp((log_parameters[0] - parameter_slope * ends[0] - log_area) / ROOT),
         parameter_slope / ROOT,
-        math.exp(thickness_slope * ends[0] - log_thicknesses[0]) * roughness / parameters.ball_radius,
+        math.exp(thickness_slope * ends[0] - log_thicknesses[0])
+        * roughness
+        / parameters.ball_radius,
         -thickness_slope,
         float(thickest[0] / math.exp(log_thicknesses[0])),
     )

@@ -8,11 +8,11 @@ from functools import lru_cache
 
 import numpy as np
 
-from thirdbody.solver.balance import RoughSurface
-from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
+from thirdbody.solver.balance import RoughSurface
+from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
 from thirdbody.solver.roots import NOISE
 from thirdbody.solver.solution import ROOT_SHARE
 from thirdbody.solver.tabulation import chebyshev_points, interpolants
