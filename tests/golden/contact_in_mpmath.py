@@ -48,16 +48,17 @@ RULE = Rule("gauss-legendre", 1, 2)
 # ----------------------------------------------------------------------------------------------------- numerical means
 def integrate(function, edges, rule):
     """Integral over the pieces between `edges`, each scaled by its own size: mpmath's tolerance is absolute."""
+
+    def piece(start, length):
+        scale = max(abs(function(start + length * s)) for s in (0.015625, 0.125, 0.5, 0.875))
+        scaled = mp.quad(lambda s: function(start + length * s) / scale, [0, 1], method=rule.method)
+        return scaled * scale * length
+
     total = mp.zero
     for left, right in zip(edges, edges[1:]):
         length = (right - left) / rule.parts
         for part in range(rule.parts):
-            start = left + part * length
-            scale = max(abs(function(start + length * s)) for s in (0.015625, 0.125, 0.5, 0.875))
-            scaled = mp.quad(
-                lambda s: function(start + length * s) / scale, [0, 1], method=rule.method
-            )
-            total += scaled * scale * length
+            total += piece(left + part * length, length)
     return total
 
 

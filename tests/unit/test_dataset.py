@@ -291,7 +291,7 @@ def test_reading_closes_the_file(on_disk):
 def test_the_file_is_netcdf_4_with_the_types_of_the_contract(on_disk):
     with netCDF4.Dataset(on_disk) as stored:
         assert stored.data_model == "NETCDF4"
-        assert [name for name in stored.dimensions] == list(DIMENSIONS)
+        assert list(stored.dimensions) == list(DIMENSIONS)
         for name in (*MEANINGS, *FLAGS):
             variable = stored[name]
             assert variable.dimensions == DIMENSIONS

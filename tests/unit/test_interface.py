@@ -537,4 +537,4 @@ def test_importing_the_package_imports_nothing_heavy():
 
 def test_an_unknown_name_is_no_attribute_of_the_package():
     with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
-        tb.nonsense
+        _ = tb.nonsense
