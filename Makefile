@@ -50,6 +50,8 @@ lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
 
 format: $(VENV)/test.done
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
 	$(BIN)/snakefmt workflow/Snakefile workflow/rules
 
 clean:
