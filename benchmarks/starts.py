@@ -13,7 +13,7 @@ from thirdbody.solver.solve import COMPILATION_WORTH
 PROGRAM = """
 import sys
 import numpy as np
-from thirdbody.configuration.settings import load_parameters
+from thirdbody.configuration.inputs import load_parameters
 from thirdbody.solver.solve import solve
 solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, load_parameters())
 """

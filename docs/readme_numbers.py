@@ -13,7 +13,7 @@ from pathlib import Path
 
 from tabulate import tabulate
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.solver.solve import COMPILATION_WORTH
 from thirdbody.study.verdicts import counts

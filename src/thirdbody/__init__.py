@@ -6,7 +6,7 @@ _HOMES = {
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "grid": "data.dataset",
-    "load_parameters": "configuration.settings",
+    "load_parameters": "configuration.inputs",
     "solve": "solver.solve",
     "stream": "data.streaming",
 }

@@ -41,7 +41,8 @@ def scene(figure, dataset):
     """What each figure is to show, from the configuration."""
     import json
 
-    from thirdbody.configuration import config_directory, read_yaml
+    from thirdbody.configuration.plain_yaml import read_yaml
+    from thirdbody.configuration.schema import config_directory
     from thirdbody.scene import Scene
 
     configured = read_yaml(config_directory() / "scenes.yaml")

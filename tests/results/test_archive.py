@@ -58,7 +58,8 @@ def test_axes_are_those_of_the_scene(stored, scene):
 
 
 def test_named_loads_are_on_the_axis(stored, figure):
-    from thirdbody.configuration import config_directory, read_yaml
+    from thirdbody.configuration.plain_yaml import read_yaml
+    from thirdbody.configuration.schema import config_directory
 
     configured = read_yaml(config_directory() / "scenes.yaml")["scenes"][figure]
     loads = stored["load"][:]

@@ -8,15 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.configuration.settings import (
-    config_directory,
-    load_parameters,
-    read_inputs,
-    read_plain,
-    read_yaml,
-    validate,
-    workflow_settings,
-)
+from thirdbody.configuration.inputs import load_parameters, read_inputs
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory, validate
+from thirdbody.configuration.settings import read_plain, workflow_settings
 from thirdbody.model.parameters import Parameters
 
 ROOT = Path(__file__).parents[2]

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.paper_tables import RECOMPUTED, paper_table
 from thirdbody.data.tables import TABLES
 

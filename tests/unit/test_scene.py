@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.scene import DIMENSIONS, Curves, Scene, load_values, relative, scaled
 
 NEWTONS = 7.0e5

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.configuration.settings import read_yaml, validate
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import validate
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.saving import drawn_points

@@ -2,7 +2,7 @@
 # takes all of the resource `quiet`, of which profiles/default gives every other job a share.
 import sys
 
-from thirdbody.configuration.settings import read_valid
+from thirdbody.configuration.schema import read_valid
 
 try:
     ACCURACY = read_valid(settings["accuracy"], "config/accuracy.schema.yaml")

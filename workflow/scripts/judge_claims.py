@@ -1,6 +1,6 @@
 """The verdict on every statement of the paper, as a table and as text."""
 
-from thirdbody.configuration.settings import read_calibrated
+from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters

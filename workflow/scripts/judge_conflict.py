@@ -1,6 +1,6 @@
 """Scores of the statements of Figures 4, 6 and 11 under calibrated readings."""
 
-from thirdbody.configuration.settings import read_calibrated
+from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters

@@ -1,6 +1,6 @@
 """One of the paper's own tables with each derived entry recomputed."""
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import logged, whole
 from thirdbody.data.paper_tables import paper_table
 from thirdbody.data.tables import TABLES, write_csv

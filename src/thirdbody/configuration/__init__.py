@@ -1,4 +1,6 @@
-"""Reading and judging configuration.
+"""Reading the YAML files of ``config/`` and judging them before anything is computed.
 
-Imports ``thirdbody.model.parameters``.
+``plain_yaml`` reads, ``schema`` judges by the schema beside each file, ``inputs`` gives the inputs of
+the model and ``settings`` what the workflow takes.  This room may import ``thirdbody.model.parameters``
+alone; begin with ``schema``.
 """

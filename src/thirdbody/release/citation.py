@@ -14,7 +14,7 @@ from pathlib import Path
 
 import yaml
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 
 DATA_LICENCE = "CC-BY-4.0"
 SPDX = "https://spdx.org/licenses/"

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thirdbody.configuration.settings import read_yaml
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 VALIDATION_STRIDE = 3  # every third published value is kept from the calibration

@@ -11,7 +11,9 @@ from harm import LONG
 from mutations import Mutation, mutations
 from workspace import ROOT, run_here
 
-from thirdbody.configuration.settings import settings as configuration
+from thirdbody.configuration import schema
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.settings import read_plain, workflow_settings
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
@@ -43,7 +45,7 @@ def folder(tmp_path_factory):
 @pytest.fixture
 def in_folder(folder, monkeypatch):
     monkeypatch.chdir(folder)
-    monkeypatch.setattr(configuration, "config_directory", lambda: folder / "config")
+    monkeypatch.setattr(schema, "config_directory", lambda: folder / "config")
     return folder
 
 
@@ -51,11 +53,11 @@ def outcome(mutation: Mutation) -> str:
     """How the file is taken, read as the Snakefile reads it: ``read``, or the line of its refusal."""
     try:
         files = "config/config.yaml", "config/scenes.yaml"
-        configuration.read_plain(*files)
+        read_plain(*files)
         merged = {}
         for file in files:
-            merged |= configuration.read_yaml(file)
-        settings = configuration.workflow_settings(merged)
+            merged |= read_yaml(file)
+        settings = workflow_settings(merged)
         load_claims("config/claims.yaml")
     except ValueError as error:
         return str(error)
