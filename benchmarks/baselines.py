@@ -11,6 +11,7 @@ import importlib.util
 import json
 import math
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import brentq, elementwise
@@ -19,9 +20,10 @@ from scipy.special import expit, log_expit
 from benchmarks.points import VARIABLES
 from thirdbody.data.scene import DIMENSIONS
 from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
+from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.particles import ParticleLayer
-from thirdbody.solver.balance import Points, RoughSurface
+from thirdbody.solver.balance import Points
 
 LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch
@@ -163,6 +165,19 @@ def node_sums(surface, parameters, counts=(8, 22, 16)):
     )
 
 
+class NodeSummits(NamedTuple):
+    """Summits of one surface by node sums, as ``thirdbody.model.contact`` asks for them."""
+
+    offset: float  # y_s [m]
+    deviation: float  # sigma_s [m]
+    log_load: NodeSum
+    log_area: NodeSum
+
+    def take(self, chosen):
+        """The same surface under any of the points."""
+        return self
+
+
 class ElementwiseRoots:
     """Arrays of points of one kind on one surface: ``find_root`` for the logit of L_s, or d/sigma
     where there is no film.
@@ -173,7 +188,10 @@ class ElementwiseRoots:
     def __init__(self, parameters, roughness, rtol):
         surface = parameters.surface(roughness)
         self.parameters = parameters
-        self.rough = RoughSurface(surface, *node_sums(surface, parameters), None, 0.0)
+        self.roughness = roughness
+        self.summits = NodeSummits(
+            surface.summit_offset, surface.summit_deviation, *node_sums(surface, parameters)
+        )
         self.tolerances = {"xatol": 0.1 * rtol, "xrtol": ROUNDING, "fatol": 0.0, "frtol": 0.0}
 
     def solve(self, **conditions):
@@ -195,11 +213,11 @@ class ElementwiseRoots:
             layer = ParticleLayer.of(diameter, roughness, density, self.parameters)
         if viscosity[0] > 0.0:
             film = Film.of(viscosity, roughness, self.parameters)
-        return Points(self.rough, self.parameters, np.log(load), layer, film)
+        return Points(Contact(self.summits, layer, self.parameters), film, np.log(load))
 
     def _solve_some(self, points):
         """Values of the variables in order."""
-        scale = self.rough.surface.roughness
+        scale = self.roughness
 
         def shares(points, x):
             """d [m] and ln L_s for the unknown ``x``."""
@@ -210,7 +228,7 @@ class ElementwiseRoots:
         def residual(x, index):
             some = points.take(index)
             separation, log_solid = shares(some, x)
-            return some.log_solid_load(separation)[0] - some.log_load - log_solid
+            return some.contact.log_solid_load(separation)[0] - some.log_load - log_solid
 
         found = elementwise.find_root(
             residual,
@@ -221,7 +239,7 @@ class ElementwiseRoots:
         explicit = points.film is not None and self.parameters.film_load == "total"
         x = np.where(found.success & (not explicit), found.x, np.nan)
         separation, log_solid = shares(points, x)
-        particles, log_summits = points.areas(separation)
+        particles, log_summits = points.contact.areas(separation)
         odds = np.log(particles) - log_summits
         fluid = np.zeros_like(x) if points.film is None else expit(-x)
         total = particles + np.exp(log_summits)
@@ -233,6 +251,7 @@ class ElementwiseRoots:
         if points.film is not None:
             return LOGIT_ENDS
         low, high = GAP_ENDS
-        if points.particles is None:
+        particles = points.contact.particles
+        if particles is None:
             return low, high
-        return low, np.maximum(points.particles.reach / self.rough.surface.roughness, high)
+        return low, np.maximum(particles.reach / self.roughness, high)

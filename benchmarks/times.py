@@ -17,7 +17,8 @@ from benchmarks.measuring import (
 )
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.compiled.tables import precisions, prepare_model
-from thirdbody.solver.solve import prepare_surface, solve
+from thirdbody.solver.solve import solve
+from thirdbody.solver.surfaces import prepare_surface
 
 
 def time_rows(parameters: Parameters, budget, plain) -> list[dict]:

@@ -17,7 +17,8 @@ from thirdbody.solver.compiled.loop import ROOT
 from thirdbody.solver.compiled.points import CompiledPoints, _loop
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
-from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH, prepare_surface
+from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH
+from thirdbody.solver.surfaces import prepare_surface
 
 ROUGHNESS = 300e-9
 QUADRATURE = 5e-12  # what is left of errors by the other ways
@@ -169,7 +170,7 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
     random = np.random.default_rng(1)
     t = random.uniform(-5.0, 40.0, 3000)
     terms = model.degree + 1
-    for start, curve in ((0, exact.log_load), (terms, exact.log_area)):
+    for start, curve in ((0, exact.population.log_load), (terms, exact.population.log_area)):
         table = model.summits._replace(rows=model.summits.rows[:, start : start + terms])
         error = ROOT * np.log(looked_up(table, t)) - curve(t)[0]
         assert np.abs(error).max() <= 1.5 * model.summit_error + 1e-12  # of curves e^-800 high

@@ -10,6 +10,7 @@ from benchmarks.points import VARIABLES, relative_error
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver import solve as interface
+from thirdbody.solver.surfaces import TABLE_END, TABLE_SIZES, TABLE_START
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -74,8 +75,8 @@ def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol, monkeypatch)
     monkeypatch.setattr(interface, "TABLE_WORTH", 1)
     inputs = replace(parameters, summit_parameter=0.05, summit_parameter_exponent=0.0)
     population = SummitPopulation.of(inputs.surface(POINT["roughness"]), inputs)
-    for count in sorted({size[1] for size in interface.TABLE_SIZES}):
-        edges = np.linspace(interface.TABLE_START, interface.TABLE_END, count + 1)
+    for count in sorted({size[1] for size in TABLE_SIZES}):
+        edges = np.linspace(TABLE_START, TABLE_END, count + 1)
         edges = edges[(edges > -0.5) & (edges < 37.0)]
         load = np.exp(population.log_load(edges)[0])
         dry = {"viscosity": 0.0, "particle_diameter": 0.0}
@@ -195,7 +196,7 @@ def test_no_jump_from_few_or_small_particles_to_none(reading, name, viscosity, r
 
 
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
-@pytest.mark.parametrize("edge", [size[0] for size in interface.TABLE_SIZES if size[0] > 0.0])
+@pytest.mark.parametrize("edge", [size[0] for size in TABLE_SIZES if size[0] > 0.0])
 def test_no_jump_where_the_tables_get_finer(reading, edge, viscosity, way):
     load = np.geomspace(1e-9, 1e-3, 1000)
     sides = [

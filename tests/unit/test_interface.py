@@ -9,9 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.model.contact import Contact
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
 from thirdbody.solver import solve as interface
-from thirdbody.solver.balance import Points
+from thirdbody.solver import surfaces
 from thirdbody.solver.solution import Solution
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -464,7 +465,7 @@ def test_a_two_body_scene_evaluates_no_particles(parameters, loads, monkeypatch,
 
 
 def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
-    calls = counted(monkeypatch, interface, "prepare_surface")
+    calls = counted(monkeypatch, surfaces, "prepare_surface")
     solve(parameters, load=loads, roughness=np.array([[1e-7], [3e-7], [1e-7]]), viscosity=0.0)
     assert len(calls) == 2
 
@@ -482,7 +483,7 @@ WITHOUT_AREAS = ("solid_load_fraction", "fluid_load_fraction", "separation", "lu
 
 @pytest.mark.parametrize("names", [WITHOUT_AREAS, ("contact_mode",), ("total_contact_area",)])
 def test_areas_are_evaluated_where_asked_for_alone(parameters, loads, monkeypatch, names):
-    calls = counted(monkeypatch, Points, "areas")
+    calls = counted(monkeypatch, Contact, "areas")
     tb.solve(**POINT | {"load": loads}, parameters=parameters, variables=names)
     assert len(calls) == (names != WITHOUT_AREAS)
 
@@ -515,7 +516,7 @@ def test_equal_points_are_solved_once(parameters, mixture, monkeypatch):
 
 
 def test_two_body_points_differ_by_no_particles(parameters, monkeypatch):
-    calls = counted(monkeypatch, interface, "make_points")
+    calls = counted(monkeypatch, interface, "make_contact")
     densities = np.geomspace(1e10, 1e12, 3 * interface.CHUNK)
     solution = solve(parameters, particle_diameter=0.0, particle_density=densities)
     assert len(calls) == 1

@@ -13,19 +13,15 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from scipy.special import expit, logit
 
+from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solver.balance import Points
 from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.solution import SolvedPoints
-from thirdbody.solver.solve import (
-    DEFAULT_RTOL,
-    has_particles,
-    make_points,
-    prepare_surfaces,
-    tables_pay,
-)
+from thirdbody.solver.solve import DEFAULT_RTOL, has_particles, make_contact, tables_pay
+from thirdbody.solver.surfaces import RoughSurfaces
 
 CHEAP_TABLES = 1e-5  # rtol from which tables cost less than any search without them
 FARTHEST = 20.0  # a logit beyond it is as good as infinite
@@ -65,7 +61,7 @@ def turning_points(
     three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
     for place, table_rtol in _alike(roughness[three_body], len(separation), rtol):
         curves = three_body[place]
-        solids = _solids(parameters, table_rtol, conditions[1:, curves])
+        solids = make_contact(*conditions[1:, curves], parameters, table_rtol)
         curve, peak, width = _maxima(solids, separation[:, curves], SEPARATION_MARGIN * rtol)
         if curve.size:
             refined = _state_at(solids.take(curve), viscosity[curves[curve]], peak, width, rtol)
@@ -90,14 +86,7 @@ def _alike(roughness, points, rtol):
             yield np.flatnonzero(chosen), table_rtol
 
 
-def _solids(parameters, table_rtol, conditions) -> Points:
-    """Curves without lubricant: A_sa,t* depends on the separation alone."""
-    same = np.ones_like(conditions[0])
-    rough = prepare_surfaces(conditions[1], parameters, table_rtol)
-    return make_points(rough, parameters, same, 0.0 * same, *conditions)
-
-
-def _maxima(solids: Points, separation, rtol):
+def _maxima(solids: Contact, separation, rtol):
     """Curves with an interior maximum of A_sa,t*, its d* [m] to within ``rtol``, and that width.
 
     ``separation`` [m] falls from row to row, in a column for each curve.
@@ -116,7 +105,7 @@ def _highest(curve, ratio):
     return order[np.unique(curve[order], return_index=True)[1]]
 
 
-def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
+def _state_at(solids: Contact, viscosity, separation, width, rtol) -> dict:
     """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``, from
     functions that are good for ``rtol``."""
     log_solid, slope, _ = solids.log_solid_load(separation)
@@ -137,16 +126,16 @@ def _state_at(solids: Points, viscosity, separation, width, rtol) -> dict:
     }
 
 
-def _ratio(solids: Points, separation):
+def _ratio(solids: Contact, separation):
     """A_sa,t* [1] at ``separation`` d [m]."""
     particle_area, log_summit_area = solids.areas(separation)
     return expit(np.log(particle_area) - log_summit_area)
 
 
-def _fluid_load(viscosity, separation, solids: Points):
+def _fluid_load(viscosity, separation, solids: Contact):
     """F_f* [1] of films that are ``separation`` d [m] thick, and |d ln F_f/dd| [m-1] (Eq. 7)."""
     inputs = solids.parameters
-    film = Film.of(viscosity, solids.rough.roughness, inputs)
+    film = Film.of(viscosity, solids.summits.roughness, inputs)
     log_parameter = film.load_parameter(separation / inputs.ball_radius)
     load = np.exp(log_parameter) * inputs.ball_radius**2 / inputs.apparent_area
     return load, 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
@@ -254,14 +243,14 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     margin = np.empty_like(diameter)
     conditions = np.stack([diameter, roughness, np.full_like(diameter, density)])
     for place, table_rtol in _alike(roughness, search.separations, search.rtol):
-        solids = _solids(parameters, table_rtol, conditions[:, place])
+        solids = make_contact(*conditions[:, place], parameters, table_rtol)
         margin[place] = _margin_alike(search, load_range, solids, roughness[place])
     return margin
 
 
-def _margin_alike(search, load_range, solids: Points, roughness):
+def _margin_alike(search, load_range, solids: Contact, roughness):
     """``_margin`` of curves whose surfaces all have tables or all have none."""
-    (first, last), ratios = _dry(solids, load_range, search.rtol)
+    (first, last), ratios = _dry(solids, roughness, load_range, search.rtol)
     between = _between(first, last, roughness, search.separations)
     curve, place, _ = _maxima(solids, between, search.rtol)
     found = (last[curve] < place) & (place < first[curve])
@@ -287,22 +276,23 @@ def _between(first, last, roughness, count):
     return np.linspace(*ends, count)[:, surface]
 
 
-def _dry(solids: Points, loads, rtol):
+def _dry(solids: Contact, roughness, loads, rtol):
     """d [m] and A_sa,t* at each of ``loads`` F_t*, a row each, on all curves of ``solids``."""
-    count = solids.log_load.size
-    every = solids.take(np.tile(np.arange(count), len(loads)))
-    points = replace(every, log_load=np.repeat(np.log(loads), count))
+    count = roughness.size
+    every = np.tile(np.arange(count), len(loads))
+    points = Points(solids.take(every), None, np.repeat(np.log(loads), count))
     with np.errstate(all="ignore"):  # what is not there is nan or zero
         solved = SolvedPoints(points, rtol)
         if solved.imprecise.any():
-            roughness = np.broadcast_to(points.rough.roughness, points.log_load.shape)
-            exact = prepare_surfaces(roughness, solids.parameters, None)
-            solved = SolvedPoints(replace(points, rough=exact), rtol)
+            exact = RoughSurfaces.of(roughness[every], solids.parameters, None)
+            solved = SolvedPoints(
+                replace(points, contact=replace(points.contact, summits=exact)), rtol
+            )
         found = solved.separation, solved.particle_contact_area_ratio
     return tuple(values.reshape(len(loads), count) for values in found)
 
 
-def _rise(solids: Points, separation):
+def _rise(solids: Contact, separation):
     """-d ln(A_sa/A_ss)/d ln d at ``separation`` [m]: positive where A_sa,t* rises with the load;
     steepest where no particle touches yet."""
     with np.errstate(all="ignore"):

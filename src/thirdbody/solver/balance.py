@@ -6,218 +6,48 @@ the summits nor a vanishing share of the fluid loses digits.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import log_expit
 
-from thirdbody.model.asperity import SummitPopulation
+from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
-from thirdbody.model.parameters import Parameters, Surface
-from thirdbody.model.particles import FULL, ParticleLayer, log_bare_share, separation_bearing
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import separation_bearing
 from thirdbody.solver.roots import NOISE, decreasing_roots
-from thirdbody.solver.tabulation import PiecewisePolynomial
+from thirdbody.solver.surfaces import RoughSurfaces
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
-TINY = np.finfo(float).tiny
 ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
-
-
-@dataclass(frozen=True, eq=False)
-class RoughSurface:
-    """Summits of one roughness with the two functions of separation that stand for them.
-
-    ``log_load`` and ``log_area`` map t = (d - y_s)/sigma_s to (value, slope): either those of a
-    ``SummitPopulation`` or their tables, which are wrong by ``table_error`` at most.  ``sampled``
-    are increasing values of ln F_ss*, and t there.
-    """
-
-    surface: Surface
-    log_load: object
-    log_area: object
-    sampled: tuple
-    table_error: float
-
-    @property
-    def roughness(self) -> float:
-        """sigma [m]."""
-        return self.surface.roughness
-
-    @property
-    def offset(self) -> float:
-        """y_s [m]."""
-        return self.surface.summit_offset
-
-    @property
-    def deviation(self) -> float:
-        """sigma_s [m]."""
-        return self.surface.summit_deviation
-
-    def first_separation(self, log_load):
-        """About the t [1] at which summits bear ``log_load`` ln F_t*."""
-        return np.interp(log_load, *self.sampled)
-
-    def take(self, chosen) -> RoughSurface:
-        """This one, which all points share."""
-        return self
-
-
-@dataclass(frozen=True, eq=False)
-class RoughSurfaces:
-    """A rough surface for each point: that of ``members`` which ``which`` says, an index.
-
-    Has what a ``RoughSurface`` has, as arrays over the points.  ``surface`` are the summits of all
-    members; ``tables`` hold their two functions if they have tables, which are then of one size.
-    """
-
-    members: Sequence[RoughSurface]
-    which: np.ndarray
-    parameters: Parameters
-    surface: Surface
-    tables: Mapping[str, PiecewisePolynomial]
-
-    @classmethod
-    def of(cls, members: Sequence[RoughSurface], which, parameters: Parameters) -> RoughSurfaces:
-        """The surfaces of points, out of ``members`` that all have tables or all have none."""
-        columns = zip(*(vars(member.surface).values() for member in members), strict=True)
-        names = ("log_load", "log_area") if members[0].table_error > 0.0 else ()
-        tables = {
-            name: PiecewisePolynomial.joined([getattr(member, name) for member in members])
-            for name in names
-        }
-        return cls(members, which, parameters, Surface(*map(np.array, columns)), tables)
-
-    def take(self, chosen) -> RoughSurfaces:
-        """Those of the points that an index or mask ``chosen`` picks."""
-        return replace(self, which=self.which[chosen])
-
-    @property
-    def roughness(self):
-        """sigma [m]."""
-        return self.surface.roughness[self.which]
-
-    @property
-    def offset(self):
-        """y_s [m]."""
-        return self.surface.summit_offset[self.which]
-
-    @property
-    def deviation(self):
-        """sigma_s [m]."""
-        return self.surface.summit_deviation[self.which]
-
-    @property
-    def table_error(self):
-        """Bound on the error of both functions."""
-        return np.array([member.table_error for member in self.members])[self.which]
-
-    def log_load(self, t):
-        """(value, slope) of ln F_ss* at ``t``."""
-        return self._evaluated("log_load", t)
-
-    def log_area(self, t):
-        """(value, slope) of ln(A_ss/A_n) at ``t``."""
-        return self._evaluated("log_area", t)
-
-    def _evaluated(self, name, t):
-        if not self.tables:
-            return self._by_quadrature(name, t, self.which)
-        position, inside = self.tables[name].located(t)
-        if inside.all():
-            return self.tables[name].interpolate(position, self.which)
-        value, slope = np.empty((2, *t.shape))
-        which = np.broadcast_to(self.which, t.shape)
-        within = self.tables[name].interpolate(position[inside], which[inside])
-        value[inside], slope[inside] = within
-        beyond = self._by_quadrature(name, t[~inside], which[~inside])
-        value[~inside], slope[~inside] = beyond
-        return value, slope
-
-    def _by_quadrature(self, name, t, which):
-        surface = Surface(*(column[which] for column in vars(self.surface).values()))
-        return getattr(SummitPopulation.of(surface, self.parameters), name)(t)
-
-    def first_separation(self, log_load):
-        """About the t [1] at which summits bear ``log_load`` ln F_t*."""
-        found = np.empty_like(log_load)
-        for index in np.unique(self.which):
-            mine = self.which == index
-            found[mine] = self.members[index].first_separation(log_load[mine])
-        return found
 
 
 @dataclass(frozen=True)
 class Points:
-    """Points on rough surfaces: logarithm of the load, all with or without particles and film."""
+    """Points to be solved, all with or without particles and all with or without a film.
 
-    rough: RoughSurface | RoughSurfaces
-    parameters: Parameters
-    log_load: np.ndarray  # ln F_t*
-    particles: ParticleLayer | None
+    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry.
+    """
+
+    contact: Contact
     film: Film | None
+    log_load: NDArray
+
+    @property
+    def parameters(self) -> Parameters:
+        """Inputs of the model."""
+        return self.contact.parameters
+
+    @property
+    def surfaces(self) -> RoughSurfaces:
+        """The rough surfaces of the points."""
+        return self.contact.summits
 
     def take(self, chosen) -> Points:
         """The points that an index or mask ``chosen`` picks."""
-        return replace(
-            self,
-            rough=self.rough.take(chosen),
-            log_load=self.log_load[chosen],
-            particles=self.particles and self.particles.take(chosen),
-            film=self.film and self.film.take(chosen),
-        )
-
-    def summit_separation(self, separation):
-        """t [1] at ``separation`` d [m]."""
-        return (separation - self.rough.offset) / self.rough.deviation
-
-    def log_solid_load(self, separation):
-        """ln F_s* at ``separation`` d [m], its slope and the steepest of its parts' [m-1] (Eqs. 2
-        and 4); a part that is zero in float64 does not count."""
-        value, slope = self.rough.log_load(self.summit_separation(separation))
-        slope = slope / self.rough.deviation
-        if self.particles is None:
-            return value, slope, np.where(value > FULL, slope, 0.0)
-        area, area_slope, *coverage = self.particles.contact(separation)
-        log_bare, bare_slope = self.particles.log_bare_load(*coverage)
-        value = value + log_bare
-        log_particles = np.log(area) + np.log(self.particle_pressure)
-        excess = value - log_particles
-        odds = np.exp(-np.abs(excess))  # of the smaller load to the larger
-        share = np.where(excess > 0.0, 1.0, odds) / (1.0 + odds)
-        total = np.maximum(value, log_particles) + np.log1p(odds)
-        particle_slope = np.where(area > TINY, area_slope / area, 0.0)
-        slope = slope + bare_slope
-        return (
-            total,
-            share * slope + (1.0 - share) * particle_slope,
-            np.minimum(np.where(value > FULL, slope, 0.0), particle_slope),
-        )
-
-    @property
-    def particle_pressure(self) -> float:
-        """F_sa/(A_sa E_ss): particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
-        return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
-
-    def areas(self, separation, contact=None):
-        """A_sa/A_n and ln(A_ss/A_n) beside the particles at ``separation`` d [m] (Eq. 5).
-
-        ``contact`` is that of the particles there, if it is known.
-        """
-        log_summits, _ = self.rough.log_area(self.summit_separation(separation))
-        if self.particles is None:
-            return np.zeros_like(log_summits), log_summits
-        area, _, *coverage = contact or self.particles.contact(separation)
-        log_bare, _ = log_bare_share(*coverage)
-        return area, log_summits + log_bare
-
-    def odds_slope(self, separation):
-        """Sign-true slope of A_sa/A_ss: dA_sa/dd - A_sa d ln A_ss/dd [m-1], finite where A_sa = 0."""
-        _, summit_slope = self.rough.log_area(self.summit_separation(separation))
-        area, area_slope, *coverage = self.particles.contact(separation)
-        _, bare_slope = log_bare_share(*coverage)
-        summit_slope = summit_slope / self.rough.deviation + bare_slope
-        return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
+        film = self.film and self.film.take(chosen)
+        return Points(self.contact.take(chosen), film, self.log_load[chosen])
 
     def film_separation(self, log_fluid_fraction):
         """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
@@ -235,11 +65,11 @@ def first_separation(points: Points):
 
     The larger of those that summits or particles alone would have: off by a factor of 2 in load.
     """
-    rough = points.rough
-    guess = rough.offset + rough.deviation * rough.first_separation(points.log_load)
-    if points.particles is not None:
-        area = np.exp(points.log_load) / points.particle_pressure
-        guess = np.maximum(guess, separation_bearing(area, points.particles))
+    surfaces, contact = points.surfaces, points.contact
+    guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
+    if contact.particles is not None:
+        area = np.exp(points.log_load) / contact.particle_pressure
+        guess = np.maximum(guess, separation_bearing(area, contact.particles))
     return np.maximum(guess, 0.0)
 
 
@@ -266,12 +96,12 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
     """
 
     def residual(x, some):
-        scale = some.rough.roughness
-        value, slope, steepest = some.log_solid_load(x * scale)
+        scale = some.surfaces.roughness
+        value, slope, steepest = some.contact.log_solid_load(x * scale)
         gain = np.maximum(-steepest * scale, 1.0 / x)
         return value - some.log_load, slope * scale, gain, 0.0
 
-    scale = points.rough.roughness
+    scale = points.surfaces.roughness
     guess = first_separation(points) / scale
     roots, width, error, condition = decreasing_roots(
         residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points
@@ -293,7 +123,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         less = -np.log1p(odds)  # ln of the larger share
         log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
         separation, widening = some.film_separation(log_fluid)
-        value, slope, steepest = some.log_solid_load(separation)
+        value, slope, steepest = some.contact.log_solid_load(separation)
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
         shares = y > -LOGIT_LIMIT  # else L_s is zero in float64
@@ -329,7 +159,7 @@ def _first_logit(points: Points):
     logit = np.log(-np.expm1(log_fluid)) - log_fluid
     wet = np.flatnonzero(~(logit > 0.0))
     some = points.take(wet)
-    log_solid, *_ = some.log_solid_load(separation[wet])
+    log_solid, *_ = some.contact.log_solid_load(separation[wet])
     logit[wet] = log_solid - some.log_load - log_fluid[wet]
     return logit
 
@@ -341,7 +171,7 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     bear everything at the dry separation.
     """
     separation, _ = points.film_separation(0.0)
-    log_solid, _, steepest = points.log_solid_load(separation)
+    log_solid, _, steepest = points.contact.log_solid_load(separation)
     log_solid -= points.log_load
     boundary = ~(log_solid < 0.0)
     logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))

@@ -8,8 +8,9 @@ from functools import cached_property
 import numpy as np
 from scipy.special import expit, log_expit
 
+from thirdbody.model.contact import TINY
 from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
-from thirdbody.solver.balance import BALANCES, TINY, Points, dry_balance
+from thirdbody.solver.balance import BALANCES, Points, dry_balance
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
@@ -59,10 +60,11 @@ class SolvedPoints:
 
     def __init__(self, points: Points, rtol: float):
         self.points = points
-        tabulated = np.all(points.rough.table_error > 0.0)
         solve = dry_balance if points.film is None else BALANCES[points.parameters.film_load]
-        self._balance = solve(points, ROOT_SHARE * rtol if tabulated else LEAST_RTOL)
-        magnified = points.rough.table_error * (self._balance.condition + 1.0)
+        self._balance = solve(
+            points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
+        )
+        magnified = points.surfaces.table_error * (self._balance.condition + 1.0)
         self._error = np.maximum(self._balance.error, self._onset_error()) + magnified
         self.imprecise = (magnified > TABLE_SHARE * rtol) | (self._error > rtol)
         self.solution_status = self._status(rtol)
@@ -72,16 +74,16 @@ class SolvedPoints:
         self._complete = not self._void.any()
 
     @cached_property
-    def _contact(self):
-        """That of the particles."""
-        return self.points.particles.contact(self._balance.separation)
+    def _touching(self):
+        """What ``ParticleLayer.contact`` returns there."""
+        return self.points.contact.particles.contact(self._balance.separation)
 
     def _onset_error(self):
         """Relative error of the particles' area: where the largest begin to touch it rises so
         steeply that its slope before the last step says little."""
-        if self.points.particles is None:
+        if self.points.contact.particles is None:
             return 0.0
-        area, slope, *_ = self._contact
+        area, slope, *_ = self._touching
         return np.where(area > TINY, -slope / area * self._balance.width, 0.0)
 
     def _status(self, rtol):
@@ -93,8 +95,8 @@ class SolvedPoints:
             meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
             status[~meaningful] = OUTSIDE_FILM_FORMULA
         status[~(self._error <= rtol)] = NOT_CONVERGED
-        if points.particles is not None:
-            status[points.particles.leave_no_room(self._contact[2])] = COVERAGE_EXCEEDED
+        if points.contact.particles is not None:
+            status[points.contact.particles.leave_no_room(self._touching[2])] = COVERAGE_EXCEEDED
         return status
 
     def _valid(self, values, otherwise=np.nan):
@@ -108,8 +110,8 @@ class SolvedPoints:
     @cached_property
     def _areas(self):
         """A_sa/A_n and ln(A_ss/A_n)."""
-        contact = self.points.particles and self._contact
-        particles, log_summits = self.points.areas(self._balance.separation, contact)
+        touching = self.points.contact.particles and self._touching
+        particles, log_summits = self.points.contact.areas(self._balance.separation, touching)
         return self._valid(particles), self._valid(log_summits)
 
     @cached_property
@@ -153,5 +155,7 @@ class SolvedPoints:
 
     @property
     def contact_mode(self):
-        mode = contact_mode(self.particle_contact_area_ratio, self.points.particles is not None)
+        mode = contact_mode(
+            self.particle_contact_area_ratio, self.points.contact.particles is not None
+        )
         return self._valid(mode, NO_FLAG)

@@ -8,18 +8,17 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Collection
-from functools import lru_cache
 from numbers import Real
 
 import numpy as np
 
-from thirdbody.model.asperity import SummitPopulation
+from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
-from thirdbody.solver.balance import Points, RoughSurface, RoughSurfaces
+from thirdbody.solver.balance import Points
 from thirdbody.solver.solution import FLAGS, OF_AREAS, VARIABLES, Solution, SolvedPoints
-from thirdbody.solver.tabulation import PiecewisePolynomial, sample_points
+from thirdbody.solver.surfaces import TABLE_SIZES, RoughSurfaces, prepare_surface, table_size
 
 DEFAULT_RTOL = 1e-9
 BLOCK = 2**18  # points among which equal ones are looked for
@@ -27,11 +26,7 @@ CHUNK = 16384  # points solved together: their arrays stay in the processor's ca
 QUADRATURE_CHUNK = 256  # the same without tables, where each has some hundred nodes
 COMPILATION_WORTH = 10_000  # points from which a compiled loop solves them
 TABLE_WORTH = 500  # points on one roughness from which its finest table costs less than it saves
-FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
-TABLE_START, TABLE_END = -5.0, 40.0  # summit separations t [1]
 MIXERS = np.random.default_rng(0).integers(1, 2**64, 5, dtype=np.uint64) | np.uint64(1)
-# (least rtol, pieces, degree): tables whose error in ln F_ss and ln A_ss is a tenth of it or less
-TABLE_SIZES = ((1e-5, 60, 5), (1e-7, 180, 5), (0.0, 180, 7))
 
 
 def solve(
@@ -130,8 +125,9 @@ def _compiled_parts(columns, group, rough, parameters, rtol, areas):
 def _points(columns, part, parameters, table_rtol):
     """The points of one kind in a part of ``columns``; ``table_rtol`` is that of their surfaces."""
     load, viscosity, diameter, roughness, density = (column[part] for column in columns)
-    rough = prepare_surfaces(roughness, parameters, table_rtol)
-    return make_points(rough, parameters, load, viscosity, diameter, roughness, density)
+    contact = make_contact(diameter, roughness, density, parameters, table_rtol)
+    film = Film.of(viscosity, roughness, parameters) if viscosity[0] > 0.0 else None
+    return Points(contact, film, np.log(load))
 
 
 def type_of(variable: str) -> type:
@@ -178,44 +174,8 @@ def tables_pay(points, rtol: float):
 
     Tables cost in proportion to their samples.
     """
-    finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], _table_size(rtol)))
+    finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], table_size(rtol)))
     return points * finest >= TABLE_WORTH * table
-
-
-def _table_size(rtol):
-    """Pieces and degree of the tables that are good for ``rtol``."""
-    return next(size for least, *size in TABLE_SIZES if rtol >= least)
-
-
-@lru_cache(maxsize=512)
-def prepare_surface(roughness: float, parameters: Parameters, rtol: float | None) -> RoughSurface:
-    """Summits at ``roughness`` sigma [m], as tables good for ``rtol`` or, if None, by quadrature.
-
-    Prepared once for all that share it.
-    """
-    surface = parameters.surface(roughness)
-    population = SummitPopulation.of(surface, parameters)
-    functions = population.log_load, population.log_area
-    samples, error = FIRST_SAMPLES, 0.0
-    if rtol is not None:
-        size = TABLE_START, TABLE_END, *_table_size(rtol)
-        sampled = population.log_load_and_area(sample_points(*size))
-        functions = tuple(
-            PiecewisePolynomial(function, *size, values)
-            for function, (values, _) in zip(functions, sampled, strict=True)
-        )
-        samples, error = functions[0].centres, max(function.error for function in functions)
-    sampled = functions[0](samples)[0][::-1], samples[::-1]
-    return RoughSurface(surface, *functions, sampled, error)
-
-
-def prepare_surfaces(roughness, parameters: Parameters, rtol: float | None):
-    """The surfaces of points with ``roughness`` sigma [m], 1-D, each as of ``prepare_surface``."""
-    if (roughness == roughness[0]).all():
-        return prepare_surface(float(roughness[0]), parameters, rtol)
-    values, which = np.unique(roughness, return_inverse=True)
-    surfaces = [prepare_surface(sigma, parameters, rtol) for sigma in values.tolist()]
-    return RoughSurfaces.of(surfaces, which, parameters)
 
 
 def _distinct(columns):
@@ -299,14 +259,14 @@ def _pieces(group, size):
         yield from (group[start : start + size] for start in range(0, group.size, size))
 
 
-def make_points(
-    rough, parameters, load, viscosity, particle_diameter, roughness, particle_density
-) -> Points:
-    """Points of one kind on one surface: 1-D arrays that all have a film or all have none, and
-    all have particles or all have none."""
-    particles = film = None
+def make_contact(
+    particle_diameter, roughness, particle_density, parameters: Parameters, table_rtol
+) -> Contact:
+    """Contact at points of one kind: 1-D arrays (SI) that all have particles or all have none.
+
+    ``table_rtol`` is as in ``prepare_surface``.
+    """
+    particles = None
     if has_particles(particle_diameter[0], particle_density[0]):
         particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
-    if viscosity[0] > 0.0:
-        film = Film.of(viscosity, roughness, parameters)
-    return Points(rough, parameters, np.log(load), particles, film)
+    return Contact(RoughSurfaces.of(roughness, parameters, table_rtol), particles, parameters)

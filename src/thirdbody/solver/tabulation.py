@@ -35,18 +35,32 @@ class PiecewisePolynomial:
 
     def __call__(self, x):
         """(value, slope) at ``x``, each of its shape."""
+        return self.evaluated(x, 0, lambda beyond, _: self.function(beyond))
+
+    def evaluated(self, x, member, function):
+        """(value, slope) at ``x``, of joined polynomials those of the ``member`` of each element.
+
+        ``member`` is an index, or one for each element of the last axes of ``x``.  Outside the
+        interval it is ``function(x, member)`` of these elements.
+        """
         position, inside = self.located(x)
         if inside.all():
-            return self.interpolate(position)
+            return self.interpolate(position, member)
         value = np.empty_like(position)
         slope = np.empty_like(position)
-        value[inside], slope[inside] = self.interpolate(position[inside])
-        value[~inside], slope[~inside] = self.function(x[~inside])
+        for chosen, evaluate, places in (
+            (inside, self.interpolate, position),
+            (~inside, function, x),
+        ):
+            some = member
+            if np.ndim(member):
+                some = np.broadcast_to(member, x.shape)[chosen]
+            value[chosen], slope[chosen] = evaluate(places[chosen], some)
         return value, slope
 
     @classmethod
     def joined(cls, members) -> PiecewisePolynomial:
-        """The tables of ``members``, all of the same pieces, side by side: to ``interpolate``."""
+        """The polynomials of ``members``, all on the same pieces, side by side: for ``evaluated``."""
         together = copy(members[0])
         together.coefficients = np.hstack([member.coefficients for member in members])
         return together

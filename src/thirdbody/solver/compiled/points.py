@@ -20,7 +20,6 @@ from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
 from thirdbody.model.regimes import contact_mode, lubrication_regime
-from thirdbody.solver.balance import RoughSurface
 from thirdbody.solver.compiled.loop import (
     COMPILED,
     GIVEN,
@@ -33,6 +32,7 @@ from thirdbody.solver.compiled.loop import (
 )
 from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
 from thirdbody.solver.solution import CONVERGED, OUTSIDE_FILM_FORMULA
+from thirdbody.solver.surfaces import RoughSurface
 
 OILS = 1e-9, 1e-3  # viscosities [m2/s] between which nothing is extrapolated
 

@@ -11,10 +11,10 @@ import numpy as np
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
-from thirdbody.solver.balance import RoughSurface
 from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
 from thirdbody.solver.roots import NOISE
 from thirdbody.solver.solution import ROOT_SHARE
+from thirdbody.solver.surfaces import RoughSurface
 from thirdbody.solver.tabulation import chebyshev_points, interpolants
 
 SINGLE, DOUBLE = np.float32, np.float64
@@ -57,16 +57,16 @@ def precisions(rtol: float) -> tuple:
 @lru_cache(maxsize=64)
 def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real: type) -> Model:
     """Tables of everything on one surface, for errors of ``rtol``, in numbers of type ``real``."""
-    degree = 3 if real is SINGLE else rough.log_load.degree
+    degree = 3 if real is SINGLE else rough.tables.log_load.degree
     summit_pieces, moment_pieces, film_pieces = PIECES[degree]
     rounding = float(LIMITS[real]["rounding"])
-    first, last = rough.log_load.start, rough.log_load.end
+    first, last = rough.tables.log_load.start, rough.tables.log_load.end
     summits = first, last, summit_pieces, degree, real
-    load, load_error = _table(_root(lambda t: rough.log_load(t)[0]), *summits)
-    area, area_error = _table(_root(lambda t: rough.log_area(t)[0]), *summits)
-    table_error = rough.table_error + ROOT * max(load_error, area_error)
+    load, load_error = _table(_root(lambda t: rough.tables.log_load(t)[0]), *summits)
+    area, area_error = _table(_root(lambda t: rough.tables.log_area(t)[0]), *summits)
+    table_error = rough.tables.error + ROOT * max(load_error, area_error)
     # rounding at the largest t, which the loop counts by itself where a point is
-    rounded = 3.0 * np.finfo(float).eps * abs(rough.log_load(np.full(1, last))[0][0])
+    rounded = 3.0 * np.finfo(float).eps * abs(rough.tables.log_load(np.full(1, last))[0][0])
     end = parameters.truncation
     moment, moment_error = _table(
         _moment_above(unit_moment(parameters), end),
@@ -80,7 +80,7 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     deviation = surface.summit_deviation / surface.roughness
     offset = surface.summit_offset / surface.roughness
     t = np.linspace(last, first, 1000)
-    loads, separations = rough.log_load(t)[0], offset + deviation * t
+    loads, separations = rough.tables.log_load(t)[0], offset + deviation * t
     areas, alpha = sampled_contact(parameters)
     areas = areas / parameters.hardness_surface_2
     near, _ = ELASTIC_LIMITS[parameters.elastic_limits]
