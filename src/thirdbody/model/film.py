@@ -1,4 +1,13 @@
-"""Central film thickness of rough line and point contacts (Eqs. 7-8), and where it holds.
+"""Central film thickness of rough line and point contacts (Eqs. 7 and 8), and where it holds.
+
+Eq. 7, with sigma* = sigma/R_x, is the thickness of the film between smooth bodies times what
+roughness makes of it:
+
+    H_c = 3.672 W^(-0.045 kappa^0.18) U^(0.663 kappa^0.025) G^(0.502 kappa^0.064)
+              (1 - 0.573 e^(-0.74 kappa))
+          (1 + 0.025 sigma*^1.248 V^0.119 W^-0.133 U^-0.884 G^-0.977 kappa^0.081)
+
+so that ln H_c of either term is a sum of logarithms, and a straight line over ln W.
 
 Source: Masjedi & Khonsari (2015).
 """
@@ -8,12 +17,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
 
-SPEED_EXPONENT = 0.663
-ROUGHNESS_SPEED_EXPONENT = 0.884
-ROUGHNESS_LOAD_EXPONENT = -0.133
+ROUGHNESS_SPEED_EXPONENT = 0.884  # the power of 1/U in the roughness term
+ROUGHNESS_LOAD_EXPONENT = -0.133  # the power of W in the roughness term
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
 
 
@@ -21,39 +30,76 @@ INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 i
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    ``smooth`` s and ``rough`` r have the shape of the points; the exponents a and b are scalars.
+    The first term is the smooth film, the second what roughness adds to it.  ``Film.of`` makes a
+    film from viscosity and roughness.
+
+    Attributes
+    ----------
+    smooth, rough : array
+        s and r [1], of the shape of the points.
+    smooth_exponent, rough_exponent : float
+        a and b [1].
+    turning_ratio : float
+        Ratio of the second term to the first where H_c is least over the speed U [1].
     """
 
-    smooth: np.ndarray
-    rough: np.ndarray
+    smooth: NDArray
+    rough: NDArray
     smooth_exponent: float
     rough_exponent: float
     turning_ratio: float
 
     @classmethod
-    def of(cls, viscosity, roughness, parameters: Parameters) -> Film:
-        """Film at kinematic ``viscosity`` [m2/s], positive, and ``roughness`` sigma [m]."""
+    def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
+        """Make the film of an oil between rough surfaces.
+
+        Parameters
+        ----------
+        viscosity : array
+            Kinematic viscosity nu [m2/s], positive.
+        roughness : array_like
+            sigma [m], a scalar or of the same shape.
+        parameters : Parameters
+            All inputs of the model.
+
+        Returns
+        -------
+        Film
+
+        Examples
+        --------
+        >>> import numpy as np, thirdbody
+        >>> film = Film.of(np.array([120e-6]), 300e-9, thirdbody.load_parameters())
+        >>> thickness, slope = film.thickness(np.log(1e-6))
+        >>> f"{thickness[0]:.3e}"
+        '1.783e-04'
+        >>> film.load_parameter(thickness).round(9)
+        array([-13.815510558])
+        """
         kappa = parameters.ellipticity
-        speed = np.log(parameters.speed_per_viscosity) + np.log(viscosity)
-        speed_exponent = SPEED_EXPONENT * kappa**0.025
-        smooth = (
+        ln_U = np.log(parameters.speed_per_viscosity) + np.log(viscosity)
+        ln_G = np.log(parameters.material_parameter)
+        ln_V = np.log(parameters.hardness_parameter)
+        ln_sigma = np.log(roughness / parameters.ball_radius)
+        load_exponent = -0.045 * kappa**0.18
+        speed_exponent = 0.663 * kappa**0.025
+        smooth = (  # Eq. 7, all but W of the smooth film
             np.log(3.672 * (1.0 - 0.573 * np.exp(-0.74 * kappa)))
-            + speed_exponent * speed
-            + 0.502 * kappa**0.064 * np.log(parameters.material_parameter)
+            + speed_exponent * ln_U
+            + 0.502 * kappa**0.064 * ln_G
         )
-        rough = smooth + (
+        rough = smooth + (  # Eq. 7, all but W of the roughness term
             np.log(0.025 * kappa**0.081)
-            + 1.248 * np.log(roughness / parameters.ball_radius)
-            + 0.119 * np.log(parameters.hardness_parameter)
-            - ROUGHNESS_SPEED_EXPONENT * speed
-            - 0.977 * np.log(parameters.material_parameter)
+            + 1.248 * ln_sigma
+            + 0.119 * ln_V
+            - ROUGHNESS_SPEED_EXPONENT * ln_U
+            - 0.977 * ln_G
         )
-        smooth_exponent = -0.045 * kappa**0.18
         return cls(
             smooth,
             rough,
-            smooth_exponent,
-            smooth_exponent + ROUGHNESS_LOAD_EXPONENT,
+            load_exponent,
+            load_exponent + ROUGHNESS_LOAD_EXPONENT,
             speed_exponent / (ROUGHNESS_SPEED_EXPONENT - speed_exponent),
         )
 
@@ -67,23 +113,49 @@ class Film:
             self.turning_ratio,
         )
 
-    def thickness(self, log_load_parameter):
-        """H_c [1] and its slope dH_c/d ln W [1] at ``log_load_parameter`` ln W (Eq. 7)."""
+    def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
+        """Film thickness under a load (Eq. 7).
+
+        Parameters
+        ----------
+        log_load_parameter : array_like
+            ln W [1], W = F/(E_ss R_x^2) (Eq. 8); a scalar or of the shape of the points.
+
+        Returns
+        -------
+        thickness, slope : array
+            H_c [1] and dH_c/d ln W [1].
+        """
         smooth = np.exp(self.smooth + self.smooth_exponent * log_load_parameter)
         rough = np.exp(self.rough + self.rough_exponent * log_load_parameter)
+        # Eq. 7
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
-    def crossing(self):
-        """ln W where the terms of Eq. 7 are equal, and ln of each there; seen from there, all films
-        of one ellipticity are the same curve."""
+    def crossing(self) -> tuple[NDArray, NDArray]:
+        """Where both terms of Eq. 7 are equal: ln W there, and ln of each term [1].
+
+        Seen from there, all films of one ellipticity are the same curve.
+        """
         log_parameter = (self.smooth - self.rough) / (self.rough_exponent - self.smooth_exponent)
         return log_parameter, self.smooth + self.smooth_exponent * log_parameter
 
-    def load_parameter(self, thickness, steps=INVERSE_STEPS):
-        """ln W at which the film is ``thickness`` H_c [1] thick: the inverse of ``thickness``.
+    def load_parameter(self, thickness: ArrayLike, steps: int = INVERSE_STEPS) -> NDArray:
+        """Load under which the film has a given thickness: the inverse of ``thickness``.
 
         Newton's method on ln H_c, which is convex in ln W; it starts where one term of Eq. 7 has
         the thickness by itself, so that it cannot overshoot.
+
+        Parameters
+        ----------
+        thickness : array_like
+            H_c [1], positive; a scalar or of the shape of the points.
+        steps : int
+            Number of steps; the default reaches the last digits of float64.
+
+        Returns
+        -------
+        array
+            ln W [1].
         """
         target = np.log(thickness)
         log_parameter = np.maximum(
@@ -95,15 +167,15 @@ class Film:
             log_parameter = log_parameter - (np.log(value) - target) * value / slope
         return log_parameter
 
-    def is_meaningful(self, log_load_parameter):
-        """Whether H_c still rises with viscosity: the roughness term is below its turning point.
+    def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
+        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does.
 
-        Eq. 7 lets the film grow without bound as U goes to zero; where dH_c/dU < 0 it is
-        outside its meaning (roughness term above 3 at kappa = 1).
+        Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
+        meaning.  At kappa = 1 that is where the roughness term exceeds 3.
         """
         return log_load_parameter > self.turning()
 
-    def turning(self):
-        """ln W below which H_c falls with viscosity."""
+    def turning(self) -> NDArray:
+        """ln W [1] below which H_c falls with viscosity."""
         excess = np.log(self.turning_ratio) + self.smooth - self.rough
         return excess / ROUGHNESS_LOAD_EXPONENT
