@@ -236,7 +236,9 @@ class ElementwiseRoots:
             args=(np.arange(points.log_load.size),),
             tolerances=self.tolerances,
         )
-        explicit = points.film is not None and self.parameters.film_load == "total"
+        explicit = (
+            points.film is not None and not self.parameters.readings.film_load.depends_on_shares
+        )
         x = np.where(found.success & (not explicit), found.x, np.nan)
         separation, log_solid = shares(points, x)
         particles, log_summits = points.contact.areas(separation)

@@ -17,35 +17,6 @@ from thirdbody.solver.solution import QUANTITIES
 
 VARIABLES = QUANTITIES  # those that the files give
 CLASS = ("medium", "bodies", "span")
-# inputs of the model under the names that they have in ``model_parameters``
-NUMBERS = {
-    "elastic_modulus_surfaces": "E_ss",
-    "elastic_modulus_particle": "E_sa",
-    "hardness_surface_1": "H_s1",
-    "hardness_surface_2": "H_s2",
-    "yield_pressure_ratio": "k",
-    "plastic_interference_ratio": "omega_ratio",
-    "ball_radius": "R_x",
-    "material_parameter": "G",
-    "hardness_parameter": "V",
-    "speed_per_viscosity": "U_per_viscosity",
-    "ellipticity": "kappa",
-    "apparent_area": "A_n",
-    "reference_roughness": "roughness",
-    "summit_radius": "R",
-    "mean_ratio": "mean_ratio",
-    "spread_ratio": "sigma_a_ratio",
-    "gap_ratio": "gap_ratio",
-    "truncation": "truncation",
-    "participation": "participation",
-    "elastic_depth_ratio": "h_e_ratio",
-}
-READINGS = {
-    "size_distribution": "phi_a",
-    "elastic_limits": "elastic_limits",
-    "coverage_limits": "coverage_limits",
-    "film_load": "film_load",
-}
 SMALLEST = np.finfo(float).tiny  # what is smaller has few digits in float64 and counts as zero
 
 
@@ -101,15 +72,7 @@ def _column(rows, name):
 
 def parameters_of(row) -> Parameters:
     """The inputs of a golden ``row``, whose surface is given at its own roughness."""
-    numbers = {name: float(row[column]) for name, column in NUMBERS.items()}
-    return Parameters(
-        **numbers,
-        **{name: row[column] for name, column in READINGS.items()},
-        summit_parameter=float(row["eta_s"]) * float(row["R"]) * float(row["roughness"]),
-        summit_parameter_exponent=0.0,
-        summit_radius_exponent=0.0,
-        summit_offset=row["surface_offset"] == "1",
-    )
+    return Parameters.on_one_surface(row, float(row["roughness"]))
 
 
 def relative_errors(solution, expected) -> dict:

@@ -115,8 +115,7 @@ def _state_at(solids: Contact, viscosity, separation, width, rtol) -> dict:
     wet = viscosity > 0.0
     fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids.take(wet))
     steepest[wet] = np.maximum(steepest[wet], film_slope)
-    together = np.maximum if solids.parameters.film_load == "total" else np.add
-    load = together(solid, fluid)
+    load = solids.parameters.readings.film_load.total_load(solid, fluid)
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),

@@ -9,7 +9,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import ndtr, ndtri
 
 from thirdbody.data.scene import CENTISTOKES, NANOMETRE
 from thirdbody.figures.conditions import Conditions
@@ -153,21 +152,14 @@ def _particles(state, parameters, position, lower, upper, one_bears, random):
         right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
         gap = np.where(right, upper - lower, np.inf)
         places[0], smallest[0] = position[np.argmin(gap)], gap.min()
-    diameters = _diameters(state, parameters, smallest, random)
+    # up to X_max, from the size distribution of the model
+    diameters = parameters.readings.size_distribution.quantiles(
+        random.uniform(size=count), smallest, state.particle_diameter, parameters
+    )
     return tuple(
         _settled(place, diameter, position, lower, upper)
         for place, diameter in zip(places, diameters, strict=True)
     )
-
-
-def _diameters(state, parameters, smallest, random):
-    """Diameters above ``smallest`` [m], up to X_max, from the size distribution of the model."""
-    centred = parameters.size_distribution != "uncentred"
-    mean = parameters.mean_ratio * state.particle_diameter * centred
-    spread = parameters.spread_ratio * state.particle_diameter
-    above = ndtr(parameters.truncation)
-    below = np.minimum(ndtr((smallest - mean) / spread), above)
-    return mean + spread * ndtri(below + (above - below) * random.uniform(size=smallest.size))
 
 
 def _settled(place, diameter, position, lower, upper) -> Particle:

@@ -1,24 +1,63 @@
-"""The inputs of the model: one frozen record of every number and reading it depends on."""
+"""The inputs of the model: one frozen record of every number and reading that it depends on."""
 
 from __future__ import annotations
 
 import json
 import math
+from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
+from functools import cached_property
 
-# McCool (1986): distance of the summit plane and loss of summit variance, over 1/(eta_s R)
-SUMMIT_PLANE = 0.045944
-SUMMIT_VARIANCE = 3.717e-4
-# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
-LEAST_SPREAD = 1e-6
+from thirdbody.model.readings import LEAST_SPREAD, Readings
+
+# The keys that inputs, and fields of a surface, have in the attribute ``model_parameters`` of
+# datasets, in the order in which they stand there.
+BODY_KEYS = {
+    "elastic_modulus_surfaces": "E_ss",
+    "elastic_modulus_particle": "E_sa",
+    "hardness_surface_1": "H_s1",
+    "hardness_surface_2": "H_s2",
+    "yield_pressure_ratio": "k",
+    "plastic_interference_ratio": "omega_ratio",
+    "ball_radius": "R_x",
+    "material_parameter": "G",
+    "hardness_parameter": "V",
+    "ellipticity": "kappa",
+    "speed_per_viscosity": "U_per_viscosity",
+    "apparent_area": "A_n",
+}
+SURFACE_KEYS = {
+    "summit_density": "eta_s",
+    "summit_radius": "R",
+    "summit_deviation": "sigma_s",
+    "summit_offset": "y_s",
+}
+PARTICLE_KEYS = {
+    "size_distribution": "phi_a",
+    "mean_ratio": "mean_ratio",
+    "spread_ratio": "sigma_a_ratio",
+    "gap_ratio": "gap_ratio",
+    "truncation": "truncation",
+    "participation": "participation",
+    "elastic_depth_ratio": "h_e_ratio",
+    "elastic_limits": "elastic_limits",
+    "coverage_limits": "coverage_limits",
+    "film_load": "film_load",
+}
 
 
 @dataclass(frozen=True)
 class Surface:
     """Summits of the equivalent rough surface at one roughness.
 
-    ``roughness`` sigma [m], ``summit_density`` eta_s [m-2], ``summit_radius`` R [m],
-    ``summit_deviation`` sigma_s [m], ``summit_offset`` y_s [m].
+    Attributes
+    ----------
+    roughness : float
+        sigma [m].
+    summit_density, summit_radius : float
+        eta_s [m-2] and R [m].
+    summit_deviation, summit_offset : float
+        sigma_s and y_s [m]: scatter and height of the summits about the mean plane.
     """
 
     roughness: float
@@ -30,7 +69,29 @@ class Surface:
 
 @dataclass(frozen=True)
 class Parameters:
-    """All inputs, SI; the meaning of each key stands in ``config/inputs.yaml``."""
+    """All inputs of the model, in SI units.
+
+    ``config/inputs.yaml`` says of each field what it is, where its value comes from and what is
+    allowed; ``thirdbody.load_parameters`` reads them from there.  Fields that are words, and
+    ``summit_offset``, choose a reading of the paper: ``readings`` has the object for each.
+
+    Raises
+    ------
+    ValueError
+        If a word is unknown, or the particles' sizes are too equal to be resolved in float64.
+
+    Examples
+    --------
+    >>> import thirdbody
+    >>> from dataclasses import replace
+    >>> parameters = thirdbody.load_parameters()
+    >>> parameters.ball_radius
+    0.00635
+    >>> replace(parameters, film_load="solid")
+    Traceback (most recent call last):
+    ...
+    ValueError: film_load is 'solid'; allowed: fluid, total
+    """
 
     elastic_modulus_surfaces: float
     elastic_modulus_particle: float
@@ -62,21 +123,22 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
-        if self.spread_ratio < LEAST_SPREAD and not self.convolves_sizes:
+        sizes = self.readings.size_distribution
+        if self.spread_ratio < LEAST_SPREAD and not sizes.can_be_equal(self):
             raise ValueError(
                 f"spread_ratio is {self.spread_ratio!r}; allowed: at least {LEAST_SPREAD:g}, "
                 "below which equal particles would bear any load at one separation"
             )
 
-    @property
-    def convolves_sizes(self) -> bool:
-        """Whether the spread of the gap joins that of the sizes, which may then be equal."""
-        return self.size_distribution == "gap_convolved" and self.gap_ratio >= LEAST_SPREAD
+    @cached_property
+    def readings(self) -> Readings:
+        """The readings of the paper that these inputs choose, as objects."""
+        return Readings.of(self)
 
     @property
     def elastic_factor(self) -> float:
-        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2), the weight of elastic particles in Eqs. 4-5 [1]."""
-        return (
+        """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1], the weight of elastic particles."""
+        return (  # of Eqs. 4 and 5
             2.25
             * math.pi**2
             * (
@@ -91,60 +153,127 @@ class Parameters:
         return self.apparent_area * self.elastic_modulus_surfaces
 
     def surface(self, roughness: float) -> Surface:
-        """Summits at ``roughness`` sigma [m] (scalar).
+        """Summits of a surface.
 
-        Raises ``ValueError`` where the summit parameter leaves no variance to the summits.
-        Source: McCool (1986) for the offset; the power laws are assumptions.
+        eta_s R sigma and R follow power laws of the roughness, which are assumptions; scatter and
+        height of the summits are those of the reading ``summit_offset``.
+
+        Parameters
+        ----------
+        roughness : float
+            sigma [m].
+
+        Returns
+        -------
+        Surface
+
+        Raises
+        ------
+        ValueError
+            Where ``summit_parameter`` leaves no variance to the summits.
+
+        Examples
+        --------
+        >>> import thirdbody
+        >>> from dataclasses import replace
+        >>> inputs = replace(thirdbody.load_parameters(), summit_offset=False)
+        >>> surface = inputs.surface(300e-9)
+        >>> surface.summit_deviation, surface.summit_offset
+        (3e-07, 0.0)
         """
         scale = roughness / self.reference_roughness
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        if not self.summit_offset:
-            return Surface(roughness, density, radius, roughness, 0.0)
-        curvature_length = 1.0 / (density * radius)
-        variance = roughness**2 - SUMMIT_VARIANCE * curvature_length**2
-        if not variance > 0.0:
-            raise ValueError(
-                f"summit_parameter is {summit_parameter:.4g} at roughness {roughness:g} m; "
-                f"allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits keep a variance"
-            )
+        plane = self.readings.summit_offset
         return Surface(
-            roughness, density, radius, math.sqrt(variance), SUMMIT_PLANE * curvature_length
+            roughness, density, radius, *plane.deviation_and_offset(roughness, density, radius)
         )
 
-    def as_attribute(self, roughness) -> str:
-        """The JSON text of ``model_parameters``: flat, SI, lists along ``roughness`` [m], 1-D."""
+    def as_attribute(self, roughness: Iterable[float]) -> str:
+        """The text of a dataset's attribute ``model_parameters``.
+
+        Parameters
+        ----------
+        roughness : iterable of float
+            The dataset's coordinate sigma [m], 1-D.
+
+        Returns
+        -------
+        str
+            A flat JSON object, in SI; what depends on the roughness is a list along it.
+        """
         surfaces = [self.surface(float(sigma)) for sigma in roughness]
-        numbers = {
-            "E_ss": self.elastic_modulus_surfaces,
-            "E_sa": self.elastic_modulus_particle,
-            "H_s1": self.hardness_surface_1,
-            "H_s2": self.hardness_surface_2,
-            "k": self.yield_pressure_ratio,
-            "omega_ratio": self.plastic_interference_ratio,
-            "R_x": self.ball_radius,
-            "G": self.material_parameter,
-            "V": self.hardness_parameter,
-            "kappa": self.ellipticity,
-            "U_per_viscosity": self.speed_per_viscosity,
-            "A_n": self.apparent_area,
-            "eta_s": [surface.summit_density for surface in surfaces],
-            "R": [surface.summit_radius for surface in surfaces],
-            "sigma_s": [surface.summit_deviation for surface in surfaces],
-            "y_s": [surface.summit_offset for surface in surfaces],
-            "phi_a": self.size_distribution,
-            "mean_ratio": self.mean_ratio,
-            "sigma_a_ratio": self.spread_ratio,
-            "gap_ratio": self.gap_ratio,
-            "truncation": self.truncation,
-            "participation": self.participation,
-            "h_e_ratio": self.elastic_depth_ratio,
-            "elastic_limits": self.elastic_limits,
-            "coverage_limits": self.coverage_limits,
-            "film_load": self.film_load,
+        model = {key: getattr(self, name) for name, key in BODY_KEYS.items()}
+        for name, key in SURFACE_KEYS.items():
+            model[key] = [getattr(surface, name) for surface in surfaces]
+        model |= {key: getattr(self, name) for name, key in PARTICLE_KEYS.items()}
+        return json.dumps(model)
+
+    @classmethod
+    def from_attribute(cls, text: str, roughness: float, index: int = 0) -> Parameters:
+        """The inputs that an attribute ``model_parameters`` describes, for one of its surfaces.
+
+        The attribute holds the surfaces of some roughnesses, and not the power laws between them:
+        the result has these surfaces' own summits at ``roughness`` alone.
+
+        Parameters
+        ----------
+        text : str
+            The attribute, as ``as_attribute`` makes it.
+        roughness : float
+            sigma [m], the dataset's coordinate at ``index``.
+        index : int
+            Place of the surface in the lists of the attribute.
+
+        Returns
+        -------
+        Parameters
+
+        Examples
+        --------
+        >>> import thirdbody
+        >>> inputs = thirdbody.load_parameters()
+        >>> again = Parameters.from_attribute(inputs.as_attribute([1e-7, 5e-7]), 5e-7, index=1)
+        >>> again.participation == inputs.participation
+        True
+        """
+        model = json.loads(text)
+        lists = {key: model[key][index] for key in SURFACE_KEYS.values()}
+        return cls.on_one_surface(model | lists, roughness)
+
+    @classmethod
+    def on_one_surface(cls, model: Mapping, roughness: float) -> Parameters:
+        """The inputs that ``model`` describes, with one surface.
+
+        Parameters
+        ----------
+        model : mapping
+            Values by the keys of ``model_parameters``; numbers may be text, and those of the
+            surface are no lists.  Other keys are ignored.
+        roughness : float
+            sigma [m] of the surface.
+
+        Returns
+        -------
+        Parameters
+        """
+        keys = BODY_KEYS | PARTICLE_KEYS
+        kinds = {name: cls.__annotations__[name] for name in keys}
+        given = {
+            name: float(model[key]) if kinds[name] == "float" else model[key]
+            for name, key in keys.items()
         }
-        return json.dumps(numbers)
+        density, radius, offset = (float(model[key]) for key in ("eta_s", "R", "y_s"))
+        return cls(
+            **given,
+            reference_roughness=roughness,
+            summit_parameter=density * radius * roughness,
+            summit_parameter_exponent=0.0,
+            summit_radius=radius,
+            summit_radius_exponent=0.0,
+            summit_offset=offset != 0.0,
+        )
 
     def as_dict(self) -> dict:
         """Plain mapping of all inputs."""

@@ -6,102 +6,102 @@ Every reading of the size distribution phi_a gives the second moment above a siz
 
 with phi and Q the density and upper tail of the standard normal distribution, so that
 I(a, b) = T(alpha) - T(beta).  The readings differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
-are the same for all particles of a reading.  Particles end at X_max = m + truncation * S, so M is
-never needed deep in the tail.
+are the same for all particles of a reading: the fields of ``SizeLaw``.  Particles end at
+X_max = m + truncation * S, so M is never needed deep in the tail.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.readings import SizeLaw
 
 FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 
 
 @dataclass(frozen=True)
-class SizeLaw:
-    """One reading of phi_a: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size."""
-
-    mean: np.ndarray
-    spread: np.ndarray
-    square: np.ndarray
-    constant: float
-    linear: float
-    smallest: float
-
-
-def _uncentred(diameter, roughness, parameters) -> SizeLaw:
-    """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
-    spread = parameters.spread_ratio * diameter
-    return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
-
-
-def _centred(diameter, roughness, parameters) -> SizeLaw:
-    """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
-    mean, spread = parameters.mean_ratio, parameters.spread_ratio
-    square = mean**2 + spread**2
-    return SizeLaw(
-        mean * diameter,
-        spread * diameter,
-        square * diameter**2,
-        2.0 * mean * spread / square,
-        spread**2 / square,
-        -mean / spread,
-    )
-
-
-def _gap_convolved(diameter, roughness, parameters) -> SizeLaw:
-    """Particles of all sizes meet the local gap: its spread joins that of the sizes."""
-    mean = parameters.mean_ratio * diameter
-    spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
-    square = (1.0 + parameters.spread_ratio**2) * diameter**2
-    return SizeLaw(mean, spread, square, 0.0, 0.0, -np.inf)
-
-
-SIZE_DISTRIBUTIONS = {
-    "uncentred": _uncentred,
-    "centred": _centred,
-    "gap_convolved": _gap_convolved,
-}
-# Limits of the elastic integral as multiples of h_e about d: as printed, and physically.
-ELASTIC_LIMITS = {"printed": (-1.0, 0.0), "physical": (0.0, 1.0)}
-
-
-@dataclass(frozen=True)
 class ParticleLayer:
-    """Particles of given mean diameter and density on a surface; array fields share one shape."""
+    """Particles on a surface: one mean diameter and density for each point.
 
-    mean: np.ndarray  # m [m]
-    spread: np.ndarray  # S [m]
-    depth: np.ndarray  # h_e/S [1]
-    share: np.ndarray  # pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times hardness and M of the interface
-    log_bare: np.ndarray  # ln of the share that all sizes leave bare, if Eq. 4 counts them
-    law: tuple[float, float]  # c_2, c_3
-    largest: float  # M at X_max
+    Array fields have the shape of the points.  ``ParticleLayer.of`` makes a layer from diameters
+    and densities.
+
+    Attributes
+    ----------
+    mean, spread : array
+        m and S [m] of the size distribution.
+    depth : array
+        h_e/S [1].
+    share : array
+        pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times the hardness of a surface and M it is the share
+        of the interface that particles take (Eqs. 4 and 5).
+    log_bare : array
+        ln of the share of the interface that the particles of Eq. 4 leave bare, where they are the
+        same at every separation; else 0.
+    law : tuple of float
+        c_2 and c_3.
+    largest : float
+        M at X_max.
+    parameters : Parameters
+        All inputs of the model.
+    """
+
+    mean: NDArray
+    spread: NDArray
+    depth: NDArray
+    share: NDArray
+    log_bare: NDArray
+    law: tuple[float, float]
+    largest: float
     parameters: Parameters
 
     @classmethod
-    def of(cls, diameter, roughness, density, parameters: Parameters) -> ParticleLayer:
-        """Layer of particles: ``diameter`` x_a [m], ``density`` eta_a [m-2], ``roughness`` [m].
+    def of(
+        cls, diameter: NDArray, roughness: ArrayLike, density: NDArray, parameters: Parameters
+    ) -> ParticleLayer:
+        """Make the layer of particles of given mean diameters and densities.
 
-        Arrays of one shape, but ``roughness`` may be a scalar; ``diameter`` and ``density`` positive.
+        Parameters
+        ----------
+        diameter, density : array
+            x_a [m] and eta_a [m-2], positive and of one shape.
+        roughness : array_like
+            sigma [m], a scalar or of the same shape.
+        parameters : Parameters
+            All inputs of the model.
+
+        Returns
+        -------
+        ParticleLayer
+
+        Examples
+        --------
+        >>> import numpy as np, thirdbody
+        >>> diameter, density = np.array([500e-9]), np.array([1e11])
+        >>> inputs = thirdbody.load_parameters()
+        >>> layer = ParticleLayer.of(diameter, 300e-9, density, inputs)
+        >>> area, slope, coverage, coverage_slope = layer.contact(np.array([100e-9, 300e-9]))
+        >>> bool(area[0] > area[1])
+        True
+        >>> layer.contact(layer.reach)[0]
+        array([0.])
         """
-        sizes = SIZE_DISTRIBUTIONS[parameters.size_distribution](diameter, roughness, parameters)
+        sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
         law = sizes.constant, sizes.linear
         largest = float(_moment(parameters.truncation, *law)[0])
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         share = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         log_bare = np.zeros_like(share)
-        if parameters.coverage_limits == "printed":
-            every = 1.0  # without a smallest or largest size
-            if np.isfinite(sizes.smallest):
-                every = float(_moment(sizes.smallest, *law)[0]) - largest
+        if not parameters.readings.coverage_limits.contacting:
+            every = _moment_of_all(sizes, largest)
             log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every * share))
         return cls(sizes.mean, sizes.spread, depth, share, log_bare, law, largest, parameters)
 
@@ -112,48 +112,68 @@ class ParticleLayer:
         return ParticleLayer(*picked, self.law, self.largest, self.parameters)
 
     @property
-    def reach(self):
+    def reach(self) -> NDArray:
         """Separation [m] beyond which no particle touches: X_max + h_e."""
         return self.mean + (self.parameters.truncation + self.depth) * self.spread
 
-    def contact(self, separation):
-        """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
+    def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+        """Area and coverage of the particles that touch (Eq. 5).
 
-        Returns A_sa/A_n [1], its slope d/dd [m-1], the share of the interface under particles
-        larger than d [1] and its slope [m-1], each of the shape of ``separation``.
+        Parameters
+        ----------
+        separation : array
+            d [m], of the shape of the points.
+
+        Returns
+        -------
+        area, area_slope : array
+            A_sa/A_n [1] and its derivative by d [m-1].
+        coverage, coverage_slope : array
+            Share of the interface under particles larger than d [1] and its derivative [m-1].
         """
+        side = self.parameters.readings.elastic_limits.side
         alpha = (separation - self.mean) / self.spread
-        touching = self._truncated(alpha)
-        low, high = (
-            touching if limit == 0.0 else self._truncated(alpha + limit * self.depth)
-            for limit in ELASTIC_LIMITS[self.parameters.elastic_limits]
-        )
-        beyond = touching[0] - self.largest
-        elastic = self.parameters.elastic_factor
+        touching, touching_slope = self._truncated(alpha)
+        shifted, shifted_slope = self._truncated(alpha + side * self.depth)
+        beyond = touching - self.largest  # I(d, X_max) over c_1
+        elastic = (
+            self.parameters.elastic_factor * side
+        )  # the sign makes I(d, d + side h_e) positive
         area_factor = self.share * self.parameters.hardness_surface_2
         load_factor = self.share * self.parameters.hardness_surface_1
         return (
-            area_factor * (elastic * (low[0] - high[0]) + beyond),
-            area_factor / self.spread * (elastic * (low[1] - high[1]) + touching[1]),
+            area_factor * (elastic * (touching - shifted) + beyond),  # Eq. 5
+            area_factor
+            / self.spread
+            * (elastic * (touching_slope - shifted_slope) + touching_slope),
             load_factor * beyond,
-            load_factor / self.spread * touching[1],
+            load_factor / self.spread * touching_slope,
         )
 
-    def log_bare_load(self, coverage, slope):
-        """ln of the share of the summits' load that Eq. 4 leaves them, and its slope [m-1].
+    def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
+        """What particles leave of the summits' load: the bracket of Eq. 4.
 
-        ``coverage`` and ``slope`` are those of ``contact``; Eq. 4 as printed takes all sizes.
+        Parameters
+        ----------
+        coverage, slope : array
+            Coverage [1] and its slope [m-1], as ``contact`` returns them.
+
+        Returns
+        -------
+        log_share, slope : array
+            ln of the share of the load that is left [1] and its derivative by d [m-1].
         """
-        if self.parameters.coverage_limits == "contacting":
+        if self.parameters.readings.coverage_limits.contacting:
             return log_bare_share(coverage, slope)
         return self.log_bare, 0.0
 
-    def leave_no_room(self, coverage):
-        """Whether a coverage of Eqs. 4-5 reaches 1 where that of ``contact`` is ``coverage``.
+    def leave_no_room(self, coverage: NDArray) -> NDArray:
+        """Whether particles cover the whole interface, in Eq. 4 or in Eq. 5.
 
-        The coverage of Eq. 5 counts the particles larger than d, that of Eq. 4 at least those.
+        ``coverage`` [1] is that of ``contact``, of the particles larger than d; Eq. 4 counts at
+        least those.
         """
-        if self.parameters.coverage_limits == "contacting":
+        if self.parameters.readings.coverage_limits.contacting:
             return 1.0 - coverage <= np.finfo(float).eps
         return self.log_bare < FULL
 
@@ -171,8 +191,27 @@ def _moment(alpha, constant, linear):
     return ndtr(-alpha) + polynomial * phi, -phi * (1.0 - linear + polynomial * alpha)
 
 
-def log_bare_share(coverage, slope):
-    """ln(1 - coverage) and its slope; below ``FULL`` where particles cover everything."""
+def _moment_of_all(sizes: SizeLaw, largest):
+    """I(X_min, X_max) over c_1 [1]; all of I where no size is the smallest, nor then the largest."""
+    if not np.isfinite(sizes.smallest):
+        return 1.0
+    return float(_moment(sizes.smallest, sizes.constant, sizes.linear)[0]) - largest
+
+
+def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
+    """ln of the share that a coverage leaves bare, and its slope.
+
+    Parameters
+    ----------
+    coverage, slope : array
+        Share of the interface under particles [1] and its derivative by d [m-1].
+
+    Returns
+    -------
+    log_share, slope : array
+        ln(1 - coverage) [1] and its derivative [m-1]; below ``FULL`` and 0 where particles cover
+        everything.
+    """
     bare = _bare_share(coverage)
     covers = bare == np.finfo(bare.dtype).tiny
     return np.log(bare), np.where(covers, 0.0, -slope) / bare
@@ -184,23 +223,24 @@ def _bare_share(coverage):
     return np.where(bare <= np.finfo(float).eps, np.finfo(bare.dtype).tiny, bare)
 
 
-def has_particles(diameter, density):
+def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
     return diameter**2 * density > np.finfo(float).tiny
 
 
-def separation_bearing(area, layer: ParticleLayer):
-    """Separation d [m] at which particles alone have about ``area`` A_sa/A_n [1]; a first guess.
+def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
+    """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
-    Read off one sampled curve, which all diameters and densities share but for the elastic depth.
+    A first guess, read off one sampled curve: all diameters and densities share it, but for the
+    elastic depth.
     """
     return layer.mean + layer.spread * np.interp(
         area / layer.share, *sampled_contact(layer.parameters)
     )
 
 
-def sampled_contact(parameters: Parameters):
-    """Increasing areas A_sa/A_n over ``share`` [Pa], and alpha there; for first guesses."""
+def sampled_contact(parameters: Parameters) -> tuple[NDArray, NDArray]:
+    """Increasing areas A_sa/A_n over ``ParticleLayer.share`` [Pa], and alpha there [1]."""
     same = np.ones_like(SHAPE_SAMPLES)
     unit = ParticleLayer.of(same, same, same, parameters)
     alpha = parameters.truncation + unit.depth
@@ -208,10 +248,10 @@ def sampled_contact(parameters: Parameters):
     return unit.contact(unit.mean + alpha * unit.spread)[0] / unit.share, alpha
 
 
-def unit_moment(parameters: Parameters):
-    """The function of alpha that M and its slope are for all particles of a reading."""
+def unit_moment(parameters: Parameters) -> Callable[[NDArray], tuple[NDArray, NDArray]]:
+    """The function of alpha that gives M and its slope, for all particles of a reading."""
     one = np.ones(1)
-    sizes = SIZE_DISTRIBUTIONS[parameters.size_distribution](one, one, parameters)
+    sizes = parameters.readings.size_distribution.law(one, one, parameters)
     return lambda alpha: _moment(alpha, sizes.constant, sizes.linear)
 
 

@@ -16,6 +16,7 @@ from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import separation_bearing
+from thirdbody.model.readings import LoadOfTheFluid, TotalLoad
 from thirdbody.solver.roots import NOISE, decreasing_roots
 from thirdbody.solver.surfaces import RoughSurfaces
 
@@ -187,4 +188,4 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     return found
 
 
-BALANCES = {"fluid": shared_balance, "total": total_load_balance}
+BALANCES = {LoadOfTheFluid: shared_balance, TotalLoad: total_load_balance}

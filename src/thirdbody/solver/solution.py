@@ -60,7 +60,8 @@ class SolvedPoints:
 
     def __init__(self, points: Points, rtol: float):
         self.points = points
-        solve = dry_balance if points.film is None else BALANCES[points.parameters.film_load]
+        film_load = points.parameters.readings.film_load
+        solve = dry_balance if points.film is None else BALANCES[type(film_load)]
         self._balance = solve(
             points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
         )
@@ -91,8 +92,8 @@ class SolvedPoints:
         points, balance = self.points, self._balance
         status = np.full(balance.separation.shape, CONVERGED, dtype=np.int8)
         if points.film is not None:
-            shared = 0.0 if points.parameters.film_load == "total" else log_expit(-balance.logit)
-            meaningful = points.film.is_meaningful(points.log_load_parameter(shared))
+            share = points.parameters.readings.film_load.log_share(log_expit(-balance.logit))
+            meaningful = points.film.is_meaningful(points.log_load_parameter(share))
             status[~meaningful] = OUTSIDE_FILM_FORMULA
         status[~(self._error <= rtol)] = NOT_CONVERGED
         if points.contact.particles is not None:

@@ -87,7 +87,7 @@ def _solved_parts(columns, parameters, rtol, variables):
     that are beyond the fastest way of solving them come again, solved in a slower one."""
     together = defaultdict(list)
     for roughness, table_rtol, kind, group in _groups(columns, rtol):
-        if _size(group) >= COMPILATION_WORTH and parameters.film_load == "fluid":
+        if _size(group) >= COMPILATION_WORTH and parameters.readings.film_load.depends_on_shares:
             rough = prepare_surface(roughness, parameters, rtol)
             areas = not OF_AREAS.isdisjoint(variables)
             group = yield from _compiled_parts(columns, group, rough, parameters, rtol, areas)

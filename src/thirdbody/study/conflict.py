@@ -39,7 +39,7 @@ def conflict_rows(
             same = {
                 "reading": reading["reading"],
                 "size_distribution": parameters.size_distribution,
-                "summit_plane": "offset" if parameters.summit_offset else "plane",
+                "summit_plane": parameters.readings.summit_offset.plane,
                 "particle_term": "free" if "participation" in inputs else "printed",
                 "participation": parameters.participation,
                 "member": member,

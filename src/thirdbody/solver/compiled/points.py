@@ -18,7 +18,7 @@ from numba import njit
 
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ELASTIC_LIMITS, ParticleLayer, has_particles
+from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.model.regimes import contact_mode, lubrication_regime
 from thirdbody.solver.compiled.loop import (
     COMPILED,
@@ -129,10 +129,9 @@ def _fill_particles(layer, roughness, columns):
     """Fill the five columns that the loop needs of a layer of particles."""
     parameters = layer.parameters
     mean, per_spread, shift, area, bare = columns
-    near, far = ELASTIC_LIMITS[parameters.elastic_limits]
     mean[:] = layer.mean * (1.0 / roughness)
     per_spread[:] = roughness / layer.spread
-    shift[:] = (near or far) * layer.depth
+    shift[:] = parameters.readings.elastic_limits.side * layer.depth
     area[:] = layer.share * parameters.hardness_surface_2
     bare[:] = np.exp(layer.log_bare)  # zeros where Eq. 4 counts those that touch
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ELASTIC_LIMITS, sampled_contact, unit_moment
+from thirdbody.model.particles import sampled_contact, unit_moment
 from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
 from thirdbody.solver.roots import NOISE
 from thirdbody.solver.solution import ROOT_SHARE
@@ -83,7 +83,6 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     loads, separations = rough.tables.log_load(t)[0], offset + deviation * t
     areas, alpha = sampled_contact(parameters)
     areas = areas / parameters.hardness_surface_2
-    near, _ = ELASTIC_LIMITS[parameters.elastic_limits]
     numbers = {
         "summit_error": max(table_error - rounded, 0.0) + 2.0 * ROOT * rounding,
         "film_error": ROOT * (film_error + 6.0 * rounding),  # with those of powers of viscosity
@@ -92,10 +91,10 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
         "slope_error": 2.0 * degree**2 * moment_error,
         "per_deviation": 1.0 / deviation,
         "offset": offset,
-        "elastic": parameters.elastic_factor * (1.0 if near else -1.0),
+        "elastic": -parameters.readings.elastic_limits.side * parameters.elastic_factor,
         "pressure": parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
         "coverage": parameters.hardness_surface_1 / parameters.hardness_surface_2,
-        "contacting": parameters.coverage_limits == "contacting",
+        "contacting": parameters.readings.coverage_limits.contacting,
         "allowed": ROOT_SHARE * rtol,
         "noise": max(NOISE, 8.0 * rounding),
         **LIMITS[real],

@@ -1,0 +1,349 @@
+"""The readings: what the paper leaves open, each way to read it as an object.
+
+Five places of the paper can be read in several ways.  Each place is a class here, a *kind* of
+reading, and each way to read it is a subclass, which knows the word that the configuration has for
+it and whatever the equations need to know of it.  This module alone knows these words: all others
+ask the objects that ``Parameters.readings`` holds.
+
+A new way to read a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
+reading in both independent implementations: ``verification/plain_model.py`` and
+``tests/golden/contact_in_mpmath.py``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, ClassVar, get_type_hints
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr, ndtri
+
+if TYPE_CHECKING:
+    from thirdbody.model.parameters import Parameters
+
+# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
+LEAST_SPREAD = 1e-6
+# McCool (1986): height of the summits' plane and loss of their variance, over 1/(eta_s R)
+SUMMIT_PLANE = 0.045944
+SUMMIT_VARIANCE = 3.717e-4
+
+
+class Reading:
+    """A way to read one place of the paper.
+
+    A direct subclass is a kind of reading, and ``known`` are its readings by their words.  A subclass
+    of a kind states its ``word``; the one object that there is of it has no state of its own.
+    """
+
+    known: ClassVar[dict[str | bool, Reading]]
+
+    def __init_subclass__(cls, word: str | bool | None = None):
+        super().__init_subclass__()
+        if word is None:
+            cls.known = {}
+        else:
+            cls.known[word] = cls()
+
+
+# --- the summits of a rough surface ---
+
+
+class SummitOffset(Reading):
+    """Where the summits' mean plane lies, and how widely summits scatter about it.
+
+    ``plane`` is its name in tables.
+    """
+
+    plane: ClassVar[str]
+
+    def deviation_and_offset(
+        self, roughness: float, density: float, radius: float
+    ) -> tuple[float, float]:
+        """Place the summits.
+
+        Parameters
+        ----------
+        roughness, density, radius : float
+            sigma [m], eta_s [m-2] and R [m] of the surface.
+
+        Returns
+        -------
+        deviation, offset : float
+            sigma_s and y_s [m].
+
+        Raises
+        ------
+        ValueError
+            If the reading leaves no variance to such summits.
+        """
+        raise NotImplementedError
+
+
+class SummitsAboveTheMeanPlane(SummitOffset, word=True):
+    """Summits lie above the mean plane and scatter less than the surface (McCool 1986)."""
+
+    plane = "offset"
+
+    def deviation_and_offset(self, roughness, density, radius):
+        curvature_length = 1.0 / (density * radius)
+        variance = roughness**2 - SUMMIT_VARIANCE * curvature_length**2
+        if not variance > 0.0:
+            raise ValueError(
+                f"summit_parameter is {roughness / curvature_length:.4g} at roughness "
+                f"{roughness:g} m; allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits "
+                "keep a variance"
+            )
+        return math.sqrt(variance), SUMMIT_PLANE * curvature_length
+
+
+class SummitsAtTheMeanPlane(SummitOffset, word=False):
+    """Summits scatter about the mean plane as widely as the surface itself."""
+
+    plane = "plane"
+
+    def deviation_and_offset(self, roughness, density, radius):
+        return roughness, 0.0
+
+
+# --- third particles ---
+
+
+@dataclass(frozen=True)
+class SizeLaw:
+    """One reading of phi_a as numbers: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size.
+
+    Their meaning is said at the head of ``thirdbody.model.particles``.
+    """
+
+    mean: NDArray
+    spread: NDArray
+    square: NDArray
+    constant: float
+    linear: float
+    smallest: float
+
+
+class SizeDistribution(Reading):
+    """How the sizes of particles are distributed: phi_a of Eqs. 4-6."""
+
+    def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
+        """Say which sizes count in the integrals of Eqs. 4 and 5, and with what weight.
+
+        Parameters
+        ----------
+        diameter : array
+            x_a [m].
+        roughness : array_like
+            sigma [m], a scalar or of the shape of ``diameter``.
+        parameters : Parameters
+            All inputs of the model.
+
+        Returns
+        -------
+        SizeLaw
+            Its fields have the shape of ``diameter``.
+        """
+        raise NotImplementedError
+
+    def can_be_equal(self, parameters: Parameters) -> bool:
+        """Whether the particles may all have one size: whether something else spreads the gaps that
+        they meet."""
+        return False
+
+    def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
+        """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
+        return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
+
+    def quantiles(
+        self, share: ArrayLike, smallest: ArrayLike, diameter: ArrayLike, parameters: Parameters
+    ) -> NDArray:
+        """Sizes of particles, for drawings of them.
+
+        Parameters
+        ----------
+        share : array_like
+            Which quantile to take of the particles larger than ``smallest`` and not beyond X_max,
+            from 0 to 1.
+        smallest, diameter : array_like
+            Smallest size to consider and x_a [m].
+        parameters : Parameters
+            All inputs of the model.
+
+        Returns
+        -------
+        array
+            Sizes [m], of the shape that the arguments broadcast to.
+        """
+        mean, spread = self.sizes(diameter, parameters)
+        above = ndtr(parameters.truncation)
+        below = np.minimum(ndtr((smallest - mean) / spread), above)
+        return mean + spread * ndtri(below + (above - below) * share)
+
+
+class Uncentred(SizeDistribution, word="uncentred"):
+    """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
+
+    def law(self, diameter, roughness, parameters):
+        spread = parameters.spread_ratio * diameter
+        return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
+
+    def sizes(self, diameter, parameters):
+        return 0.0, parameters.spread_ratio * diameter
+
+
+class Centred(SizeDistribution, word="centred"):
+    """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
+
+    def law(self, diameter, roughness, parameters):
+        mean, spread = parameters.mean_ratio, parameters.spread_ratio
+        square = mean**2 + spread**2
+        return SizeLaw(
+            mean * diameter,
+            spread * diameter,
+            square * diameter**2,
+            2.0 * mean * spread / square,
+            spread**2 / square,
+            -mean / spread,
+        )
+
+
+class GapConvolved(SizeDistribution, word="gap_convolved"):
+    """Particles of all sizes meet the local gap: its spread joins that of the sizes."""
+
+    def law(self, diameter, roughness, parameters):
+        mean = parameters.mean_ratio * diameter
+        spread = np.hypot(parameters.spread_ratio * diameter, parameters.gap_ratio * roughness)
+        square = (1.0 + parameters.spread_ratio**2) * diameter**2
+        return SizeLaw(mean, spread, square, 0.0, 0.0, -np.inf)
+
+    def can_be_equal(self, parameters):
+        return parameters.gap_ratio >= LEAST_SPREAD
+
+
+class ElasticLimits(Reading):
+    """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e."""
+
+    side: ClassVar[float]
+
+
+class ElasticBelowTheSeparation(ElasticLimits, word="printed"):
+    """From d - h_e to d, as the integral is printed."""
+
+    side = -1.0
+
+
+class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
+    """From d to d + h_e: particles that are pressed by less than h_e."""
+
+    side = 1.0
+
+
+class CoverageLimits(Reading):
+    """Which particles take room from the summits' load in Eq. 4.
+
+    ``contacting`` says whether they are those that touch at the separation d, as in Eq. 5; if not,
+    they are the same at every separation.
+    """
+
+    contacting: ClassVar[bool]
+
+
+class CoverageOfAllSizes(CoverageLimits, word="printed"):
+    """All particles from X_min to X_max, as the integral is printed."""
+
+    contacting = False
+
+
+class CoverageOfContacting(CoverageLimits, word="contacting"):
+    """Those larger than d, as in Eq. 5."""
+
+    contacting = True
+
+
+# --- film ---
+
+
+class FilmLoad(Reading):
+    """Which load F stands in the film's load parameter W = F/(E_ss R_x^2) (Eq. 8).
+
+    ``depends_on_shares`` says whether W is known only when the shares of the load are.
+    """
+
+    depends_on_shares: ClassVar[bool]
+
+    def log_share(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
+        """ln(F/F_t) of the load F in W, where the film bears the share L_f of F_t.
+
+        ``log_fluid_fraction`` is ln L_f [1].
+        """
+        raise NotImplementedError
+
+    def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
+        """F_t* [1] that holds the surfaces at a separation.
+
+        The solids bear ``solid_load`` there [1], and ``film_load`` is the load F* in W [1] at which
+        the film is as thick.
+        """
+        raise NotImplementedError
+
+
+class LoadOfTheFluid(FilmLoad, word="fluid"):
+    """The load that the fluid bears, F_f: solids and film share the load."""
+
+    depends_on_shares = True
+
+    def log_share(self, log_fluid_fraction):
+        return log_fluid_fraction
+
+    def total_load(self, solid_load, film_load):
+        return np.add(solid_load, film_load)
+
+
+class TotalLoad(FilmLoad, word="total"):
+    """The total load F_t, as Eq. 8 is printed: the film's thickness is known beforehand, and the
+    solids bear everything where it is below their dry separation."""
+
+    depends_on_shares = False
+
+    def log_share(self, log_fluid_fraction):
+        return 0.0
+
+    def total_load(self, solid_load, film_load):
+        return np.maximum(solid_load, film_load)
+
+
+# --- all of them ---
+
+
+@dataclass(frozen=True)
+class Readings:
+    """The reading chosen at each place; fields are named as those of ``Parameters`` that choose."""
+
+    summit_offset: SummitOffset
+    size_distribution: SizeDistribution
+    elastic_limits: ElasticLimits
+    coverage_limits: CoverageLimits
+    film_load: FilmLoad
+
+    @classmethod
+    def of(cls, parameters: Parameters) -> Readings:
+        """The readings that the words in ``parameters`` mean.
+
+        Raises ``ValueError`` that names the field, its word and the words that it may have.
+        """
+        return cls(**{name: _named(name, getattr(parameters, name)) for name in KINDS})
+
+
+def _named(name, word):
+    known = KINDS[name].known
+    if word not in list(known):  # which a word that cannot be hashed is not either
+        allowed = ", ".join(map(str, known))
+        raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
+    return known[word]
+
+
+KINDS: dict[str, type[Reading]] = {
+    field.name: get_type_hints(Readings)[field.name] for field in fields(Readings)
+}
