@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims, conflict
 from thirdbody.figures.saving import drawn_points
 from thirdbody.study import verdicts
 from thirdbody.study.claims import assign_roles, load_claims
 from thirdbody.study.conflict import PARTS, conflict_rows
-from thirdbody.study.places import part_of_paper
 
 ROOT = Path(__file__).parents[2]
 PLACES = [
@@ -98,6 +98,14 @@ def test_counts_stand_beside_their_part(rows, figure):
         ]
         held = sum(row["verdict"] == verdicts.HOLDS for row in judged)
         assert f"{part}\n{held} of {len(judged)} hold" in texts
+
+
+def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
+    counted = verdicts.counts(rows, "figure")
+    assert [row.pop("figure") for row in counted] == list(claims._groups(rows))
+    assert sum(sum(row.values()) for row in counted) == len(rows)
+    by_role = {row.pop("role"): sum(row.values()) for row in verdicts.counts(rows, "role")}
+    assert by_role == {role: sum(row["role"] == role for row in rows) for role in by_role}
 
 
 def test_every_verdict_and_role_has_its_look():

@@ -9,11 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from thirdbody.data.places import part_of_paper
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-from thirdbody.study.places import part_of_paper
 
 MEMBERS = 4  # of each ensemble: the best and those farthest from it and from each other
 PARTS = ("Figure 4", "Figure 6", "Figure 11")

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from thirdbody.data.places import part_of_paper
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.checks import Verdict, judge
@@ -209,10 +210,24 @@ def _price(trial: Trial, other: Judgement) -> str:
 
 
 def counts(rows: Sequence[Mapping], by: str) -> list[dict]:
-    """Numbers of each verdict among ``rows``, by ``role`` or by ``figure``."""
+    """How many statements fare how, in each group of them.
+
+    Parameters
+    ----------
+    rows : sequence of Mapping
+        Rows of the table ``claims``.
+    by : str
+        ``role``, or ``figure``: the part of the paper that a statement stands in.
+
+    Returns
+    -------
+    list of dict
+        A row a group, in the order of the first statement of each: its name under ``by``, and
+        the number of statements under each verdict.
+    """
     groups: dict[str, Counter] = {}
     for row in rows:
-        key = row["role"] if by == "role" else row["where"].split(",")[0].rstrip("ABCD")
-        groups.setdefault(key, Counter())[row["verdict"]] += 1
+        group = row["role"] if by == "role" else part_of_paper(row["where"])
+        groups.setdefault(group, Counter())[row["verdict"]] += 1
     order = (HOLDS, FAILS, CONTRADICTED, WITHHELD)
-    return [{by: key, **{name: count[name] for name in order}} for key, count in groups.items()]
+    return [{by: name, **{each: count[each] for each in order}} for name, count in groups.items()]
