@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from benchmarks.points import CLASS, VARIABLES
-from thirdbody.data.dataset import software_version
+from thirdbody.data.attributes import software_version
 from thirdbody.data.tables import TABLES
 
 COORDINATES = {

@@ -18,7 +18,7 @@ from scipy.optimize import brentq, elementwise
 from scipy.special import expit, log_expit
 
 from benchmarks.points import VARIABLES
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film

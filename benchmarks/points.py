@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import QUANTITIES
 

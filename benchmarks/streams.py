@@ -10,8 +10,8 @@ import numpy as np
 
 from benchmarks.classes import ROUGHNESS, SPANS
 from benchmarks.measuring import MEGABYTE, MICROSECONDS, wall_seconds
-from thirdbody.data.dataset import FLAGS, QUANTITIES
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.data.streaming import (
     POINTS_PER_BLOCK,
     block_lengths,

@@ -19,7 +19,7 @@ def results():
 @pytest.fixture(scope="session")
 def datasets(results):
     """The datasets of all figures; one that is missing or damaged is an error."""
-    from thirdbody.dataset import read_dataset
+    from thirdbody.data.netcdf import read_dataset
 
     return {figure: read_dataset(results / "datasets" / f"{figure}.nc") for figure in FIGURES}
 
@@ -43,7 +43,7 @@ def scene(figure, dataset):
 
     from thirdbody.configuration.plain_yaml import read_yaml
     from thirdbody.configuration.schema import config_directory
-    from thirdbody.scene import Scene
+    from thirdbody.data.scene import Scene
 
     configured = read_yaml(config_directory() / "scenes.yaml")
     entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
@@ -54,7 +54,7 @@ def scene(figure, dataset):
 @pytest.fixture(scope="session")
 def curves(dataset):
     """Conditions (4, curves), and each variable as (loads, curves), of the shown curves."""
-    from thirdbody.extraction import curves_of
+    from thirdbody.data.extraction import curves_of
 
     conditions, shown = curves_of(dataset)
     return conditions, {name: dataset[name].values[:, shown] for name in dataset.data_vars}

@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.dataset import scene_dataset
-from thirdbody.scene import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.dataset import scene_dataset
 
 pytestmark = pytest.mark.results
 

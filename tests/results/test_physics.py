@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 from thirdbody.regimes import contact_mode, lubrication_regime
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]

@@ -9,10 +9,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.dataset import read_dataset
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.scene import DIMENSIONS
-from thirdbody.tables import TABLES, read_csv
 from thirdbody.transitions import LIMITS
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]

@@ -7,7 +7,8 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.data.dataset import scene_dataset, write_dataset
+from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import TABLES, write_csv, write_schema
 from thirdbody.release.citation import Release, software_versions

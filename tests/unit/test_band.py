@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from thirdbody.data.dataset import QUANTITIES, read_dataset, scene_dataset, write_dataset
-from thirdbody.data.scene import DIMENSIONS, Scene
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.quantities import QUANTITIES
+from thirdbody.data.scene import Scene
 from thirdbody.solver.solve import solve
 from thirdbody.study.band import BAND_RTOL, band
 

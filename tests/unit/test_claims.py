@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 import yaml
 
+from thirdbody.data.conditions import Condition
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import Curve, TurningPoint, judge
-from thirdbody.study.claims import Claim, Condition
+from thirdbody.study.claims import Claim
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -48,7 +49,7 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
 
 def make_claim(kind, size=0.1, relative=False, conditions=None, **fields):
     """A claim on a dry curve of 300 nm particles and roughness, unless ``conditions`` differ."""
-    usual = dict.fromkeys(claims.AXES, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
+    usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     usual |= conditions or {}
     return Claim("id", "where", "statement", kind, usual, size, relative, "reason", **fields)
 

@@ -14,8 +14,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.data.dataset import read_dataset, scene_dataset, write_dataset
-from thirdbody.data.scene import DIMENSIONS, Scene
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.scene import Scene
 
 UNITS = {
     "load": "1",
@@ -322,7 +324,8 @@ def test_another_user_place_time_zone_and_hash_seed_give_the_same_bytes(
 ):
     code = (
         "import json, sys\n"
-        "from thirdbody.data.dataset import scene_dataset, write_dataset\n"
+        "from thirdbody.data.dataset import scene_dataset\n"
+        "from thirdbody.data.netcdf import write_dataset\n"
         "from thirdbody.model.parameters import Parameters\n"
         "from thirdbody.data.scene import Scene\n"
         "given, inputs = map(json.loads, sys.argv[1:])\n"

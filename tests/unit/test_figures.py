@@ -11,12 +11,13 @@ import yaml
 from matplotlib.colors import to_rgb
 from matplotlib.transforms import Bbox
 
+from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.scene import DIMENSIONS, Scene
+from thirdbody.data.scene import Scene
+from thirdbody.data.section import sections
 from thirdbody.figures.curves import shown_curves
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
 from thirdbody.figures.saving import SUFFIXES, drawn_points, save
-from thirdbody.figures.section import section_through, solved_state
 
 ROOT = Path(__file__).parents[2]
 STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
@@ -88,8 +89,8 @@ def style():
 def schematics(parameters):
     with matplotlib.style.context(STYLE, after_reset=True):
         return {
-            "fig01": SCHEMATICS["fig01"](parameters, INTERFACE),
-            "fig02": SCHEMATICS["fig02"](parameters, MODES),
+            "fig01": SCHEMATICS["fig01"](sections("fig01", INTERFACE, parameters)),
+            "fig02": SCHEMATICS["fig02"](sections("fig02", MODES, parameters)),
         }
 
 
@@ -100,7 +101,7 @@ def turning_points_in(data):
         ratio = curve.values(data, RATIO)
         top = int(np.argmax(ratio))
         if 0 < top < ratio.size - 1:
-            conditions = {name: getattr(curve, name) for name in DIMENSIONS[1:]}
+            conditions = {name: getattr(curve.condition, name) for name in DIMENSIONS[1:]}
             load = float(data["load"].values[top])
             found.append(conditions | {"load": load, "peak_ratio": float(ratio[top])})
     return found
@@ -307,34 +308,14 @@ def test_modes_show_what_bears_the_load(schematics):
 
 def test_a_condition_in_another_mode_is_refused(parameters):
     with pytest.raises(ValueError, match="figure 2A shows the surface_surface mode"):
-        SCHEMATICS["fig02"](parameters, MODES[::-1])
+        SCHEMATICS["fig02"](sections("fig02", MODES[::-1], parameters))
     with pytest.raises(ValueError, match="figure 1 shows particles in a lubricant"):
-        SCHEMATICS["fig01"](parameters, MODES[:1])
+        SCHEMATICS["fig01"](sections("fig01", MODES[:1], parameters))
 
 
 def test_schematics_have_the_same_bytes_every_time(schematics, parameters, tmp_path):
-    again = SCHEMATICS["fig02"](parameters, MODES)
+    again = SCHEMATICS["fig02"](sections("fig02", MODES, parameters))
     assert saved(schematics["fig02"], tmp_path / "a") == saved(again, tmp_path / "b")
-
-
-def test_section_has_the_statistics_of_the_model(parameters):
-    state = solved_state(MODES[1], parameters)
-    sections = [section_through(state, parameters, 8e-6, seed) for seed in range(60)]
-    gaps = np.array([section.upper - section.lower for section in sections])
-    # some 300 independent heights: the mean is known to sigma/17, sigma to 4 %; three times that
-    assert gaps.mean() == pytest.approx(state.separation, abs=3.0 * state.roughness / 17.0)
-    assert gaps.std() == pytest.approx(state.roughness, rel=0.12)
-    diameters = np.array([p.diameter for section in sections for p in section.particles])
-    largest = parameters.truncation * parameters.spread_ratio * state.particle_diameter
-    assert diameters.min() > 0.0 and diameters.max() < largest * (1 + 1e-12)
-
-
-def test_particles_rest_on_the_lower_surface_or_are_held(parameters):
-    section = section_through(solved_state(MODES[2], parameters), parameters, 8e-6, 1)
-    for particle in section.particles:
-        reach = np.hypot(section.position - particle.position, section.lower - particle.height)
-        dent = 0.5 * particle.diameter - reach.min()
-        assert particle.bears or abs(dent) < 0.02 * particle.diameter
 
 
 def test_figures_never_import_pyplot():

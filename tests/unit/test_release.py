@@ -22,7 +22,7 @@ from rocrate_validator.services import ValidationSettings, validate
 from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
-from thirdbody.data.dataset import RELEASE_DATE
+from thirdbody.data.attributes import RELEASE_DATE
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import Release
 from thirdbody.release.codecheck import codecheck_text, targets

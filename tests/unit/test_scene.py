@@ -8,7 +8,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.scene import DIMENSIONS, Curves, Scene, load_values, relative, scaled
+from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
+from thirdbody.data.scene import Curves, Scene, load_values
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}
@@ -65,15 +66,13 @@ def test_units_turn_into_si():
     assert curves.particle_density[0] == 1e11
 
 
-@pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
-def test_a_decimal_is_the_float_that_its_digits_mean_in_si(value):
-    assert scaled([value], 1e-9)[0] == float(f"{value}e-9")
-
-
 def test_a_diameter_relative_to_the_roughness_is_that_of_the_digits():
     # 1.1 x 300 is 330.00000000000006 in binary
-    assert relative([1.1], 300.0)[0] == 330e-9
-    assert relative([0.7], 100.0)[0] == 70e-9
+    group = {name: GROUP[name] for name in ("viscosity_cSt", "particle_density_per_m2")}
+    for ratio, roughness, diameter in ((1.1, 300.0, 330e-9), (0.7, 100.0, 70e-9)):
+        given = {"particle_diameter_per_roughness": [ratio], "roughness_nm": [roughness]}
+        (curves,) = Curves.of(group | given)
+        assert curves.particle_diameter.tolist() == [diameter]
 
 
 def test_relative_diameters_make_a_group_of_each_roughness():
@@ -129,7 +128,7 @@ def test_each_figure_of_the_paper_has_at_least_200_loads_and_its_named_ones(defa
     assert_allclose(shown.load[[0, -1]] * defaults.newtons_per_load, [0.04, 80.0], rtol=1e-11)
 
 
-# what each figure of the paper shows, in its units: cSt, nm, nm, 1e11 m-2
+# what each figure of the paper shows, in the units of the configuration; densities in 1e11 m-2
 SHOWN = {
     "fig03": ({0}, {0, 100, 200, 300, 400, 500, 700, 1000}, {100}, {1}),
     "fig04": ({0, 10, 25, 50, 70, 90, 120}, {0, 500}, {300}, {1}),
@@ -146,6 +145,7 @@ def test_each_figure_shows_the_conditions_of_the_paper(defaults, figure):
     configured = read_yaml(SCENES)
     entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
     shown = Scene.of(figure, entry, defaults.newtons_per_load)
-    units = (1e-6, 1e-9, 1e-9, 1e11)
-    for name, unit, expected in zip(DIMENSIONS[1:], units, SHOWN[figure], strict=True):
-        assert shown.axis(name).tolist() == sorted(scaled(expected, unit))
+    *others, densities = SHOWN[figure]
+    expected = (*others, {1e11 * density for density in densities})
+    for axis, values in zip(CONDITION_AXES, expected, strict=True):
+        assert shown.axis(axis.name).tolist() == axis.values(values).tolist()

@@ -6,7 +6,7 @@ import xarray as xr
 
 import thirdbody as tb
 from thirdbody.data import streaming
-from thirdbody.data.dataset import read_dataset
+from thirdbody.data.netcdf import read_dataset
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -21,7 +21,7 @@ ALL_CURVES = (
 GATHERED = ("accuracy/solver_cost.csv", "tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
-SCHEMATICS = ("figures/fig0[12].*",)
+SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
 CLAIMS = ("claims/*", "figures/claims.*", "figures/conflict.*")
 
@@ -115,7 +115,12 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
     [
         ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED)),
         ("config/config.yaml", "windows/roughness_nm", [100, 300], WINDOWS),
-        ("config/config.yaml", "schematics/fig01/0/load_N", 21.0, ("figures/fig01.*",)),
+        (
+            "config/config.yaml",
+            "schematics/fig01/0/load_N",
+            21.0,
+            ("schematics/fig01.nc", "figures/fig01.*"),
+        ),
         (
             "config/scenes.yaml",
             "load_axis/load_N",

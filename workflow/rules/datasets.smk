@@ -1,4 +1,4 @@
-# Datasets: one NetCDF file a scene.
+# Datasets: one NetCDF file a scene, and one a schematic with the sections that it shows.
 
 
 rule compute_dataset:
@@ -22,3 +22,26 @@ rule compute_dataset:
         "Solving {wildcards.figure}"
     script:
         "../scripts/compute_dataset.py"
+
+
+rule compute_schematic:
+    input:
+        modules=import_closure("workflow/scripts/compute_schematic.py"),
+    output:
+        sections="results/schematics/{figure}.nc",
+    log:
+        "logs/compute_schematic/{figure}.log",
+    benchmark:
+        "logs/compute_schematic/{figure}.tsv"
+    wildcard_constraints:
+        figure="|".join(settings["schematics"]),
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        panels=lookup(dpath="schematics/{figure}", within=settings),
+        parameters=settings["parameters"],
+    message:
+        "Solving the sections of {wildcards.figure}"
+    script:
+        "../scripts/compute_schematic.py"

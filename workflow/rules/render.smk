@@ -1,6 +1,6 @@
-# Rendering: figures with the data drawn, tables in four formats.  Nothing is solved here.
+# Rendering: figures with the data drawn, tables in four formats.  Nothing is solved here: what is
+# drawn was computed by the rules of datasets.smk.
 
-FIGURE_FORMATS = ["svg", "pdf", "png", "csv"]
 CURVE_FIGURES = sorted(name for name in settings["scenes"] if name.startswith("fig"))
 TABLE_PARTS = {
     "tpca_loads": CURVE_FIGURES,
@@ -26,7 +26,7 @@ rule render_figure:
     benchmark:
         "logs/render_figure/{figure}.tsv"
     wildcard_constraints:
-        figure="fig0[3-9]|fig1[0-3]",
+        figure="|".join(CURVE_FIGURES),
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -38,6 +38,7 @@ rule render_figure:
 
 rule render_schematic:
     input:
+        sections="results/schematics/{figure}.nc",
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_schematic.py"),
     output:
@@ -47,13 +48,10 @@ rule render_schematic:
     benchmark:
         "logs/render_schematic/{figure}.tsv"
     wildcard_constraints:
-        figure="fig0[12]",
+        figure="|".join(settings["schematics"]),
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
-    params:
-        panels=lookup(dpath="schematics/{figure}", within=settings),
-        parameters=settings["parameters"],
     message:
         "Drawing {wildcards.figure}"
     script:

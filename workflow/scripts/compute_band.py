@@ -1,8 +1,8 @@
 """The envelope of the calibrated ensemble around the curves of one dataset."""
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.dataset import read_dataset, write_dataset
 from thirdbody.data.files import logged, whole
+from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.band import band
 

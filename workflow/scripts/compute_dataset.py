@@ -2,8 +2,9 @@
 
 import time
 
-from thirdbody.data.dataset import scene_dataset, write_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.files import logged, whole
+from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters

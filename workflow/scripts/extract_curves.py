@@ -1,8 +1,8 @@
 """Turning points and transitions of the curves of one dataset."""
 
-from thirdbody.data.dataset import read_dataset
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import logged, whole
+from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 

@@ -3,6 +3,7 @@
 import numpy as np
 
 from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.data.conditions import AXES
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
@@ -16,7 +17,7 @@ def find(search, load_axis, parameters, windows):
     loads = [newtons / inputs.newtons_per_load for newtons in load_axis["load_N"]]
     density = search["particle_density_per_m2"]
     rows = []
-    for roughness in (1e-9 * value for value in search["roughness_nm"]):
+    for roughness in map(AXES["roughness"].to_si, search["roughness_nm"]):
         (window,) = turning_point_windows([sweep], [roughness], density, loads, inputs)
         same = {"roughness_m": roughness, "particle_density_per_m2": density}
         for end, value, error in (

@@ -4,8 +4,8 @@ import gc
 
 import matplotlib.style
 
-from thirdbody.data.dataset import read_dataset
 from thirdbody.data.files import logged
+from thirdbody.data.netcdf import read_dataset
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES
 from thirdbody.figures.saving import save

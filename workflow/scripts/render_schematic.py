@@ -1,19 +1,19 @@
-"""Draw one schematic: the interface at given conditions, solved here and true to scale."""
+"""Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
 import gc
 
 import matplotlib.style
 
 from thirdbody.data.files import logged
+from thirdbody.data.schematic import read_sections
 from thirdbody.figures.registry import SCHEMATICS
 from thirdbody.figures.saving import save
-from thirdbody.model.parameters import Parameters
 
 
-def render(figure, parameters, panels, style, stem):
+def render(figure, sections, style, stem):
     """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv."""
     with matplotlib.style.context(style, after_reset=True):
-        save(SCHEMATICS[figure](Parameters(**parameters), panels), stem)
+        save(SCHEMATICS[figure](read_sections(sections)), stem)
     print(f"{figure}: drawn")
 
 
@@ -22,8 +22,7 @@ if __name__ == "__main__":
     with logged(snakemake.log[0]):
         render(
             snakemake.wildcards.figure,
-            snakemake.params.parameters,
-            snakemake.params.panels,
+            snakemake.input.sections,
             snakemake.input.style,
             snakemake.output.png.removesuffix(".png"),
         )

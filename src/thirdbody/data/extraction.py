@@ -4,38 +4,54 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.conditions import Condition
+from thirdbody.data.netcdf import shown_combinations
 from thirdbody.model.parameters import Parameters
 
-CONDITION_COLUMNS = (
-    "viscosity_m2_per_s",
-    "particle_diameter_m",
-    "roughness_m",
-    "particle_density_per_m2",
-)
 
+def curves_of(dataset: xr.Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The curves that a dataset shows.
 
-def curves_of(dataset: xr.Dataset):
-    """Conditions (4, curves) and the index of the curves that a dataset shows.
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        One of ``read_dataset``.
 
-    A curve is shown where any of its points has a status.
+    Returns
+    -------
+    conditions : ndarray, shape (4, curves)
+        What is held along each curve, SI, in the order of ``Condition``.
+    shown : ndarray of bool
+        Index of the curves in a variable of the dataset, behind its axis of loads:
+        ``values[:, shown]`` has shape (loads, curves).
     """
-    shown = np.isfinite(dataset["solution_status"].values).any(axis=0)
-    axes = [dataset[name].values for name in DIMENSIONS[1:]]
+    shown = shown_combinations(dataset)
+    axes = [dataset[name].values for name in Condition._fields]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
     return conditions, shown
 
 
 def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``tpca_loads``: one a curve that has a turning point."""
+    """Rows of the table ``tpca_loads``: one a curve that has a turning point.
+
+    Parameters
+    ----------
+    figure : str
+        Name of the figure, such as ``fig04``.
+    dataset : xarray.Dataset
+        One of ``read_dataset``.
+    parameters : Parameters
+        Inputs that it was solved with.
+    """
     conditions, shown = curves_of(dataset)
     found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
     return [
         {
-            **_condition(figure, conditions[:, curve]),
+            **_place(figure, conditions[:, curve]),
             "load": found.load[curve],
             "load_error": found.load_error[curve],
             "peak_ratio": found.peak_ratio[curve],
@@ -47,14 +63,17 @@ def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[
 
 
 def transition_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``transitions``: one a crossing of a regime or mode limit."""
+    """Rows of the table ``transitions``: one a crossing of a regime or mode limit.
+
+    The arguments are those of ``tpca_rows``.
+    """
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
     crossings = transitions(dataset["load"].values, values, conditions, parameters, rtol)
     return [
         {
-            **_condition(figure, conditions[:, curve]),
+            **_place(figure, conditions[:, curve]),
             "quantity": LIMITS[limit][0],
             "level": LIMITS[limit][1],
             "direction": "rising" if rising else "falling",
@@ -65,5 +84,5 @@ def transition_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) ->
     ]
 
 
-def _condition(figure: str, values) -> dict:
-    return {"figure": figure} | dict(zip(CONDITION_COLUMNS, values, strict=True))
+def _place(figure: str, values) -> dict:
+    return {"figure": figure} | Condition(*values).columns

@@ -3,66 +3,118 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-DIMENSIONS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
+from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 
-CENTISTOKES = 1e-6
-NANOMETRE = 1e-9
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key in the place of the diameter's own
 
 
 @dataclass(frozen=True)
 class Curves:
-    """A group of curves: every combination of its four 1-D axes (SI)."""
+    """A group of curves: every combination of four axes, each 1-D and increasing, SI.
 
-    viscosity: np.ndarray  # nu [m2/s], 0: dry
-    particle_diameter: np.ndarray  # x_a [m], 0: two-body
-    roughness: np.ndarray  # sigma [m]
-    particle_density: np.ndarray  # eta_a [m-2]
+    Attributes
+    ----------
+    viscosity : ndarray
+        ν [m2/s]; 0 is dry contact.
+    particle_diameter : ndarray
+        Mean x_a [m]; 0 is two-body contact.
+    roughness : ndarray
+        σ [m].
+    particle_density : ndarray
+        η_a [m-2].
+    """
+
+    viscosity: NDArray[np.float64]
+    particle_diameter: NDArray[np.float64]
+    roughness: NDArray[np.float64]
+    particle_density: NDArray[np.float64]
 
     @classmethod
-    def of(cls, group: dict) -> list[Curves]:
-        """Groups that one entry of ``curves`` describes: diameters relative to the roughness
-        make a group of each roughness."""
-        viscosity = scaled(group["viscosity_cSt"], CENTISTOKES)
-        density = np.asarray(group["particle_density_per_m2"], dtype=float)
-        roughness = scaled(group["roughness_nm"], NANOMETRE)
-        if "particle_diameter_nm" in group:
-            diameter = scaled(group["particle_diameter_nm"], NANOMETRE)
-            return [cls(viscosity, diameter, roughness, density)]
-        ratios = group["particle_diameter_per_roughness"]
+    def of(cls, group: Mapping) -> list[Curves]:
+        """The groups that one entry of ``curves`` in ``config/scenes.yaml`` describes.
+
+        Diameters relative to the roughness make a group of each roughness.
+        """
+        if RELATIVE_DIAMETER not in group:
+            return [cls(*(axis.values(group[axis.key]) for axis in CONDITION_AXES))]
         return [
-            cls(viscosity, relative(ratios, sigma_nm), scaled([sigma_nm], NANOMETRE), density)
-            for sigma_nm in group["roughness_nm"]
+            group_at
+            for sigma in group[AXES["roughness"].key]
+            for group_at in cls.of(_at_one_roughness(group, sigma))
         ]
 
 
-def scaled(values, unit: float):
-    """Sorted unique ``values`` [``unit``] in SI; equal decimals give equal floats everywhere."""
-    return np.unique(np.array([float(f"{value * unit:.12g}") for value in values]))
-
-
-def relative(ratios, roughness_nm):
-    """Diameters [m] from their ``ratios`` to the roughness [nm]."""
-    return scaled([ratio * roughness_nm for ratio in ratios], NANOMETRE)
+def _at_one_roughness(group, sigma) -> dict:
+    """The part of ``group`` at the roughness ``sigma`` [nm], its diameters absolute."""
+    absolute = {name: values for name, values in group.items() if name != RELATIVE_DIAMETER}
+    diameters = [ratio * sigma for ratio in group[RELATIVE_DIAMETER]]
+    return absolute | {AXES["roughness"].key: [sigma], AXES["particle_diameter"].key: diameters}
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What a dataset holds: its axes (SI, 1-D, increasing) and which combinations are shown."""
+    """What a dataset holds: its axes, and which combinations of them are shown.
+
+    Attributes
+    ----------
+    name : str
+        Name of the figure, such as ``fig04``.
+    title : str
+        Title of the dataset.
+    load : ndarray, shape (n,)
+        F_t* [1], increasing.
+    groups : tuple of Curves
+        What is shown; a combination that stands in several groups is shown once.
+    """
 
     name: str
     title: str
-    load: np.ndarray
+    load: NDArray[np.float64]
     groups: tuple[Curves, ...]
 
     @classmethod
-    def of(cls, name: str, scene: dict, newtons_per_load: float) -> Scene:
-        """The scene that a validated entry of ``config/scenes.yaml`` with its load axis describes.
+    def of(cls, name: str, scene: Mapping, newtons_per_load: float) -> Scene:
+        """The scene that the configuration describes.
 
-        ``newtons_per_load`` F_t/F_t* [N] turns the axis in newtons into F_t*.
+        Parameters
+        ----------
+        name : str
+            Name of the figure.
+        scene : Mapping
+            A valid entry of ``config/scenes.yaml``, with its load axis.
+        newtons_per_load : float
+            F_t/F_t* [N], which turns the load axis, given in newtons, into F_t*.
+
+        Examples
+        --------
+        >>> scene = Scene.of(
+        ...     "fig",
+        ...     {
+        ...         "title": "Two viscosities",
+        ...         "load_axis": {"load_N": [1.0, 100.0], "count": 3},
+        ...         "curves": [
+        ...             {
+        ...                 "viscosity_cSt": [0, 90],
+        ...                 "particle_diameter_nm": [500],
+        ...                 "roughness_nm": [300],
+        ...                 "particle_density_per_m2": [1e11],
+        ...             }
+        ...         ],
+        ...     },
+        ...     newtons_per_load=1e6,
+        ... )
+        >>> scene.load
+        array([1.e-06, 1.e-05, 1.e-04])
+        >>> scene.axis("viscosity")
+        array([0.e+00, 9.e-05])
+        >>> scene.size
+        6
         """
         groups = [curves for group in scene["curves"] for curves in Curves.of(group)]
         load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
@@ -71,29 +123,55 @@ class Scene:
     @property
     def size(self) -> int:
         """Number of points."""
-        axes = (
-            tuple(getattr(group, name).size for name in DIMENSIONS[1:]) for group in self.groups
+        sizes = (
+            tuple(getattr(group, name).size for name in Condition._fields) for group in self.groups
         )
-        return self.load.size * sum(math.prod(sizes) for sizes in axes)
+        return self.load.size * sum(map(math.prod, sizes))
 
-    def axis(self, name: str):
-        """Values of the dimension ``name`` over all groups, increasing."""
+    def axis(self, name: str) -> NDArray[np.float64]:
+        """Values of the dimension ``name`` over all groups, SI, shape (n,), increasing."""
         if name == "load":
             return self.load
         return np.unique(np.concatenate([getattr(group, name) for group in self.groups]))
 
-    def placed(self, group: Curves):
-        """Index arrays of ``group`` in the scene's five-dimensional arrays."""
-        positions = [np.searchsorted(self.axis(n), getattr(group, n)) for n in DIMENSIONS[1:]]
+    def placed(self, group: Curves) -> tuple[NDArray[np.intp], ...]:
+        """Where the points of ``group`` stand in arrays over the five axes of the scene.
+
+        Returns
+        -------
+        tuple of ndarray
+            Five index arrays that broadcast against each other, as of ``numpy.ix_``.
+        """
+        positions = [np.searchsorted(self.axis(n), getattr(group, n)) for n in Condition._fields]
         return np.ix_(np.arange(self.load.size), *positions)
 
 
-def load_values(axis: dict, named_loads, newtons_per_load: float):
-    """F_t* log-spaced over ``axis['load_N']`` in ``axis['count']`` steps, with ``named_loads``.
+def load_values(
+    axis: Mapping, named_loads: Iterable[float], newtons_per_load: float
+) -> NDArray[np.float64]:
+    """Values of the load axis: evenly spaced in their logarithm, joined by loads of the text.
 
-    A named load beyond the ends is left out: the axis spans the loads of Table 2.
+    Parameters
+    ----------
+    axis : Mapping
+        ``load_N``, first and last normal load [N]; ``count``, the number of loads between them,
+        both included.
+    named_loads : iterable of float
+        F_t* [1] that the text names; those beyond the ends are left out.
+    newtons_per_load : float
+        F_t/F_t* [N].
+
+    Returns
+    -------
+    ndarray, shape (n,)
+        F_t* [1], increasing.
+
+    Examples
+    --------
+    >>> load_values({"load_N": [1.0, 100.0], "count": 3}, [2e-5, 1.0], 1e6)
+    array([1.e-06, 1.e-05, 2.e-05, 1.e-04])
     """
-    first, last = (float(f"{end / newtons_per_load:.12g}") for end in axis["load_N"])
+    first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
     spaced = np.geomspace(first, last, axis["count"])
     named = [value for value in named_loads if first <= value <= last]
     return np.unique(np.concatenate([spaced, named]))

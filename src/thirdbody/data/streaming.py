@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import product
+from os import PathLike
 
 import netCDF4
 import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.data.dataset import CONTRACT, described_grid, grid_axes, with_status
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.dataset import Axes, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.quantities import CONTRACT
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, type_of
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
@@ -19,20 +24,52 @@ ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chu
 
 
 def stream(
-    path,
-    load,
-    viscosity,
-    particle_diameter,
-    roughness,
-    particle_density,
+    path: str | PathLike,
+    load: ArrayLike,
+    viscosity: ArrayLike,
+    particle_diameter: ArrayLike,
+    roughness: ArrayLike,
+    particle_density: ArrayLike,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
 ) -> None:
-    """Write the dataset of ``grid`` to the NetCDF-4 file ``path``, in memory for a block at most.
+    """Solve every combination of five axes block by block, into a file.
 
-    The arguments after ``path`` are those of ``grid``.  Nothing is compressed, which would take
-    longer than solving.  The file appears whole or not at all; raises ``ValueError`` as ``grid``.
+    What ``grid`` returns is written to the file, and no more than a block of it is in memory.
+
+    Parameters
+    ----------
+    path : path
+        NetCDF-4 file to write: it appears whole or not at all.  Nothing is compressed, which would
+        take longer than solving.
+    load, viscosity, particle_diameter, roughness, particle_density : array_like
+        The five axes, as in ``grid``.
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float, optional
+        Relative error asked for in every variable [1].
+    variables : collection of str, optional
+        Those of ``Solution`` that are wanted; ``solution_status`` is always given.
+
+    Raises
+    ------
+    ValueError
+        As ``grid``.
+    OSError
+        If there is no room or no right to write.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import xarray as xr
+    >>> import thirdbody as tb
+    >>> parameters = tb.load_parameters()
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tb.stream(f"{folder}/grid.nc", [1e-6, 1e-5], 0.0, 3e-7, 3e-7, 1e11, parameters)
+    ...     written = xr.load_dataset(f"{folder}/grid.nc")
+    >>> written["separation"].squeeze().shape
+    (2,)
     """
 
     names = with_status(variables)
@@ -45,12 +82,29 @@ def stream(
 
 
 def write_blocks(
-    path, axes, solved, parameters: Parameters, rtol: float, names: Collection[str] = CONTRACT
+    path: str | PathLike,
+    axes: Axes,
+    solved: Callable[..., Solution],
+    parameters: Parameters,
+    rtol: float,
+    names: Collection[str] = CONTRACT,
 ) -> None:
-    """Write to ``path`` what ``solved`` returns, a ``Solution``, for the sides of each block.
+    """Write what ``solved`` returns for each block of a grid.
 
-    ``axes`` are the five of ``grid_axes``; the sides of a block are pieces of them; ``names`` are
-    the variables to write.
+    Parameters
+    ----------
+    path : path
+        NetCDF-4 file to write.
+    axes : Mapping
+        The five axes, as of ``grid_axes``.
+    solved : callable
+        Gives the ``Solution`` over the five pieces of the axes that are the sides of a block.
+    parameters : Parameters
+        Inputs of the model, for the attributes of the file.
+    rtol : float
+        Relative error asked for [1], likewise.
+    names : collection of str, optional
+        Variables to write.
     """
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
@@ -64,8 +118,14 @@ def write_blocks(
                 variable[block] = getattr(solution, name)
 
 
-def block_lengths(shape, points) -> tuple[int, ...]:
-    """Lengths of blocks of at most ``points`` in an array of ``shape`` that lie together in it."""
+def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
+    """Lengths of blocks of at most ``points`` each, whose points lie together in an array.
+
+    Examples
+    --------
+    >>> block_lengths((10, 20, 30), 100)
+    (1, 3, 30)
+    """
     lengths = []
     for size in reversed(shape):
         lengths.append(min(size, max(points, 1)))
@@ -73,7 +133,7 @@ def block_lengths(shape, points) -> tuple[int, ...]:
     return tuple(reversed(lengths))
 
 
-def blocks(shape, lengths):
+def blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice, ...]]:
     """Index of each block of ``lengths`` in an array of ``shape``, in their order in it."""
     starts = [range(0, size, length) for size, length in zip(shape, lengths, strict=True)]
     for corner in product(*starts):
@@ -82,12 +142,12 @@ def blocks(shape, lengths):
         )
 
 
-def sides(axes, block):
+def sides(axes: Axes, block: tuple[slice, ...]) -> list[NDArray[np.float64]]:
     """The pieces of ``axes`` that an index of ``blocks`` picks."""
     return [axis[side] for axis, side in zip(axes.values(), block, strict=True)]
 
 
-def _declare(file, described, lengths):
+def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths):
     """Dimensions, coordinates and attributes of ``described`` in ``file``; its variables, empty."""
     file.setncatts(described.attrs)
     for name in DIMENSIONS:

@@ -4,37 +4,54 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from os import PathLike
+
+from thirdbody.data.conditions import CONDITION_AXES
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column: its name carries the unit; ``kind`` is a Table Schema type."""
+    """A column of a table.
+
+    Attributes
+    ----------
+    name : str
+        Heading; it ends with the SI unit where there is one.
+    kind : str
+        Type of the Table Schema: ``number`` or ``string``.
+    unit : str
+        SI unit, ``1`` of a pure number, empty of a text.
+    description : str
+        What stands in it, for the Table Schema.
+    """
 
     name: str
     kind: str
     unit: str
     description: str
 
-    def parse(self, text: str):
-        """The value that the CSV field ``text`` stands for; None where it is empty."""
+    def parse(self, text: str) -> float | str | None:
+        """The value that a CSV field stands for; None where it is empty."""
         if text == "":
             return None
         return float(text) if self.kind == "number" else text
 
-    def format(self, value, digits: int) -> str:
-        """Text of ``value`` with ``digits`` significant digits."""
+    def format(self, value: float | str | None, digits: int) -> str:
+        """Text of ``value``, a number with so many significant digits; empty for None."""
         if value is None:
             return ""
         return f"{value:.{digits}g}" if self.kind == "number" else str(value)
 
 
-CONDITIONS = (
+CONDITIONS = {
+    axis.name: Column(axis.column, "number", axis.units, axis.description)
+    for axis in CONDITION_AXES
+}
+CURVE = (  # what tells one curve from another
     Column("figure", "string", "", "figure of the paper whose curves these are"),
-    Column("viscosity_m2_per_s", "number", "m2 s-1", "kinematic viscosity nu, 0 when dry"),
-    Column("particle_diameter_m", "number", "m", "mean particle diameter x_a, 0 without particles"),
-    Column("roughness_m", "number", "m", "equivalent root mean square roughness sigma"),
-    Column("particle_density_per_m2", "number", "m-2", "particles per unit area eta_a"),
+    *CONDITIONS.values(),
 )
 POINT_CLASS = (
     Column("medium", "string", "", "dry or lubricated"),
@@ -46,7 +63,7 @@ RTOL = Column("rtol", "number", "1", "relative error asked for; empty: a method 
 POINT_COST = Column("microseconds_per_point", "number", "us", "time over the number of points")
 TABLES = {
     "tpca_loads": (
-        *CONDITIONS,
+        *CURVE,
         Column("load", "number", "1", "F_TPCA*, load of the turning point over A_n E_ss"),
         Column("load_error", "number", "1", "bound on the numerical error of load"),
         Column("peak_ratio", "number", "1", "A_sa,t* at the turning point"),
@@ -54,7 +71,7 @@ TABLES = {
         Column("separation_m", "number", "m", "mean separation d at the turning point"),
     ),
     "transitions": (
-        *CONDITIONS,
+        *CURVE,
         Column("quantity", "string", "", "solid_load_fraction or particle_contact_area_ratio"),
         Column("level", "number", "1", "limit of the regime or mode that the quantity crosses"),
         Column("direction", "string", "", "rising or falling with the load"),
@@ -62,8 +79,8 @@ TABLES = {
         Column("load_error", "number", "1", "bound on the numerical error of load"),
     ),
     "tpca_windows": (
-        Column("roughness_m", "number", "m", "equivalent root mean square roughness sigma"),
-        Column("particle_density_per_m2", "number", "m-2", "particles per unit area eta_a"),
+        CONDITIONS["roughness"],
+        CONDITIONS["particle_density"],
         Column("end", "string", "", "low or high end of the range of x_a/sigma"),
         Column("diameter_over_roughness", "number", "1", "x_a/sigma at the end"),
         Column("error", "number", "1", "bound on its numerical error"),
@@ -114,7 +131,7 @@ TABLES = {
     "sensitivity": (
         Column("measure", "string", "", "elasticity, or sobol_total: total Sobol index"),
         Column("output", "string", "", "the result that responds"),
-        *CONDITIONS[1:],
+        *CONDITIONS.values(),
         Column("quantity", "string", "", "of a transition: what crosses the limit"),
         Column("level", "number", "1", "of a transition: the limit"),
         Column("value", "number", "1", "the result at the default inputs; empty: does not occur"),
@@ -202,8 +219,18 @@ TABLES = {
 }
 
 
-def write_csv(path, rows, columns) -> None:
-    """Write ``rows`` (mappings) under the names of ``columns``."""
+def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
+    """Write a table as CSV, numbers with ten significant digits.
+
+    Parameters
+    ----------
+    path : path
+        File to write.
+    rows : iterable of Mapping
+        A value, or None, for the name of each column.
+    columns : sequence of Column
+        Columns, in order: one of ``TABLES``.
+    """
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
@@ -211,8 +238,14 @@ def write_csv(path, rows, columns) -> None:
             writer.writerow([column.format(row[column.name], 10) for column in columns])
 
 
-def read_csv(path, columns) -> list[dict]:
-    """Rows of a file of ``write_csv``; ``OSError`` names the file if it is damaged."""
+def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
+    """Rows of a table of ``write_csv``: a value, or None, for the name of each column.
+
+    Raises
+    ------
+    OSError
+        If the file is damaged or has other columns: one line names it.
+    """
     names = [column.name for column in columns]
     try:
         with open(path, encoding="utf-8", newline="") as stream:
@@ -230,8 +263,8 @@ def read_csv(path, columns) -> list[dict]:
         ) from None
 
 
-def write_schema(path, columns) -> None:
-    """Write the Table Schema (Frictionless) of ``columns``."""
+def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
+    """Write the Table Schema (Frictionless) of ``columns``, as JSON."""
     fields = [
         {
             "name": column.name,
@@ -245,8 +278,13 @@ def write_schema(path, columns) -> None:
         stream.write("\n")
 
 
-def write_text(path, rows, columns, style: str) -> None:
-    """Write ``rows`` for reading: ``style`` is ``github`` or ``latex_booktabs``."""
+def write_text(
+    path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column], style: str
+) -> None:
+    """Write a table for reading, numbers with six significant digits.
+
+    The arguments are those of ``write_csv``; ``style`` is ``github`` or ``latex_booktabs``.
+    """
     from tabulate import tabulate
 
     cells = [[column.format(row[column.name], 6) for column in columns] for row in rows]

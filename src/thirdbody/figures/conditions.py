@@ -1,68 +1,57 @@
-"""The conditions of an interface, and how figures name them."""
+"""How figures name conditions: titles of keys, notes on panels, labels of curves."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
 
-from thirdbody.data.scene import CENTISTOKES, NANOMETRE
-from thirdbody.figures.panel import power_text
+from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
+from thirdbody.figures.panel import SUPERSCRIPTS, power_text
 
-# a parameter in which curves may differ: title of their key, unit of its values
-PARAMETERS = {
-    "viscosity": ("Viscosity ν (cSt)", CENTISTOKES),
-    "particle_diameter": ("Particle diameter xₐ (nm)", NANOMETRE),
-    "roughness": ("Roughness σ (nm)", NANOMETRE),
-    "diameter_ratio": ("Diameter over roughness xₐ/σ", 1.0),
-    "particle_density": ("Particle density ηₐ (m⁻²)", 1.0),
-}
+NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
-@dataclass(frozen=True)
-class Conditions:
-    """What is held while the load varies (SI); 0 means no lubricant, no particles."""
+def parameter_title(parameter: str) -> str:
+    """Title of a key whose curves differ in ``parameter``, with its sign and unit.
 
-    viscosity: float
-    particle_diameter: float
-    roughness: float
-    particle_density: float
-
-    @property
-    def diameter_ratio(self) -> float:
-        """x_a/sigma, free of rounding."""
-        return round(self.particle_diameter / self.roughness, 9)
-
-    @property
-    def is_dry(self) -> bool:
-        """Whether there is no lubricant."""
-        return self.viscosity == 0.0
-
-    @property
-    def is_two_body(self) -> bool:
-        """Whether there are no particles."""
-        return self.particle_diameter == 0.0 or self.particle_density == 0.0
-
-    @property
-    def label(self) -> str:
-        """All conditions, as the file of the drawn data names them."""
-        return (
-            f"nu = {self.viscosity / CENTISTOKES:.10g} cSt; "
-            f"x_a = {self.particle_diameter / NANOMETRE:.10g} nm; "
-            f"sigma = {self.roughness / NANOMETRE:.10g} nm; "
-            f"eta_a = {self.particle_density:.10g} m-2"
-        )
-
-    def texts(self) -> list[str]:
-        """Each condition by itself, as figures name it."""
-        viscosity, diameter = self.viscosity / CENTISTOKES, self.particle_diameter / NANOMETRE
-        return [
-            "dry" if self.is_dry else f"ν = {viscosity:.10g} cSt",
-            f"σ = {self.roughness / NANOMETRE:.10g} nm",
-            f"xₐ = {diameter:.10g} nm",
-            f"ηₐ = {power_text(self.particle_density)} m⁻²",
-        ]
+    ``parameter`` is one of the four conditions, or the ``diameter_ratio``.
+    """
+    if parameter == "diameter_ratio":
+        return "Diameter over roughness xₐ/σ"
+    axis = AXES[parameter]
+    name = axis.name.replace("_", " ").capitalize()
+    return f"{name} {axis.sign} ({axis.unit.translate(SUPERSCRIPTS)})"
 
 
-def shared_texts(several) -> list[str]:
-    """The conditions that all of ``several`` with particles share, as figures name them."""
-    columns = zip(*(one.texts() for one in several if not one.is_two_body), strict=True)
+def value_text(parameter: str, value: float) -> str:
+    """``value`` [SI] of ``parameter`` in the unit of its title."""
+    if parameter == "particle_density":
+        return power_text(value)
+    shown = AXES[parameter].from_si(value) if parameter in AXES else value
+    return f"{shown:.10g}"
+
+
+def note(parameter: str, value: float) -> str:
+    """``value`` [SI] of a condition with its sign and unit, such as ``σ = 300 nm``."""
+    if parameter == "viscosity" and value == 0.0:
+        return "dry"
+    axis = AXES[parameter]
+    return f"{axis.sign} = {value_text(parameter, value)} {axis.unit.translate(SUPERSCRIPTS)}"
+
+
+def notes(condition: Condition) -> list[str]:
+    """Each of the four conditions by itself."""
+    return [note(name, getattr(condition, name)) for name in NOTED]
+
+
+def shared_notes(conditions: Sequence[Condition]) -> list[str]:
+    """The notes that all of ``conditions`` with particles have in common."""
+    columns = zip(*(notes(one) for one in conditions if not one.is_two_body), strict=True)
     return [column[0] for column in columns if len(set(column)) == 1]
+
+
+def label(condition: Condition) -> str:
+    """All four conditions, as the file of the drawn data names a curve."""
+    return "; ".join(
+        f"{axis.symbol} = {axis.from_si(value):.10g} {axis.unit}"
+        for axis, value in zip(CONDITION_AXES, condition, strict=True)
+    )

@@ -8,8 +8,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.data.scene import DIMENSIONS
-from thirdbody.figures.conditions import PARAMETERS, Conditions, shared_texts
+from thirdbody.data.conditions import Condition
+from thirdbody.data.netcdf import shown_combinations
+from thirdbody.figures.conditions import label, parameter_title, shared_notes
 from thirdbody.figures.key import draw_key
 from thirdbody.figures.marks import mark_entries, mark_turning_points, turning_points_of
 from thirdbody.figures.panel import QUANTITIES, panel_figure
@@ -24,10 +25,16 @@ BAND_ENTRY = (
 
 
 @dataclass(frozen=True)
-class Curve(Conditions):
-    """One curve of a dataset: its conditions and its ``place`` behind the load axis."""
+class Curve:
+    """One curve of a dataset: its ``condition`` and its ``place`` behind the load axis."""
 
+    condition: Condition
     place: tuple[int, ...]
+
+    @property
+    def label(self) -> str:
+        """What the file of the drawn data calls it."""
+        return label(self.condition)
 
     def values(self, data, name):
         """Values of the variable ``name`` along the curve."""
@@ -46,17 +53,17 @@ class Content:
 
     def holds(self, curve) -> bool:
         """Whether ``curve`` belongs to the panel."""
-        return self.roughness in (None, curve.roughness)
+        return self.roughness in (None, curve.condition.roughness)
 
 
 def shown_curves(data) -> list[Curve]:
     """The combinations that ``data`` holds: all but those filled at every load."""
-    status = data["solution_status"].values
-    axes = [data[name].values for name in DIMENSIONS[1:]]
-    places = np.argwhere(~np.isnan(status).all(axis=0)).tolist()
+    axes = [data[name].values for name in Condition._fields]
     return [
-        Curve(*(float(axis[i]) for axis, i in zip(axes, place, strict=True)), tuple(place))
-        for place in places
+        Curve(
+            Condition(*(float(axis[i]) for axis, i in zip(axes, place, strict=True))), tuple(place)
+        )
+        for place in np.argwhere(shown_combinations(data)).tolist()
     ]
 
 
@@ -67,14 +74,16 @@ def plot_curves(data, parameter, contents, turning_points=(), band=None) -> Figu
     ``load`` and ``peak_ratio``; ``band`` holds ``<variable>_low`` and ``_high`` on the same axes.
     """
     curves = shown_curves(data)
-    curves.sort(key=lambda curve: (getattr(curve, parameter), curve.is_two_body))
-    styles = Styles(curves, parameter)
-    common = shared_texts(curves)
+    curves.sort(key=lambda c: (getattr(c.condition, parameter), c.condition.is_two_body))
+    conditions = [curve.condition for curve in curves]
+    styles = Styles(conditions, parameter)
+    common = shared_notes(conditions)
     figure = panel_figure([(content.x, content.y) for content in contents])
     for panel, content in zip(figure.axes, contents, strict=True):
         chosen = [curve for curve in curves if content.holds(curve)]
-        notes = [text for text in shared_texts(chosen) if text not in common]
-        panel.add_title(", ".join(notes) or QUANTITIES[content.y].name)
+        shared = shared_notes([curve.condition for curve in chosen])
+        own = [text for text in shared if text not in common]
+        panel.add_title(", ".join(own) or QUANTITIES[content.y].name)
         if band is not None and content.x == "load":
             draw_bands(panel, band, chosen, styles)
         for curve in chosen:
@@ -82,15 +91,16 @@ def plot_curves(data, parameter, contents, turning_points=(), band=None) -> Figu
         _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
         panel.frame()
     marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
-    draw_key(figure, PARAMETERS[parameter][0], ", ".join(common), styles.key(curves), marks)
+    draw_key(figure, parameter_title(parameter), ", ".join(common), styles.key(conditions), marks)
     return figure
 
 
 def draw_curve(panel, data, curve, styles):
     """Draw ``curve`` into ``panel``."""
     x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
-    places = styles.markers_on(curve, len(x))
-    panel.add_line(Line2D(x, y, label=curve.label, markevery=places, **styles.of(curve)))
+    places = styles.markers_on(curve.condition, len(x))
+    style = styles.of(curve.condition)
+    panel.add_line(Line2D(x, y, label=curve.label, markevery=places, **style))
 
 
 def draw_bands(panel, band, curves, styles):
@@ -107,7 +117,7 @@ def draw_bands(panel, band, curves, styles):
         known = np.isfinite(low) & np.isfinite(high)
         outlines.append(np.concatenate((there[known], back[known][::-1])))
     names = [f"band; {curve.label}" for curve in curves]
-    tints = [styles.tint(curve) for curve in curves]
+    tints = [styles.tint(curve.condition) for curve in curves]
     panel.add_outlines(outlines, names, facecolors=tints, linewidths=0.0, zorder=1.5)
 
 

@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.regimes import PARTICLE_LIMIT
 
-COLUMNS = {
-    "viscosity": "viscosity_m2_per_s",
-    "particle_diameter": "particle_diameter_m",
-    "roughness": "roughness_m",
-    "particle_density": "particle_density_per_m2",
-    "load": "load",
-    "peak_ratio": "peak_ratio",
-}
 TURNING_POINTS = {
     "linestyle": "none",
     "marker": "*",
@@ -35,11 +26,11 @@ MARKS = {
 
 def read_turning_points(path) -> list[dict]:
     """Conditions (SI), load and peak ratio of each row of the table ``tpca_loads`` at ``path``."""
-    with open(path, encoding="utf-8", newline="") as stream:
-        return [
-            {name: float(row[column]) for name, column in COLUMNS.items()}
-            for row in csv.DictReader(stream)
-        ]
+    return [
+        {axis.name: row[axis.column] for axis in CONDITION_AXES}
+        | {name: row[name] for name in ("load", "peak_ratio")}
+        for row in read_csv(path, TABLES["tpca_loads"])
+    ]
 
 
 def turning_points_of(curves, turning_points):
@@ -49,11 +40,11 @@ def turning_points_of(curves, turning_points):
     then leaves the hybrid mode: by section 3.3 that is no turning point.
     """
     found = {
-        _key(point[name] for name in DIMENSIONS[1:]): point
+        _key(point[name] for name in Condition._fields): point
         for point in turning_points
         if point["peak_ratio"] < PARTICLE_LIMIT
     }
-    keys = [_key(getattr(curve, name) for name in DIMENSIONS[1:]) for curve in curves]
+    keys = [_key(curve.condition) for curve in curves]
     return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
 
 

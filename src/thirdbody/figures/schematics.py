@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.conditions import shared_texts
+from thirdbody.data.schematic import Section
+from thirdbody.figures.conditions import label, notes, shared_notes
 from thirdbody.figures.key import draw_key
 from thirdbody.figures.panel import FURNITURE, Panel, panel_figure
-from thirdbody.figures.section import section_through, solved_state
-from thirdbody.model.parameters import Parameters
 
-SEED = 20240507  # the day on which the paper appeared
-INTERFACE_LENGTH = 12e-6  # of the section in figure 1 [m]
-MODE_LENGTH = 8e-6  # of those in figure 2 [m]
 MODE_EDGES = {"left": 0.03, "right": 0.97, "bottom": 0.03, "top": 0.89}
 INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]
 INTERFACE_BOX = (0.02, 0.03, 0.96, 0.88)
@@ -34,43 +32,59 @@ ARROW = {"color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
 
 
-def plot_interface(parameters: Parameters, panels, seed=SEED) -> Figure:
-    """Figure 1: the lubricated three-body interface at the conditions of the one panel.
+def plot_interface(sections: Sequence[Section]) -> Figure:
+    """Figure 1: the lubricated three-body interface.
 
-    Raises ``ValueError`` where there is no lubricant or there are no particles.
+    Parameters
+    ----------
+    sections : sequence of Section
+        The one to draw.
+
+    Raises
+    ------
+    ValueError
+        Where there is no lubricant or there are no particles.
     """
-    (conditions,) = panels
-    state = solved_state(conditions, parameters)
-    if state.is_dry or state.is_two_body:
-        raise ValueError(f"figure 1 shows particles in a lubricant, not {conditions}")
+    (section,) = sections
+    state, condition = section.state, section.state.condition
+    if condition.is_dry or condition.is_two_body:
+        raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
     figure = Figure(figsize=INTERFACE_SIZE)
     panel = figure.add_axes(Panel(figure, INTERFACE_BOX, "A", "position", "height"))
-    section = section_through(state, parameters, INTERFACE_LENGTH, seed)
-    draw_section(panel, section, state)
+    draw_section(panel, section)
     facts = f"d = {state.separation / MICROMETRE:.2f} µm, Lₛ = {state.solid_load_fraction:.0%}"
-    title = ", ".join((*state.texts(), facts))
+    title = ", ".join((*notes(condition), facts))
     panel.write(0.0, 1.0, title, y_points=4, va="bottom")
     panel.write(1.0, 1.0, "lengths and heights to one scale", y_points=4, va="bottom", ha="right")
-    _name_parts(panel, section, state)
+    _name_parts(panel, section)
     return figure
 
 
-def plot_modes(parameters: Parameters, panels, seed=SEED) -> Figure:
-    """Figure 2: the s-s, p-s and hybrid modes, each at the conditions of its panel.
+def plot_modes(sections: Sequence[Section]) -> Figure:
+    """Figure 2: the s-s, p-s and hybrid modes.
 
-    Raises ``ValueError`` where the model finds another mode than the panel is to show.
+    Parameters
+    ----------
+    sections : sequence of Section
+        One in each of ``MODES``, in this order.
+
+    Raises
+    ------
+    ValueError
+        Where the model finds another mode than the panel is to show.
     """
-    states = [solved_state(conditions, parameters) for conditions in panels]
     figure = panel_figure([("position", "height")] * len(MODES), MODE_EDGES)
-    common = shared_texts(states)
-    for panel, state, mode in zip(figure.axes, states, MODES, strict=True):
-        if state.mode != mode:
+    common = shared_notes([section.state.condition for section in sections])
+    for panel, section, mode in zip(figure.axes, sections, MODES, strict=True):
+        state, condition = section.state, section.state.condition
+        if state.contact_mode != mode:
             raise ValueError(
                 f"figure 2{panel.letter} shows the {mode} mode; at its conditions "
-                f"({state.label}) the model finds {state.mode}"
+                f"({label(condition)}) the model finds {state.contact_mode}"
             )
-        draw_section(panel, section_through(state, parameters, MODE_LENGTH, seed), state)
-        panel.add_title(", ".join((MODES[mode], *(t for t in state.texts() if t not in common))))
+        draw_section(panel, section)
+        own = (text for text in notes(condition) if text not in common)
+        panel.add_title(", ".join((MODES[mode], *own)))
         facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
         facts += f"Aₛₐ,ₜ* = {state.particle_contact_area_ratio:.2f}"
         panel.write(0.03, 0.96, facts, va="top")
@@ -96,15 +110,16 @@ def _mode_key():
     ]
 
 
-def draw_section(panel, section, state):
+def draw_section(panel: Panel, section: Section) -> None:
     """Fill ``panel`` with the section, lengths and heights to one scale."""
+    state = section.state
     length = section.position[-1]
     width, height = panel.bbox.size
     reach = 0.5 * length * height / width
     bottom, top = 0.5 * state.separation - reach, 0.5 * state.separation + reach
     panel.set(xlim=(0.0, length), ylim=(bottom, top))
     panel.spines[:].set_visible(True)
-    panel.patch.set_facecolor(NO_LUBRICANT if state.is_dry else LUBRICANT)
+    panel.patch.set_facecolor(NO_LUBRICANT if state.condition.is_dry else LUBRICANT)
     _draw_body(panel, section.position, section.upper, top, "surface 1", SURFACE_1)
     _draw_body(panel, section.position, section.lower, bottom, "surface 2", SURFACE_2)
     _draw_particles(panel, section.particles)
@@ -124,8 +139,8 @@ def _draw_particles(panel, particles):
     """Undeformed particles, which dent the surfaces where they are held."""
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
     circle = np.column_stack((np.cos(angle), np.sin(angle)))
-    looks = [BEARING if p.bears else FREE for p in particles]
-    states = ["bears load" if p.bears else "free" for p in particles]
+    looks = [BEARING if p.bears_load else FREE for p in particles]
+    states = ["bears load" if p.bears_load else "free" for p in particles]
     panel.add_outlines(
         [(p.position, p.height) + 0.5 * p.diameter * circle for p in particles],
         [f"particle of {p.diameter:.4g} m; {s}" for p, s in zip(particles, states, strict=True)],
@@ -143,9 +158,9 @@ def _draw_scale_bar(panel, length, bottom, top):
     panel.text(start, height, text, ha="right", va="center")
 
 
-def _name_parts(panel, section, state):
+def _name_parts(panel, section):
     """Write what is what into figure 1."""
-    length, d = section.position[-1], state.separation
+    length, d = section.position[-1], section.state.separation
     bottom, top = panel.get_ylim()
     above, below = 0.55 * top + 0.45 * d, 0.55 * bottom
     for height, name in ((above, "surface 1"), (below, "surface 2")):

@@ -9,7 +9,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.data.scene import CENTISTOKES, NANOMETRE
+from thirdbody.data.conditions import AXES
+from thirdbody.figures.conditions import note
 from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
 
 WIDTH = 7.0  # inches
@@ -82,12 +83,14 @@ def _name(row) -> str:
     """The result of ``row`` with what tells it from others."""
     name = NAMES[row["quantity"] or row["output"]].format(row["level"])
     if row["output"].startswith("window"):
-        return f"{name}, σ = {row['roughness_m'] / NANOMETRE:g} nm"
-    viscosity = row["viscosity_m2_per_s"] / CENTISTOKES
-    medium = f"{viscosity:.6g} cSt" if viscosity else "dry"
+        return f"{name}, {_condition('roughness', row)}"
     if row["output"].startswith("turning_point"):
-        return f"{name}, {medium}"
-    return f"{name}, xₐ = {row['particle_diameter_m'] / NANOMETRE:.6g} nm"
+        return f"{name}, {_condition('viscosity', row).removeprefix('ν = ')}"
+    return f"{name}, {_condition('particle_diameter', row)}"
+
+
+def _condition(name, row) -> str:
+    return note(name, row[AXES[name].column])
 
 
 def _looks(rows) -> dict:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.colors import to_rgb
+from numpy.typing import NDArray
 
-from thirdbody.data.scene import CENTISTOKES
-from thirdbody.figures.conditions import PARAMETERS
-from thirdbody.figures.panel import power_text
+from thirdbody.data.conditions import Condition
+from thirdbody.figures.conditions import value_text
 
 MARKERS = "osv^DX<>PphHd8"
 MARKERS_PER_CURVE = 7
@@ -26,55 +28,54 @@ class Styles:
     counterpart.
     """
 
-    def __init__(self, curves, parameter):
+    def __init__(self, conditions: Sequence[Condition], parameter: str):
         self.parameter = parameter
-        self.compares_media = parameter != "viscosity" and len({c.is_dry for c in curves}) == 2
-        self.levels = sorted({getattr(c, parameter) for c in curves} - {0.0})
+        media = {condition.is_dry for condition in conditions}
+        self.compares_media = parameter != "viscosity" and len(media) == 2
+        self.levels = sorted({getattr(each, parameter) for each in conditions} - {0.0})
         shades = np.linspace(0.0, LIGHTEST, len(self.levels))
         self.colours = matplotlib.colormaps[rcParams["image.cmap"]](shades).tolist()
 
-    def of(self, curve) -> dict:
-        """Line properties of ``curve``."""
-        style = {"linestyle": "--" if curve.is_dry else "-"}
-        level = getattr(curve, self.parameter)
+    def of(self, condition: Condition) -> dict:
+        """Line properties of the curve at ``condition``."""
+        style = {"linestyle": "--" if condition.is_dry else "-"}
+        level = getattr(condition, self.parameter)
         if level == 0.0:
-            two_bodies_beside = curve.is_two_body and self.parameter == "viscosity"
+            two_bodies_beside = condition.is_two_body and self.parameter == "viscosity"
             return style | {"color": TWO_BODY_GREY if two_bodies_beside else "black"}
         index = self.levels.index(level)
         style["color"] = self.colours[index]
-        if not (self.compares_media and curve.is_dry):
+        if not (self.compares_media and condition.is_dry):
             style["marker"] = MARKERS[index % len(MARKERS)]
         return style
 
-    def tint(self, curve):
-        """Light variant of the colour of ``curve``."""
-        return 1.0 - TINT * (1.0 - np.array(to_rgb(self.of(curve)["color"])))
+    def tint(self, condition: Condition) -> NDArray[np.float64]:
+        """Light variant of the colour of the curve at ``condition``: red, green, blue."""
+        return 1.0 - TINT * (1.0 - np.array(to_rgb(self.of(condition)["color"])))
 
-    def markers_on(self, curve, count):
-        """Where on ``count`` points the markers stand, so that those of two curves never meet."""
-        level = getattr(curve, self.parameter)
+    def markers_on(self, condition: Condition, count: int) -> tuple[int, int]:
+        """First and step of the markers among ``count`` points: those of two curves never meet."""
+        level = getattr(condition, self.parameter)
         index = self.levels.index(level) if level in self.levels else 0
         step = max(count // MARKERS_PER_CURVE, 1)
         return int(step * (index + 0.5) / max(len(self.levels), 1)), step
 
-    def key(self, curves):
-        """Text and style of each entry of the key."""
+    def key(self, conditions: Sequence[Condition]) -> list[tuple[str, dict]]:
+        """Text and line properties of each entry of the key."""
         entries = {}
-        for curve in curves:
-            if not (self.compares_media and curve.is_dry):
-                entries.setdefault(self._text(curve), self.of(curve))
+        for each in conditions:
+            if not (self.compares_media and each.is_dry):
+                entries.setdefault(self._text(each), self.of(each))
         if self.compares_media:
-            for curve in sorted(curves, key=lambda c: -c.viscosity):
-                text = "dry" if curve.is_dry else f"{curve.viscosity / CENTISTOKES:g} cSt"
-                entries[text] = {"color": "black", "linestyle": self.of(curve)["linestyle"]}
+            for each in sorted(conditions, key=lambda condition: -condition.viscosity):
+                text = "dry" if each.is_dry else f"{value_text('viscosity', each.viscosity)} cSt"
+                entries[text] = {"color": "black", "linestyle": self.of(each)["linestyle"]}
         return list(entries.items())
 
-    def _text(self, curve):
-        level = getattr(curve, self.parameter)
-        if self.parameter == "viscosity" and curve.is_dry:
-            return "dry, two-body" if curve.is_two_body else "dry"
+    def _text(self, condition):
+        level = getattr(condition, self.parameter)
+        if self.parameter == "viscosity" and condition.is_dry:
+            return "dry, two-body" if condition.is_two_body else "dry"
         if level == 0.0:
             return "none (two-body)"
-        if self.parameter == "particle_density":
-            return power_text(level)
-        return f"{level / PARAMETERS[self.parameter][1]:.10g}"
+        return value_text(self.parameter, level)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from thirdbody.data.dataset import read_dataset
+from thirdbody.data.netcdf import read_dataset
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, Release
 from thirdbody.release.datapackage import DRAWN_POINTS, table_schema

@@ -10,9 +10,10 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from thirdbody.data.dataset import FILL_FLOAT, QUANTITIES
+from thirdbody.data.attributes import FILL_FLOAT
+from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.extraction import curves_of
-from thirdbody.data.scene import DIMENSIONS
+from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 

@@ -9,22 +9,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 VALIDATION_STRIDE = 3  # every third published value is kept from the calibration
 
-# condition keys of a curve: the SI argument that each stands for, and how many units make one of SI
-AXES = {
-    "viscosity_cSt": ("viscosity", 1e6),
-    "particle_diameter_nm": ("particle_diameter", 1e9),
-    "roughness_nm": ("roughness", 1e9),
-    "particle_density_per_m2": ("particle_density", 1.0),
-}
 CURVE_QUANTITIES = (
     *("load", "solid_load", "solid_load_fraction", "particle_contact_area_ratio"),
     *("total_contact_area", "total_contact_area_slope", "film_thickness"),
@@ -41,7 +34,8 @@ QUANTITIES = (*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES, 
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
-CONDITIONS = (*AXES, *CURVE_QUANTITIES, *BOUNDS, "load_max_N")
+KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions of a curve
+CONDITIONS = (*KEYS, *CURVE_QUANTITIES, *BOUNDS, "load_max_N")
 
 # states of sections 3.1 and 3.2: the quantity that decides, and the interval it must lie in
 STATES = {
@@ -69,15 +63,6 @@ FIELDS = {
     "regime_sequence": ({"published"}, {"open_end"}),
     "mode_sequence": ({"published"}, {"open_end"}),
 }
-
-
-class Condition(NamedTuple):
-    """What one curve is computed for: [m2/s] (0: dry), [m] (0: two-body), [m], [m-2]."""
-
-    viscosity: float
-    particle_diameter: float
-    roughness: float
-    particle_density: float
 
 
 @dataclass(frozen=True)
@@ -108,16 +93,20 @@ class Claim:
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
         """The conditions compared, SI: lists run together, single values hold for all."""
-        given = [self.conditions.get(key, np.nan) for key in AXES]
-        columns = [np.atleast_1d(v) / unit for v, (_, unit) in zip(given, AXES.values())]
-        return tuple(Condition(*map(float, row)) for row in zip(*np.broadcast_arrays(*columns)))
+        given = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in KEYS]
+        rows = zip(*np.broadcast_arrays(*given), strict=True)
+        return tuple(Condition.of(dict(zip(KEYS, row, strict=True))) for row in rows)
 
     @cached_property
     def references(self) -> tuple[Condition, ...]:
         """For each curve, the one that the paper holds it against."""
         if not self.reference:
             return ()
-        changes = {AXES[key][0]: value / AXES[key][1] for key, value in self.reference.items()}
+        changes = {
+            axis.name: axis.to_si(self.reference[axis.key])
+            for axis in CONDITION_AXES
+            if axis.key in self.reference
+        }
         return tuple(condition._replace(**changes) for condition in self.curves)
 
     @property
@@ -215,8 +204,8 @@ def _parsed(entry: dict) -> Claim:
 
 def _check_conditions(entry, conditions, reference):
     of_window = entry["kind"] == "window" or entry.get("quantity") in WINDOW_QUANTITIES
-    _check_keys(conditions, ["roughness_nm"] if of_window else AXES, CONDITIONS)
-    _check_keys(reference, (), AXES)
+    _check_keys(conditions, [AXES["roughness"].key] if of_window else KEYS, CONDITIONS)
+    _check_keys(reference, (), KEYS)
     for key, value in [*conditions.items(), *reference.items()]:
         _require(_are_numbers(value), key, "a number or a list of numbers")
     lengths = {len(value) for value in conditions.values() if isinstance(value, list)}

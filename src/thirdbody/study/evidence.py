@@ -8,11 +8,11 @@ from functools import cached_property
 import numpy as np
 
 from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import COVERAGE_EXCEEDED, VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
-from thirdbody.study.claims import Condition
 
 # variables of ``Solution`` that a ``Curve`` has, and what else must be solved
 SHOWN = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)

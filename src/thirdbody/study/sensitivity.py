@@ -17,9 +17,9 @@ from scipy.special import logit
 
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Curve
-from thirdbody.study.claims import AXES, Condition
 from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
 
 # of an input, up and down: the truncation error of a central difference grows with the square of
@@ -31,15 +31,30 @@ AROUND = 6  # loads on each side of a result within which a small change of an i
 
 
 class Output(NamedTuple):
-    """One number and the conditions it belongs to, SI; nan and empty where they have no meaning."""
+    """One number that responds to the inputs, and what it belongs to.
+
+    Attributes
+    ----------
+    output : str
+        Which number: ``turning_point_load``, ``window_low``, ...
+    condition : Condition
+        The curve that it belongs to; nan where a condition has no meaning.
+    quantity : str
+        Of a load of transition, the variable that crosses a limit; empty for others.
+    level : float
+        That limit; nan for others.
+    """
 
     output: str
-    viscosity_m2_per_s: float
-    particle_diameter_m: float
-    roughness_m: float
-    particle_density_per_m2: float
+    condition: Condition
     quantity: str = ""
     level: float = np.nan
+
+    @property
+    def columns(self) -> dict:
+        """All of it by the names of the columns of the table ``sensitivity``."""
+        same = {"output": self.output, "quantity": self.quantity, "level": self.level}
+        return same | self.condition.columns
 
 
 @dataclass(frozen=True)
@@ -58,9 +73,9 @@ class Subject:
     def of(cls, settings: Mapping) -> Subject:
         """The subject that ``config/sensitivity.yaml`` describes."""
         return cls(
-            tuple(map(_condition, settings["turning_points"])),
-            tuple(map(_condition, settings["transitions"])),
-            tuple(_metres(value) for value in settings["windows_roughness_nm"]),
+            tuple(map(Condition.of, settings["turning_points"])),
+            tuple(map(Condition.of, settings["transitions"])),
+            tuple(map(AXES["roughness"].to_si, settings["windows_roughness_nm"])),
             tuple(settings["load_N"]),
         )
 
@@ -69,14 +84,14 @@ class Subject:
         """What ``values`` returns, in its order."""
         names = "turning_point_load", "turning_point_ratio"
         return [
-            *(Output(name, *curve) for curve in self.turning_points for name in names),
+            *(Output(name, curve) for curve in self.turning_points for name in names),
             *(
-                Output(f"window_{end}", 0.0, np.nan, sigma, WINDOW_DENSITY)
+                Output(f"window_{end}", Condition(0.0, np.nan, sigma, WINDOW_DENSITY))
                 for sigma in self.window_roughness
                 for end in ("low", "high")
             ),
             *(
-                Output("transition_load", *curve, quantity, level)
+                Output("transition_load", curve, quantity, level)
                 for curve in self.transitions
                 for quantity, level in LIMITS
             ),
@@ -130,15 +145,6 @@ class Subject:
         beyond = np.searchsorted(grid, found[np.isfinite(found)])
         near = beyond[:, None] + np.arange(-AROUND, AROUND)
         return np.unique(near.clip(0, grid.size - 1))
-
-
-def _metres(nanometres: float) -> float:
-    return float(f"{1e-9 * nanometres:.12g}")
-
-
-def _condition(given: Mapping) -> Condition:
-    """Conditions in SI from an entry of the configuration."""
-    return Condition(*(float(f"{given[key] / unit:.12g}") for key, (_, unit) in AXES.items()))
 
 
 def last_crossings(curve: Curve) -> list[float]:
@@ -226,7 +232,7 @@ def sensitivity_rows(
     """Rows of the table ``sensitivity``: one an output and input; one an output that is missing."""
     rows = []
     for index, output in enumerate(subject.outputs):
-        same = {"measure": found.measure, **output._asdict(), "value": base[index]}
+        same = {"measure": found.measure, **output.columns, "value": base[index]}
         same |= {"occurs": found.occurs[index], "unexplained": found.unexplained[index]}
         if np.isnan(base[index]):
             nothing = {"input": "", "input_value": np.nan, "sensitivity": np.nan, "error": np.nan}

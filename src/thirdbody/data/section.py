@@ -1,99 +1,107 @@
-"""A section through the three-body interface, true to scale, at a state that the model solved.
+"""Sections through the three-body interface, true to scale, at states that the model solves.
 
-Nothing is drawn here: the surfaces are Gaussian, the particles come from the size distribution of
-the model, and their mean planes stand at the solved separation.
+The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
+planes stand at the solved separation.  Chance draws them, from a seed that is always the same.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from thirdbody.data.scene import CENTISTOKES, NANOMETRE
-from thirdbody.figures.conditions import Conditions
+from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.schematic import Particle, Section, State
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.solver.solve import solve
 
+SEED = 20240507  # the day on which the paper appeared
+LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
 POINTS = 500
 CLEARANCE = 0.12  # share of the section that contacts keep from its ends
 ATTEMPTS = 1000
 
 
-@dataclass(frozen=True)
-class State(Conditions):
-    """A solved interface: its conditions and what a drawing needs of the solution."""
+def sections(
+    figure: str, panels: Sequence[Mapping], parameters: Parameters, seed: int = SEED
+) -> list[Section]:
+    """The sections that a schematic shows, one a panel.
 
-    separation: float  # d [m]
-    particle_contact_area_ratio: float  # A_sa,t* [1]
-    solid_load_fraction: float  # L_s [1]
-    mode: str  # of CONTACT_MODES
-    regime: str  # of LUBRICATION_REGIMES
+    Parameters
+    ----------
+    figure : str
+        ``fig01`` or ``fig02``.
+    panels : sequence of Mapping
+        Conditions of each panel, as ``config/config.yaml`` gives them.
+    parameters : Parameters
+        Inputs of the model.
+    seed : int, optional
+        Seed of the random surfaces and particles of every panel.
 
-
-@dataclass(frozen=True)
-class Particle:
-    """A particle: where its centre is [m], its diameter [m], and whether it bears load."""
-
-    position: float
-    height: float
-    diameter: float
-    bears: bool
-
-
-@dataclass(frozen=True)
-class Section:
-    """Heights [m] of both surfaces along ``position`` [m], flat where they touch."""
-
-    position: np.ndarray
-    lower: np.ndarray
-    upper: np.ndarray
-    touches: np.ndarray
-    particles: tuple[Particle, ...]
+    Raises
+    ------
+    ValueError
+        Where the model has no solution, or chance gives no section that shows its contacts.
+    """
+    states = [solved_state(conditions, parameters) for conditions in panels]
+    return [section_through(state, parameters, LENGTHS[figure], seed) for state in states]
 
 
-def solved_state(conditions: dict, parameters: Parameters) -> State:
+def solved_state(conditions: Mapping, parameters: Parameters) -> State:
     """The state of the interface at ``conditions``, given as the configuration gives them.
 
-    Raises ``ValueError`` where the model has no solution.
+    Raises
+    ------
+    ValueError
+        Where the model has no solution.
     """
-    viscosity = conditions["viscosity_cSt"] * CENTISTOKES
-    diameter = conditions["particle_diameter_nm"] * NANOMETRE
-    roughness = conditions["roughness_nm"] * NANOMETRE
-    density = conditions["particle_density_per_m2"]
+    # products, not the nearest decimals as everywhere else: pixels of figure 2 hang on the last digit
+    condition = Condition(*(conditions[axis.key] * axis.scale for axis in CONDITION_AXES))
     load = conditions["load_N"] / parameters.newtons_per_load
-    solution = solve(load, viscosity, diameter, roughness, density, parameters=parameters)
+    solution = solve(load, *condition, parameters=parameters)
     if not np.isfinite(solution.separation):
-        raise ValueError(f"schematic conditions {conditions} have no solution")
+        raise ValueError(f"schematic conditions {dict(conditions)} have no solution")
     return State(
-        viscosity,
-        diameter,
-        roughness,
-        density,
+        condition,
         float(solution.separation),
         float(solution.particle_contact_area_ratio),
         float(solution.solid_load_fraction),
         CONTACT_MODES[int(solution.contact_mode)],
-        LUBRICATION_REGIMES[int(solution.lubrication_regime)],
     )
 
 
 def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section of ``length`` [m] that meets the contacts by which the load is borne in ``state``.
+    """A section that meets the contacts by which the load is borne.
 
     Summits touch in the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
-    Raises ``ValueError`` where chance gives no such section.
+
+    Parameters
+    ----------
+    state : State
+        The interface.
+    parameters : Parameters
+        Inputs of the model with which it was solved.
+    length : float
+        Length of the section [m].
+    seed : int
+        Seed of its surfaces and particles.
+
+    Raises
+    ------
+    ValueError
+        Where chance gives no such section.
     """
     random = np.random.default_rng(seed)
     position = np.linspace(0.0, length, POINTS)
-    summits_touch = state.mode in ("two_body", "surface_surface", "hybrid")
-    particle_bears = state.mode in ("particle_surface", "hybrid")
+    mode = state.contact_mode
+    summits_touch = mode in ("two_body", "surface_surface", "hybrid")
+    particle_bears = mode in ("particle_surface", "hybrid")
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits_touch, random)
         touches = lower > upper
         particles = _particles(state, parameters, position, lower, upper, particle_bears, random)
-        bears = any(particle.bears for particle in particles)
+        bears = any(particle.bears_load for particle in particles)
         if (
             touches.any() == summits_touch
             and bears == particle_bears
@@ -101,15 +109,15 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
         ):
             middle = 0.5 * (lower + upper)
             lower, upper = (np.where(touches, middle, heights) for heights in (lower, upper))
-            return Section(position, lower, upper, touches, particles)
-    raise ValueError(f"no section of {length:g} m shows the {state.mode} contact of {state}")
+            return Section(state, position, lower, upper, touches, particles)
+    raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
 
 
 def correlation_length(state: State, parameters: Parameters) -> float:
-    """Length [m] after which a Gaussian surface with the model's density of summits forgets."""
+    """Length [m] over which a Gaussian surface with the model's density of summits forgets."""
     # ASSUME: autocorrelation exp(-x^2/2l^2), whose summit density is 1/(2 pi sqrt(3) l^2)
     # (Nayak 1971); density and radius of the summits cannot both be those of a Gaussian surface
-    density = parameters.surface(state.roughness).summit_density
+    density = parameters.surface(state.condition.roughness).summit_density
     return 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * density)
 
 
@@ -117,13 +125,13 @@ def _surfaces(state, parameters, position, summits_touch, random):
     """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
     length = correlation_length(state, parameters)
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
-    roughness = state.roughness / np.sqrt(2.0)
+    roughness = state.condition.roughness / np.sqrt(2.0)
     lower, upper = (roughness * _profile(position, length, random) for _ in range(2))
     if summits_touch:
         # a Gaussian process that passes a given height there: a draw plus its regression on the
         # difference; beyond a high level d it rises sigma^2/d on average
         place = random.uniform(0.25, 0.4) * position[-1]
-        excess = state.roughness**2 / state.separation
+        excess = state.condition.roughness**2 / state.separation
         drawn = np.interp(place, position, lower - upper)
         missing = state.separation + excess - drawn
         rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
@@ -145,7 +153,7 @@ def _particles(state, parameters, position, lower, upper, one_bears, random):
 
     It lies in the narrowest place on the right, and is larger than the gap there.
     """
-    count = round(position[-1] * np.sqrt(state.particle_density))
+    count = round(position[-1] * np.sqrt(state.condition.particle_density))
     places = random.uniform(0.05, 0.95, count) * position[-1]
     smallest = np.zeros(count)
     if one_bears:
@@ -154,7 +162,7 @@ def _particles(state, parameters, position, lower, upper, one_bears, random):
         places[0], smallest[0] = position[np.argmin(gap)], gap.min()
     # up to X_max, from the size distribution of the model
     diameters = parameters.readings.size_distribution.quantiles(
-        random.uniform(size=count), smallest, state.particle_diameter, parameters
+        random.uniform(size=count), smallest, state.condition.particle_diameter, parameters
     )
     return tuple(
         _settled(place, diameter, position, lower, upper)

@@ -1,0 +1,156 @@
+"""Attributes of the files: what CF-1.11 and ACDD-1.3 ask of a dataset and of each variable in it."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from importlib.metadata import PackageNotFoundError, version
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.data.conditions import Axis
+from thirdbody.data.quantities import Quantity
+from thirdbody.model.parameters import Parameters
+
+SCHEMA_VERSION = "1.0"
+PAPER_DOI = "10.3389/fmech.2024.1390335"
+# what stands where a dataset holds no point, which is another thing than a point without solution
+FILL_FLOAT = 9.969209968386869e36
+FILL_FLAG = np.int8(-127)
+# What ACDD-1.3 asks of every file beside the attributes that depend on its content; the dates are
+# that of this version of the software, so that the same inputs give the same bytes.
+RELEASE_DATE = "2026-11-21"
+DISCOVERY = {
+    "naming_authority": "thirdbody",
+    "history": "computed by thirdbody from the equations of the paper",
+    "comment": (
+        "nan: the point has no solution, and solution_status says why; a value beside the status "
+        "not_converged is one that float64 does not resolve to rtol"
+    ),
+    "acknowledgement": "Chen & Horng (2024) for the model",
+    "project": "thirdbody",
+    "program": "reproduction of published models",
+    "processing_level": "model result",
+    "institution": "The thirdbody developers",
+    "creator_type": "group",
+    "creator_institution": "The thirdbody developers",
+    "creator_url": f"https://doi.org/{PAPER_DOI}",
+    "creator_email": "not given",
+    "contributor_name": "Chen Y-Y, Horng J-H",
+    "contributor_role": "authors of the model",
+    "publisher_name": "The thirdbody developers",
+    "publisher_type": "group",
+    "publisher_institution": "The thirdbody developers",
+    "publisher_url": f"https://doi.org/{PAPER_DOI}",
+    "publisher_email": "not given",
+    "metadata_link": f"https://doi.org/{PAPER_DOI}",
+    "platform": "model",
+    "platform_vocabulary": "none",
+    "instrument": "none",
+    "instrument_vocabulary": "none",
+    "keywords_vocabulary": "none",
+    "date_created": RELEASE_DATE,
+    "date_issued": RELEASE_DATE,
+    "date_modified": RELEASE_DATE,
+    "date_metadata_modified": RELEASE_DATE,
+}
+
+
+def software_version() -> str:
+    """Version of this package, as installed."""
+    try:
+        return version("thirdbody")
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
+    """Attributes of a coordinate: one of the axes, or the normal load beside the first."""
+    return {
+        "units": described.units,
+        "long_name": described.long_name,
+        "symbol": described.symbol,
+    }
+
+
+def variable_attributes(quantity: Quantity) -> dict:
+    """Attributes of a variable, with the value that fills the points which it does not hold."""
+    return _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
+
+
+def _number_attributes(quantity):
+    return {
+        "units": quantity.units,
+        "long_name": quantity.long_name,
+        "symbol": quantity.symbol,
+        "equation": quantity.equation,
+        "ancillary_variables": "solution_status",
+        "coverage_content_type": "modelResult",
+        "_FillValue": FILL_FLOAT,
+    }
+
+
+def _flag_attributes(flag):
+    return {
+        "units": flag.units,
+        "long_name": flag.long_name,
+        "symbol": flag.symbol,
+        "equation": flag.equation,
+        "flag_values": np.arange(len(flag.meanings), dtype=np.int8),
+        "flag_meanings": " ".join(flag.meanings),
+        "coverage_content_type": "qualityInformation",
+        "_FillValue": FILL_FLAG,
+    }
+
+
+def global_attributes(
+    title: str,
+    parameters: Parameters,
+    roughness: NDArray[np.float64],
+    rtol: float,
+    request: Mapping,
+) -> dict:
+    """Attributes of a whole dataset.
+
+    Parameters
+    ----------
+    title : str
+        Title of the dataset.
+    parameters : Parameters
+        What it was solved with: becomes ``model_parameters``.
+    roughness : ndarray, shape (n,)
+        Its values of σ [m], along which the summits of ``model_parameters`` are listed.
+    rtol : float
+        Relative error asked for [1].
+    request : Mapping
+        What was asked for: with the parameters and ``rtol`` it makes ``configuration_sha256``.
+    """
+    configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
+    canonical = json.dumps(configuration, sort_keys=True)
+    conventions = "CF-1.11, ACDD-1.3"
+    return {
+        "Conventions": conventions,
+        "conventions": conventions,
+        "title": title,
+        "summary": (
+            "Load and real contact area shared by summits, third particles and a lubricant film "
+            "between two rough surfaces, computed from the equations printed by Chen & Horng "
+            "(2024) with the parameters in model_parameters."
+        ),
+        "keywords": "tribology, three-body contact, mixed lubrication, real contact area",
+        "source": f"doi:{PAPER_DOI}",
+        "references": f"Chen & Horng (2024), Front. Mech. Eng. 10:1390335, doi:{PAPER_DOI}",
+        "license": "CC-BY-4.0",
+        "creator_name": "The thirdbody developers",
+        "standard_name_vocabulary": "CF Standard Name Table v93",
+        "schema_version": SCHEMA_VERSION,
+        "software_version": software_version(),
+        "configuration_sha256": hashlib.sha256(canonical.encode()).hexdigest(),
+        "rtol": rtol,
+        **DISCOVERY,
+        "id": f"thirdbody-{hashlib.sha256(canonical.encode()).hexdigest()[:16]}",
+        "product_version": software_version(),
+        "model_parameters": parameters.as_attribute(roughness),
+    }

@@ -1,0 +1,81 @@
+"""The variables of the datasets: what each is called, where the paper defines it, what it means.
+
+Datasets, their envelopes, tables, figures and the nomenclature page take all of it from here; the
+axes, which are given and not computed, stand in ``thirdbody.data.conditions``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One variable: how data files describe it.
+
+    Attributes
+    ----------
+    name : str
+        Variable of datasets and attribute of ``thirdbody.Solution``.
+    symbol : str
+        Symbol of the paper in plain letters, ``none`` where it has none.
+    units : str
+        SI unit, spelt as UDUNITS reads it.
+    long_name : str
+        What it is.
+    equation : str
+        Equation or section of the paper that defines it, ``none`` if none does.
+    meanings : tuple of str
+        Of a flag, what its values 0, 1, ... stand for; empty for a number.
+    """
+
+    name: str
+    symbol: str
+    units: str
+    long_name: str
+    equation: str
+    meanings: tuple[str, ...] = ()
+
+
+NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
+ERROR_BOUND = Quantity(
+    "error_bound", "none", "1", "bound on the relative error of every variable", "none"
+)
+
+
+def _by_name(*quantities: Quantity) -> dict[str, Quantity]:
+    return {quantity.name: quantity for quantity in quantities}
+
+
+QUANTITIES = _by_name(
+    Quantity("total_contact_area", "A_t*", "1", "total real contact area over apparent area", "5"),
+    Quantity(
+        "particle_contact_area_ratio",
+        "A_sa,t*",
+        "1",
+        "contact area of particles over total real contact area",
+        "10",
+    ),
+    Quantity(
+        "surface_contact_area_ratio",
+        "A_ss,t*",
+        "1",
+        "contact area of summits over total real contact area",
+        "10",
+    ),
+    Quantity("solid_load_fraction", "L_s", "1", "share of the load borne by the solids", "9"),
+    Quantity("fluid_load_fraction", "L_f", "1", "share of the load borne by the fluid", "9"),
+    Quantity("separation", "d", "m", "mean separation of the two surfaces", "4"),
+    Quantity("film_thickness", "H_c", "1", "central film thickness over ball radius", "7"),
+)
+FLAGS = _by_name(
+    Quantity(
+        "lubrication_regime", "L_s", "1", "lubrication regime", "section 3.1", LUBRICATION_REGIMES
+    ),
+    Quantity("contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", CONTACT_MODES),
+    Quantity("solution_status", "none", "1", "status of the solution", "1-8", SOLUTION_STATUSES),
+)
+CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a figure
+VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS  # all that a dataset can hold

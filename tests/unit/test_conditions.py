@@ -1,0 +1,74 @@
+"""The five axes: names, keys and units agree wherever they stand, and units turn into SI exactly."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
+
+SCHEMA = Path(__file__).parents[2] / "config" / "schema.yaml"
+UNITS = {"cSt": 1e-6, "nm": 1e-9, "m-2": 1.0, "1": 1.0}
+SPELT = {"m-2": "per_m2", "m2 s-1": "m2_per_s"}  # in names of keys and columns
+
+
+@pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
+def test_a_decimal_is_the_float_that_its_digits_mean_in_si(value):
+    assert AXES["roughness"].to_si(value) == float(f"{value}e-9")
+    assert AXES["viscosity"].to_si(value) == float(f"{value}e-6")
+
+
+def test_300_nm_are_no_longer_than_a_literal_of_them():
+    assert 300 * 1e-9 != 3e-7  # what a product gives
+    assert AXES["particle_diameter"].to_si(300) == 3e-7
+
+
+def test_what_has_no_value_stays_without():
+    assert math.isnan(AXES["viscosity"].to_si(math.nan))
+
+
+@pytest.mark.parametrize("axis", AXES.values(), ids=AXES)
+def test_names_of_keys_and_columns_end_with_their_units(axis):
+    assert axis.scale == UNITS[axis.unit]
+    for name, unit in ((axis.key, axis.unit), (axis.column, axis.units)):
+        ending = "" if unit == "1" else f"_{SPELT.get(unit, unit)}"
+        assert name == axis.name + ending
+
+
+def test_values_are_sorted_and_stand_once():
+    values = AXES["viscosity"].values([90, 0, 90.0, 25])
+    assert values.tolist() == [0.0, 25e-6, 90e-6]
+    back = [AXES["viscosity"].from_si(value) for value in values]
+    np.testing.assert_allclose(back, [0, 25, 90], rtol=1e-15)
+
+
+def test_the_schema_of_the_configuration_has_the_keys_of_the_axes():
+    kinds = read_yaml(SCHEMA)["$defs"]
+    keys = {axis.key for axis in CONDITION_AXES}
+    assert keys <= kinds["curves"]["properties"].keys()
+    assert kinds["drawing"]["items"]["properties"].keys() == keys | {"load_N"}
+
+
+def test_a_condition_has_all_axes_but_the_load():
+    assert ("load", *Condition._fields) == DIMENSIONS
+
+
+def test_a_condition_is_read_from_a_configuration_and_named_in_tables():
+    given = {"viscosity_cSt": 90, "particle_diameter_nm": 500, "roughness_nm": 300}
+    condition = Condition.of(given | {"particle_density_per_m2": 1e11, "load_N": 2.0})
+    assert condition == (90e-6, 500e-9, 300e-9, 1e11)
+    assert condition.columns["viscosity_m2_per_s"] == 90e-6
+    assert list(condition.columns) == [axis.column for axis in CONDITION_AXES]
+    with pytest.raises(KeyError, match="particle_density_per_m2"):
+        Condition.of(given)
+
+
+def test_what_a_condition_is():
+    usual = Condition(90e-6, 330e-9, 300e-9, 1e11)
+    assert usual.diameter_ratio == 1.1
+    assert not usual.is_dry and not usual.is_two_body
+    assert usual._replace(viscosity=0.0).is_dry
+    assert usual._replace(particle_diameter=0.0).is_two_body
+    assert usual._replace(particle_density=0.0).is_two_body

@@ -1,0 +1,68 @@
+"""Sections through interfaces: what chance draws, and the file that keeps it."""
+
+import numpy as np
+import pytest
+
+from thirdbody.data.schematic import read_sections, write_sections
+from thirdbody.data.section import section_through, sections, solved_state
+
+# the s-s, p-s and hybrid modes of figure 2
+MODES = [
+    {"load_N": 2.0, "viscosity_cSt": 0, "particle_diameter_nm": diameter, "roughness_nm": 300,
+     "particle_density_per_m2": 1e11}
+    for diameter in (100, 1000, 300)
+]  # fmt: skip
+
+
+def test_section_has_the_statistics_of_the_model(parameters):
+    state = solved_state(MODES[1], parameters)
+    drawn = [section_through(state, parameters, 8e-6, seed) for seed in range(60)]
+    gaps = np.array([section.upper - section.lower for section in drawn])
+    # some 300 independent heights: the mean is known to sigma/17, sigma to 4 %; three times that
+    assert gaps.mean() == pytest.approx(
+        state.separation, abs=3.0 * state.condition.roughness / 17.0
+    )
+    assert gaps.std() == pytest.approx(state.condition.roughness, rel=0.12)
+    diameters = np.array([p.diameter for section in drawn for p in section.particles])
+    largest = parameters.truncation * parameters.spread_ratio * state.condition.particle_diameter
+    assert diameters.min() > 0.0 and diameters.max() < largest * (1 + 1e-12)
+
+
+def test_particles_rest_on_the_lower_surface_or_are_held(parameters):
+    section = section_through(solved_state(MODES[2], parameters), parameters, 8e-6, 1)
+    for particle in section.particles:
+        reach = np.hypot(section.position - particle.position, section.lower - particle.height)
+        dent = 0.5 * particle.diameter - reach.min()
+        assert particle.bears_load or abs(dent) < 0.02 * particle.diameter
+
+
+def test_a_file_keeps_every_digit(parameters, tmp_path):
+    fewer = MODES[1] | {"particle_density_per_m2": 2e10}  # than in the other panels
+    written = sections("fig02", [MODES[0], fewer, MODES[2]], parameters)
+    write_sections(tmp_path / "sections.nc", written)
+    again = read_sections(tmp_path / "sections.nc")
+    assert len({len(section.particles) for section in written}) > 1
+    for one, other in zip(written, again, strict=True):
+        assert one.state == other.state and one.particles == other.particles
+        for name in ("position", "lower", "upper", "touches"):
+            given, found = getattr(one, name), getattr(other, name)
+            assert given.dtype == found.dtype and np.array_equal(given, found)
+
+
+def test_the_same_sections_give_the_same_bytes(parameters, tmp_path):
+    for name in "ab":
+        write_sections(tmp_path / name, sections("fig02", MODES, parameters))
+    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
+
+
+def test_another_file_is_refused_in_one_line(tmp_path):
+    (tmp_path / "sections.nc").write_text("no data")
+    with pytest.raises(OSError, match=r"sections.nc cannot be read \(\w+\); remake it"):
+        read_sections(tmp_path / "sections.nc")
+
+
+def test_conditions_without_a_solution_are_refused(parameters):
+    # particles that cover the interface
+    crowded = MODES[1] | {"particle_density_per_m2": 1e15}
+    with pytest.raises(ValueError, match="schematic conditions .* have no solution"):
+        solved_state(crowded, parameters)
