@@ -10,7 +10,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims, conflict
-from thirdbody.figures.saving import drawn_points
+from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.study import verdicts
 from thirdbody.study.claims import assign_roles, load_claims
 from thirdbody.study.conflict import PARTS, conflict_rows

@@ -17,7 +17,7 @@ from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
 from thirdbody.figures.curves import shown_curves
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
-from thirdbody.figures.saving import SUFFIXES, drawn_points, save
+from thirdbody.figures.sheet.saving import SUFFIXES, drawn_points, save
 
 ROOT = Path(__file__).parents[2]
 STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
@@ -319,5 +319,5 @@ def test_schematics_have_the_same_bytes_every_time(schematics, parameters, tmp_p
 
 
 def test_figures_never_import_pyplot():
-    modules = (ROOT / "src" / "thirdbody" / "figures").glob("*.py")
+    modules = (ROOT / "src" / "thirdbody" / "figures").rglob("*.py")
     assert not any("pyplot" in module.read_text(encoding="utf-8") for module in modules)

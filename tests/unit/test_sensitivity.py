@@ -12,8 +12,8 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import validate
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.figures.saving import drawn_points
 from thirdbody.figures.sensitivity import plot
+from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.solver.solve import solve
 from thirdbody.study.checks import Curve
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT

@@ -75,7 +75,7 @@ def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
     assert f"these tables are from {workspace.root / module}" in run.stdout + run.stderr
 
 
-@pytest.mark.parametrize("module", ["film", "tables", "figures/saving"])
+@pytest.mark.parametrize("module", ["model/film", "data/tables", "figures/sheet/saving"])
 def test_another_library_module_reruns_what_imports_it(workspace, recorded, module):
     path = f"src/thirdbody/{module}.py"
     expected = followers(recorded, path)
@@ -85,7 +85,7 @@ def test_another_library_module_reruns_what_imports_it(workspace, recorded, modu
 
 
 def test_the_figures_solve_nothing_and_the_film_enters_no_paper_table(finished, recorded):
-    drawn = followers(recorded, "src/thirdbody/figures/saving.py")
+    drawn = followers(recorded, "src/thirdbody/figures/sheet/saving.py")
     assert drawn == finished.products("figures/*")
     film = followers(recorded, "src/thirdbody/model/film.py")
     assert film >= finished.products(*ALL_CURVES, *WINDOWS)

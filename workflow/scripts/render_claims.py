@@ -7,7 +7,7 @@ import matplotlib.style
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.claims import plot
-from thirdbody.figures.saving import save
+from thirdbody.figures.sheet.saving import save
 
 
 def render(claims, style, stem):

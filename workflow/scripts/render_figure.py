@@ -8,7 +8,7 @@ from thirdbody.data.files import logged
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES
-from thirdbody.figures.saving import save
+from thirdbody.figures.sheet.saving import save
 
 
 def render(figure, dataset, turning_points, style, stem, band):

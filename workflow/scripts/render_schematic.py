@@ -7,7 +7,7 @@ import matplotlib.style
 from thirdbody.data.files import logged
 from thirdbody.data.schematic import read_sections
 from thirdbody.figures.registry import SCHEMATICS
-from thirdbody.figures.saving import save
+from thirdbody.figures.sheet.saving import save
 
 
 def render(figure, sections, style, stem):

@@ -6,8 +6,8 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.saving import save
 from thirdbody.figures.sensitivity import plot
+from thirdbody.figures.sheet.saving import save
 
 
 def render(table, style, stem):

@@ -7,7 +7,7 @@ import math
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.panel import FURNITURE, Panel, power_text
+from thirdbody.figures.sheet.panel import FURNITURE, Panel, power_text
 
 SIZE = (7.0, 4.3)  # inches
 # span: letter, title, axes as shares of the figure

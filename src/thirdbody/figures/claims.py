@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.figures.panel import FURNITURE, POINTS_PER_INCH, NamedPoints, Panel
+from thirdbody.figures.sheet.panel import FURNITURE, POINTS_PER_INCH, NamedPoints, Panel
 
 COLUMNS = 2
 WIDTH = 7.0  # inches

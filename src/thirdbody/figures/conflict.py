@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.panel import FURNITURE, Panel
+from thirdbody.figures.sheet.panel import FURNITURE, Panel
 
 SIZE = (7.0, 4.1)  # inches
 # axes of each panel as shares of the figure, and the names of what they show

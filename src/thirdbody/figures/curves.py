@@ -10,11 +10,11 @@ from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import shown_combinations
-from thirdbody.figures.conditions import label, parameter_title, shared_notes
-from thirdbody.figures.key import draw_key
 from thirdbody.figures.marks import mark_entries, mark_turning_points, turning_points_of
-from thirdbody.figures.panel import QUANTITIES, panel_figure
-from thirdbody.figures.styles import Styles
+from thirdbody.figures.sheet.key import draw_key
+from thirdbody.figures.sheet.naming import label, parameter_title, shared_notes
+from thirdbody.figures.sheet.panel import QUANTITIES, panel_figure
+from thirdbody.figures.sheet.styles import Styles
 
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
 # of the key: the text, and a line about as wide as a band

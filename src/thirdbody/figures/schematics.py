@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.schematic import Section
-from thirdbody.figures.conditions import label, notes, shared_notes
-from thirdbody.figures.key import draw_key
-from thirdbody.figures.panel import FURNITURE, Panel, panel_figure
+from thirdbody.figures.sheet.key import draw_key
+from thirdbody.figures.sheet.naming import label, notes, shared_notes
+from thirdbody.figures.sheet.panel import FURNITURE, Panel, panel_figure
 
 MODE_EDGES = {"left": 0.03, "right": 0.97, "bottom": 0.03, "top": 0.89}
 INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]

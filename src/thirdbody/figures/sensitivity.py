@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import AXES
-from thirdbody.figures.conditions import note
-from thirdbody.figures.panel import FURNITURE, NamedPoints, Panel
+from thirdbody.figures.sheet.naming import note
+from thirdbody.figures.sheet.panel import FURNITURE, NamedPoints, Panel
 
 WIDTH = 7.0  # inches
 LINE_INCHES = 0.032  # height of one result's line

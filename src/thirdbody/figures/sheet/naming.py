@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
-from thirdbody.figures.panel import SUPERSCRIPTS, power_text
+from thirdbody.figures.sheet.panel import SUPERSCRIPTS, power_text
 
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 

@@ -9,7 +9,7 @@ import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
 
 from thirdbody.data.files import whole
-from thirdbody.figures.panel import NamedOutlines, NamedPoints
+from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {

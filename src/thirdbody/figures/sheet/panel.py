@@ -21,7 +21,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.ticker import MaxNLocator
 from matplotlib.transforms import Affine2D
 
-from thirdbody.figures.symbols import Symbol, outline
+from thirdbody.figures.sheet.symbols import Symbol, outline
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 FURNITURE = "_furniture"  # label of artists that carry no data

@@ -12,7 +12,7 @@ from matplotlib import rcParams
 from matplotlib.lines import Line2D
 from matplotlib.transforms import Affine2D
 
-from thirdbody.figures.panel import COLUMNS, KEY_INCHES, POINTS_PER_INCH
+from thirdbody.figures.sheet.panel import COLUMNS, KEY_INCHES, POINTS_PER_INCH
 
 COLUMNS_BELOW = 5  # of curves in a strip below the panels
 ROWS_BESIDE = 9  # in the free cell beside the last panel
