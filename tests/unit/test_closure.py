@@ -89,3 +89,10 @@ def test_the_result_is_sorted_and_relative_to_the_repository():
 def test_solving_does_not_need_the_figures():
     solving = import_closure("workflow/scripts/compute_dataset.py")
     assert not [path for path in solving if "figures" in path]
+
+
+@pytest.mark.parametrize("script", ["render_figure", "render_schematic", "render_claims"])
+def test_drawing_does_not_need_the_solver(script):
+    drawing = import_closure(f"workflow/scripts/{script}.py")
+    assert any("figures" in path for path in drawing)
+    assert not [path for path in drawing if {"solver", "curves", "study"} & set(Path(path).parts)]

@@ -15,9 +15,9 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
-from thirdbody.figures.curves import shown_curves
-from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS
+from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
 from thirdbody.figures.sheet.saving import SUFFIXES, drawn_points, save
+from thirdbody.figures.shown import shown_curves
 
 ROOT = Path(__file__).parents[2]
 STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
@@ -128,7 +128,7 @@ def test_every_figure_of_the_paper_is_drawn():
 
 @pytest.mark.parametrize("name", PANELS)
 def test_panels_and_their_curves(name, datasets):
-    figure = CURVE_FIGURES[name](datasets[name])
+    figure = CURVE_FIGURES[name].plot(datasets[name])
     assert [panel.letter for panel in figure.axes] == list("ABCD"[: len(PANELS[name])])
     assert [(panel.x_name, panel.y_name) for panel in figure.axes] == PANELS[name]
     assert [len(data_lines(panel)) for panel in figure.axes] == COUNTS[name]
@@ -142,7 +142,7 @@ def test_panels_and_their_curves(name, datasets):
 
 @pytest.mark.parametrize("name", PANELS)
 def test_key_explains_every_curve(name, datasets):
-    figure = CURVE_FIGURES[name](datasets[name], turning_points_in(datasets[name]))
+    figure = CURVE_FIGURES[name].plot(datasets[name], turning_points_in(datasets[name]))
     entries = {look(line) for line in figure.artists}
     drawn = {look(line) for panel in figure.axes for line in data_lines(panel)}
     if name in ("fig06", "fig07", "fig08"):  # dry curves go by their lubricated counterparts
@@ -157,7 +157,7 @@ def look(line):
 
 @pytest.mark.parametrize("name", PANELS)
 def test_nothing_leaves_the_sheet_or_covers_another(name, datasets):
-    figure = CURVE_FIGURES[name](datasets[name], turning_points_in(datasets[name]))
+    figure = CURVE_FIGURES[name].plot(datasets[name], turning_points_in(datasets[name]))
     figure.draw_without_rendering()
     boxes = [text.get_window_extent() for text in figure.texts]
     for panel in figure.axes:
@@ -181,14 +181,14 @@ def shared_area(box, other):
 
 @pytest.mark.parametrize(("name", "limits"), [(RATIO, {0.05, 0.95}), (SOLID, {0.03, 0.9})])
 def test_limits_of_modes_and_regimes_are_drawn(name, limits, datasets):
-    panels = CURVE_FIGURES["fig06"](datasets["fig06"]).axes
+    panels = CURVE_FIGURES["fig06"].plot(datasets["fig06"]).axes
     (panel,) = (panel for panel in panels if panel.y_name == name)
     thin = [line for line in panel.lines if line.get_linestyle() == ":"]
     assert {line.get_ydata()[0] for line in thin} == limits
 
 
 def test_dry_is_dashed_in_the_colour_of_its_lubricated_counterpart(datasets):
-    panel = CURVE_FIGURES["fig06"](datasets["fig06"]).axes[0]
+    panel = CURVE_FIGURES["fig06"].plot(datasets["fig06"]).axes[0]
     lines = {line.get_label(): line for line in data_lines(panel)}
     for label, line in lines.items():
         assert line.get_linestyle() == ("--" if "nu = 0 cSt" in label else "-")
@@ -199,7 +199,7 @@ def test_dry_is_dashed_in_the_colour_of_its_lubricated_counterpart(datasets):
 
 @pytest.mark.parametrize("name", PANELS)
 def test_curves_are_told_apart_in_grey(name, datasets):
-    panel = CURVE_FIGURES[name](datasets[name]).axes[0]
+    panel = CURVE_FIGURES[name].plot(datasets[name]).axes[0]
     looks = [
         (line.get_linestyle(), line.get_marker(), round(np.dot(to_rgb(line.get_color()), GREY), 3))
         for line in data_lines(panel)
@@ -210,7 +210,7 @@ def test_curves_are_told_apart_in_grey(name, datasets):
 @pytest.mark.parametrize("name", ["fig04", "fig11", "fig13"])
 def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
     data = datasets[name]
-    save(CURVE_FIGURES[name](data), tmp_path / name)
+    save(CURVE_FIGURES[name].plot(data), tmp_path / name)
     rows = drawn_rows(tmp_path / f"{name}.csv")
     for letter, (x_name, y_name) in zip("ABCD", PANELS[name], strict=False):
         panel = [row for row in rows if row["panel"] == letter]
@@ -224,14 +224,14 @@ def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
 
 
 def test_csv_format(datasets, tmp_path):
-    files = saved(CURVE_FIGURES["fig05"](datasets["fig05"]), tmp_path / "fig05")
+    files = saved(CURVE_FIGURES["fig05"].plot(datasets["fig05"]), tmp_path / "fig05")
     lines = files[".csv"].splitlines()
     assert lines[0] == b"panel,curve,x_name,x,y_name,y"
     assert all(line.count(b",") == 5 for line in lines)
 
 
 def test_csv_keeps_a_label_with_commas_in_one_column(datasets, tmp_path):
-    figure = CURVE_FIGURES["fig05"](datasets["fig05"])
+    figure = CURVE_FIGURES["fig05"].plot(datasets["fig05"])
     data_lines(figure.axes[0])[0].set_label("dry, 300 nm")
     save(figure, tmp_path / "labelled")
     rows = drawn_rows(tmp_path / "labelled.csv")
@@ -243,7 +243,7 @@ def test_csv_keeps_a_label_with_commas_in_one_column(datasets, tmp_path):
 def test_same_bytes_every_time(name, datasets, tmp_path):
     points = turning_points_in(datasets[name])
     first, second = (
-        saved(CURVE_FIGURES[name](datasets[name], points), tmp_path / stem) for stem in "ab"
+        saved(CURVE_FIGURES[name].plot(datasets[name], points), tmp_path / stem) for stem in "ab"
     )
     assert first == second
 
@@ -253,7 +253,7 @@ def test_turning_points_are_marked_on_their_curves(datasets):
     points = turning_points_in(data)
     within = [point for point in points if point["peak_ratio"] < 0.95]
     assert 0 < len(within) < len(points)
-    ratio, area = CURVE_FIGURES["fig09"](data, points).axes
+    ratio, area = CURVE_FIGURES["fig09"].plot(data, points).axes
     (marks,) = (line for line in ratio.lines if line.get_label() == "turning points")
     expected = sorted((point["load"], point["peak_ratio"]) for point in within)
     np.testing.assert_allclose(sorted(marks.get_xydata().tolist()), expected, rtol=1e-12)
@@ -264,21 +264,21 @@ def test_turning_points_are_marked_on_their_curves(datasets):
 
 
 def test_no_mark_in_the_key_without_one_in_a_panel(datasets):
-    figure = CURVE_FIGURES["fig05"](datasets["fig05"], turning_points_in(datasets["fig05"]))
+    figure = CURVE_FIGURES["fig05"].plot(datasets["fig05"], turning_points_in(datasets["fig05"]))
     assert not any("TPCA" in text.get_text() for text in figure.texts)
 
 
 def test_a_band_is_drawn(datasets, tmp_path):
     data = datasets["fig05"]
     band = xr.Dataset({f"{SOLID}_low": 0.9 * data[SOLID], f"{SOLID}_high": 1.1 * data[SOLID]})
-    figure = CURVE_FIGURES["fig05"](data, band=band)
+    figure = CURVE_FIGURES["fig05"].plot(data, band=band)
     names = [
         [label for label, _ in drawn_points(panel) if label.startswith("band; ")]
         for panel in figure.axes
     ]
     assert [len(labels) for labels in names] == COUNTS["fig05"]
     assert any("ensemble" in text.get_text() for text in figure.texts)
-    plain = saved(CURVE_FIGURES["fig05"](data), tmp_path / "plain")
+    plain = saved(CURVE_FIGURES["fig05"].plot(data), tmp_path / "plain")
     banded = saved(figure, tmp_path / "banded")
     assert all(plain[suffix] != banded[suffix] for suffix in SUFFIXES)
     rows = drawn_rows(tmp_path / "banded.csv")
@@ -316,6 +316,11 @@ def test_a_condition_in_another_mode_is_refused(parameters):
 def test_schematics_have_the_same_bytes_every_time(schematics, parameters, tmp_path):
     again = SCHEMATICS["fig02"](sections("fig02", MODES, parameters))
     assert saved(schematics["fig02"], tmp_path / "a") == saved(again, tmp_path / "b")
+
+
+def test_a_figure_without_a_row_is_refused_in_one_line():
+    with pytest.raises(ValueError, match="fig99 has no row in .*; allowed: fig03, fig04"):
+        curve_figure("fig99")
 
 
 def test_figures_never_import_pyplot():

@@ -7,7 +7,7 @@ import matplotlib.style
 from thirdbody.data.files import logged
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.figures.marks import read_turning_points
-from thirdbody.figures.registry import CURVE_FIGURES
+from thirdbody.figures.registry import curve_figure
 from thirdbody.figures.sheet.saving import save
 
 
@@ -20,7 +20,7 @@ def render(figure, dataset, turning_points, style, stem, band):
     points = read_turning_points(turning_points)
     envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
-        save(CURVE_FIGURES[figure](data, points, envelope), stem)
+        save(curve_figure(figure).plot(data, points, envelope), stem)
     print(f"{figure}: drawn")
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.sheet.panel import FURNITURE, Panel, power_text
+from thirdbody.figures.sheet.naming import power_text
+from thirdbody.figures.sheet.panel import FURNITURE, Panel
 
 SIZE = (7.0, 4.3)  # inches
 # span: letter, title, axes as shares of the figure
@@ -37,8 +39,14 @@ LABELS = (1e-2, 1e-3, 1e-6, 1e-9, 1e-11)
 LABEL_HEIGHT = 4.0  # ratio of errors
 
 
-def plot(errors, times) -> Figure:
-    """A panel a span from rows of the tables ``errors`` and ``times``; both axes logarithmic."""
+def plot(errors: Sequence[Mapping], times: Sequence[Mapping]) -> Figure:
+    """Largest error against time per point, both axes logarithmic.
+
+    Parameters
+    ----------
+    errors, times : sequence of Mapping
+        Rows of the tables of these names.
+    """
     cost = {_key(row): row["microseconds_per_point"] for row in times}
     worst = dict.fromkeys(cost, 0.0)
     for row in errors:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib import rcParams
@@ -35,9 +36,16 @@ DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)
 PREFIX = re.compile(r"fig0?(\d+)|conclusion|abstract-")  # of the statements' ids, before a panel
 
 
-def plot(rows) -> Figure:
-    """The score of each of ``rows`` of ``results/claims/claims.csv``.
+def plot(rows: Sequence[Mapping]) -> Figure:
+    """The score of each statement of the paper.
 
+    Parameters
+    ----------
+    rows : sequence of Mapping
+        Rows of the table ``claims``.
+
+    Notes
+    -----
     Colour tells the verdict, the marker the role and, if hollow, that the ensemble of inputs is
     divided; statements that do not hold are named.
     """

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -29,9 +31,16 @@ LIFTS = (-0.28, 0.0, 0.28)  # of Figures 4, 6 and 11 on the line of a reading
 GUIDE = {"color": "0.55", "linewidth": 0.6, "linestyle": ":", "label": FURNITURE, "zorder": 0.5}
 
 
-def plot(rows) -> Figure:
-    """Two panels from ``rows`` of ``results/claims/conflict.csv``.
+def plot(rows: Sequence[Mapping]) -> Figure:
+    """Whether any reading can meet both sides of the conflict.
 
+    Parameters
+    ----------
+    rows : sequence of Mapping
+        Rows of the table ``conflict``.
+
+    Notes
+    -----
     A: mean score on Figures 4 and 6 against that on Figure 11, one point a member of each
     ensemble.  B: share of the statements of each figure that hold, at the best inputs of each
     reading, with its range over the ensemble.

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping, Sequence
+from os import PathLike
+
 import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.sheet.key import Entry
+from thirdbody.figures.sheet.panel import Panel
+from thirdbody.figures.shown import Curve
 from thirdbody.model.regimes import PARTICLE_LIMIT
 
 TURNING_POINTS = {
@@ -24,8 +32,19 @@ MARKS = {
 }
 
 
-def read_turning_points(path) -> list[dict]:
-    """Conditions (SI), load and peak ratio of each row of the table ``tpca_loads`` at ``path``."""
+def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
+    """Turning points from a file of the table ``tpca_loads``.
+
+    Returns
+    -------
+    list of dict
+        The four conditions (SI), ``load`` and ``peak_ratio`` of each.
+
+    Raises
+    ------
+    OSError
+        If the file is damaged: one line names it.
+    """
     return [
         {axis.name: row[axis.column] for axis in CONDITION_AXES}
         | {name: row[name] for name in ("load", "peak_ratio")}
@@ -33,9 +52,13 @@ def read_turning_points(path) -> list[dict]:
     ]
 
 
-def turning_points_of(curves, turning_points):
+def turning_points_of(
+    curves: Sequence[Curve], turning_points: Iterable[Mapping]
+) -> list[tuple[Curve, Mapping]]:
     """Pairs of a curve and its turning point, where it has one within the hybrid mode.
 
+    Notes
+    -----
     A curve whose ratio rises above the limit of the p-s mode has a maximum too, but the contact
     then leaves the hybrid mode: by section 3.3 that is no turning point.
     """
@@ -48,8 +71,25 @@ def turning_points_of(curves, turning_points):
     return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
 
 
-def mark_turning_points(panel, data, marked, label="turning points"):
-    """Draw the mark ``label`` at ``marked``, pairs of a curve and its turning point, if any."""
+def mark_turning_points(
+    panel: Panel,
+    data: xr.Dataset,
+    marked: Sequence[tuple[Curve, Mapping]],
+    label: str = "turning points",
+) -> None:
+    """Draw a mark at turning points, if there are any.
+
+    Parameters
+    ----------
+    panel : Panel
+        Where to draw.
+    data : xarray.Dataset
+        The dataset of the curves.
+    marked : sequence of (Curve, Mapping)
+        Pairs of ``turning_points_of``.
+    label : str
+        Which of ``MARKS``.
+    """
     if marked:
         load = np.log(data["load"].values)
         x, y = (
@@ -62,7 +102,7 @@ def mark_turning_points(panel, data, marked, label="turning points"):
         panel.add_line(Line2D(x, y, label=label, zorder=3, **MARKS[label][1]))
 
 
-def mark_entries(figure):
+def mark_entries(figure: Figure) -> list[Entry]:
     """Text and style of the marks that ``figure`` shows, for its key."""
     drawn = {line.get_label() for panel in figure.axes for line in panel.lines}
     return [entry for label, entry in MARKS.items() if label in drawn]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -50,9 +51,17 @@ NAMES = {
 MARKER = {"markersize": 3.2, "markeredgewidth": 0.5}
 
 
-def plot(rows) -> Figure:
-    """Two panels from ``rows`` of the table ``sensitivity``: every result on its own line within
-    the band of each input; the key lists results from the top of a band downwards."""
+def plot(rows: Sequence[Mapping]) -> Figure:
+    """How every result responds to every input: elasticities beside total Sobol indices.
+
+    Every result has its own line within the band of each input; the key lists the results from
+    the top of a band downwards.
+
+    Parameters
+    ----------
+    rows : sequence of Mapping
+        Rows of the table ``sensitivity``.
+    """
     missing = dict.fromkeys(_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["input"]]
     inputs = _by_weight(rows)

@@ -7,8 +7,10 @@ of a panel take to draw.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from matplotlib import rcParams
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.transforms import Affine2D
 
@@ -17,12 +19,28 @@ from thirdbody.figures.sheet.panel import COLUMNS, KEY_INCHES, POINTS_PER_INCH
 COLUMNS_BELOW = 5  # of curves in a strip below the panels
 ROWS_BESIDE = 9  # in the free cell beside the last panel
 LETTER_WIDTH = 0.6  # mean over the size of type
+Entry = tuple[str, dict]  # text and properties of the line beside it
 
 
-def draw_key(figure, title, conditions, curves, marks=()):
+def draw_key(
+    figure: Figure,
+    title: str,
+    conditions: str,
+    curves: Sequence[Entry],
+    marks: Sequence[Entry] = (),
+) -> None:
     """Explain the lines of ``figure`` where its panels leave room.
 
-    ``curves`` and ``marks`` are (text, style of the line), in order down the columns.
+    Parameters
+    ----------
+    figure : Figure
+        One of ``panel_figure``.
+    title : str
+        What the curves differ in.
+    conditions : str
+        What they share; empty for nothing.
+    curves, marks : sequence of (str, dict)
+        Text and properties of the line of each entry, in order down the columns.
     """
     width, height = figure.get_size_inches() * POINTS_PER_INCH
     texts = [text for text in (title, conditions) if text]

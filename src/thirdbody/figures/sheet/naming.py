@@ -1,19 +1,37 @@
-"""How figures name conditions: titles of keys, notes on panels, labels of curves."""
+"""How figures write numbers and conditions: titles of keys, notes on panels, labels of curves."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
-from thirdbody.figures.sheet.panel import SUPERSCRIPTS, power_text
 
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
+
+
+def power_text(value: float) -> str:
+    """``value`` as a power of ten, four digits at most.
+
+    Examples
+    --------
+    >>> power_text(5e10), power_text(1e11)
+    ('5×10¹⁰', '10¹¹')
+    """
+    mantissa, exponent = f"{value:.3e}".split("e")
+    power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
+    return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
 
 
 def parameter_title(parameter: str) -> str:
     """Title of a key whose curves differ in ``parameter``, with its sign and unit.
 
     ``parameter`` is one of the four conditions, or the ``diameter_ratio``.
+
+    Examples
+    --------
+    >>> parameter_title("viscosity")
+    'Viscosity ν (cSt)'
     """
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
@@ -31,7 +49,13 @@ def value_text(parameter: str, value: float) -> str:
 
 
 def note(parameter: str, value: float) -> str:
-    """``value`` [SI] of a condition with its sign and unit, such as ``σ = 300 nm``."""
+    """``value`` [SI] of a condition with its sign and unit.
+
+    Examples
+    --------
+    >>> note("roughness", 3e-7), note("viscosity", 0.0)
+    ('σ = 300 nm', 'dry')
+    """
     if parameter == "viscosity" and value == 0.0:
         return "dry"
     axis = AXES[parameter]

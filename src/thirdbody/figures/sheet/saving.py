@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from os import PathLike
+
 # the canvases that ``savefig`` takes for the formats below
 import matplotlib.backends.backend_agg
 import matplotlib.backends.backend_pdf
 import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from thirdbody.data.files import whole
-from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints
+from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints, Panel
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {
@@ -21,16 +26,29 @@ SUFFIXES = tuple(f".{kind}" for kind in (*OPTIONS, "csv"))
 COLUMNS = ("panel", "curve", "x_name", "x", "y_name", "y")
 
 
-def save(figure, stem) -> None:
-    """Write ``stem``.svg, .pdf, .png and, as .csv, the data that ``figure`` shows."""
+def save(figure: Figure, stem: str | PathLike) -> None:
+    """Write a figure in three formats, and the data that it shows.
+
+    Parameters
+    ----------
+    figure : Figure
+        A sheet whose axes are all ``Panel``.
+    stem : path
+        Path without its ending: ``.svg``, ``.pdf``, ``.png`` and ``.csv`` appear together.
+
+    Raises
+    ------
+    OSError
+        If there is no room or no right to write.
+    """
     with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data):
         for drawing, (kind, options) in zip(drawings, OPTIONS.items(), strict=True):
             figure.savefig(drawing, format=kind, **options)
         write_drawn_data(figure, data)
 
 
-def write_drawn_data(figure, path) -> None:
-    """Write every drawn point as panel, curve, x_name, x, y_name, y; SI units."""
+def write_drawn_data(figure: Figure, path: str | PathLike) -> None:
+    """Write every drawn point as a row of ``COLUMNS``, in SI, with ten significant digits."""
     with open(path, "w", encoding="utf-8", newline="") as stream:
         stream.write(",".join(COLUMNS) + "\n")
         for panel in figure.axes:
@@ -49,10 +67,14 @@ def _quoted(text: str) -> str:
     return text.replace("%", "%%")
 
 
-def drawn_points(panel):
-    """Label and points (n, 2) of each artist of ``panel`` that stands for data.
+def drawn_points(panel: Panel) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """What a panel shows.
 
-    These are lines, unless their label starts with an underscore, and what has names.
+    Yields
+    ------
+    str, ndarray of shape (n, 2)
+        Label and points of each artist that stands for data: lines, unless their label starts
+        with an underscore, and what has names.
     """
     for line in panel.lines:
         if isinstance(line, NamedPoints):

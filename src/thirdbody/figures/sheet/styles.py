@@ -21,8 +21,17 @@ TWO_BODY_GREY = "0.55"  # where black is taken by dry contact
 
 
 class Styles:
-    """Line styles of a family of curves that differ in ``parameter``.
+    """Line styles of a family of curves that differ in one parameter.
 
+    Parameters
+    ----------
+    conditions : sequence of Condition
+        Those of all curves of the figure.
+    parameter : str
+        Attribute of ``Condition`` in which they differ.
+
+    Notes
+    -----
     The colours of an ordered parameter grow lighter with it, and each has its marker.  Two-body
     contact is black or grey.  Dry contact is dashed, and bare of markers beside its lubricated
     counterpart.

@@ -28,9 +28,21 @@ class Symbol:
     starred: bool = False
     unit: str = ""
 
+    @classmethod
+    def of(cls, text: str, unit: str = "") -> Symbol:
+        """The symbol that data files write as ``text``.
+
+        Examples
+        --------
+        >>> Symbol.of("A_sa,t*")
+        Symbol(letter='A', below='sa,t', starred=True, unit='')
+        """
+        letter, _, below = text.removesuffix("*").partition("_")
+        return cls(letter, below, text.endswith("*"), unit)
+
 
 @cache
-def outline(symbol: Symbol, size) -> Path:
+def outline(symbol: Symbol, size: float) -> Path:
     """``symbol`` with its letter at the origin, set in ``size`` points."""
     pieces = [_set(symbol.letter, 0.0, 0.0, size, "italic")]
     beside = _end(pieces) + THIN_SPACE * size

@@ -1,0 +1,115 @@
+"""How each variable stands on an axis: its title, symbol and scale, and the limits drawn across."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import NDArray
+
+from thirdbody.data.conditions import AXES
+from thirdbody.data.quantities import VARIABLES
+from thirdbody.figures.sheet.naming import power_text
+from thirdbody.figures.sheet.symbols import Symbol
+from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The axis of one variable.
+
+    Attributes
+    ----------
+    name : str
+        The variable, or the axis ``load``.
+    title : str
+        What panels are called that show it.
+    logarithmic : bool
+        Whether the axis is.
+    unit : float
+        What the labels of the ticks count in.
+    unit_text : str
+        That unit as the label of the axis prints it.
+    share : bool
+        Whether the axis runs from 0 to 1 where its curves do.
+    limits, zones : tuple
+        Limits of regimes or modes, and the names of what lies between them, both from below.
+    """
+
+    name: str
+    title: str
+    logarithmic: bool = False
+    unit: float = 1.0
+    unit_text: str = ""
+    share: bool = False
+    limits: tuple[float, ...] = ()
+    zones: tuple[str, ...] = ()
+
+    @property
+    def symbol(self) -> Symbol:
+        """The paper's symbol, with the unit."""
+        return Symbol.of((AXES | VARIABLES)[self.name].symbol, self.unit_text)
+
+    def ends(self, low: float, high: float) -> tuple[float, float]:
+        """Ends of the axis around data from ``low`` to ``high``."""
+        if self.logarithmic:
+            margin = (high / low) ** 0.02
+            return low / margin, high * margin
+        if self.share:
+            top = 1.08 * high if 0.0 < high < 0.5 else 1.0
+            return -0.06 * top, 1.08 * top
+        margin = 0.04 * (high - low)
+        return low - margin, high + margin
+
+    def ticks(self, low: float, high: float) -> tuple[NDArray, list[str], NDArray]:
+        """Ticks of the axis from ``low`` to ``high``.
+
+        Returns
+        -------
+        major, labels, minor
+            Places of the major ticks and their labels, places of the minor ones.
+        """
+        return _decades(low, high) if self.logarithmic else self._steps(low, high)
+
+    def _steps(self, low, high):
+        places = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
+        major = places[(places >= low) & (places <= high)]
+        middle = 0.5 * (places[1:] + places[:-1])
+        minor = middle[(middle > low) & (middle < high)]
+        return major, [f"{place / self.unit:.6g}" for place in major], minor
+
+
+def _decades(low, high):
+    first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
+    major = 10.0 ** np.arange(first, last + 1)
+    minor = np.outer(10.0 ** np.arange(first - 1, last + 1), np.arange(2, 10)).ravel()
+    minor = minor[(minor > low) & (minor < high)]
+    return major, [power_text(place) for place in major], minor
+
+
+SCALES = {
+    scale.name: scale
+    for scale in (
+        Scale("load", "Dimensionless normal load", logarithmic=True),
+        Scale("total_contact_area", "Real contact area", logarithmic=True),
+        Scale(
+            "particle_contact_area_ratio",
+            "Contact area ratio of particles",
+            share=True,
+            limits=(SURFACE_LIMIT, PARTICLE_LIMIT),
+            zones=("s-s", "hybrid", "p-s"),
+        ),
+        Scale(
+            "solid_load_fraction",
+            "Load percentage of solid",
+            unit=0.01,
+            unit_text="%",
+            share=True,
+            limits=(FULL_FILM_LIMIT, BOUNDARY_LIMIT),
+            zones=("F.L.", "M.L.", "B.L."),
+        ),
+        Scale("film_thickness", "Film thickness", unit=1e-4, unit_text="10⁻⁴"),
+    )
+}
