@@ -49,40 +49,6 @@ def allowed(function, d, rtol):
     return rtol * np.abs(function(d)) + np.abs(spread)
 
 
-def inputs_of(model, index, roughness):
-    """The inputs that ``model_parameters`` names, for one roughness."""
-    return Parameters(
-        elastic_modulus_surfaces=model["E_ss"],
-        elastic_modulus_particle=model["E_sa"],
-        hardness_surface_1=model["H_s1"],
-        hardness_surface_2=model["H_s2"],
-        yield_pressure_ratio=model["k"],
-        plastic_interference_ratio=model["omega_ratio"],
-        ball_radius=model["R_x"],
-        material_parameter=model["G"],
-        hardness_parameter=model["V"],
-        speed_per_viscosity=model["U_per_viscosity"],
-        ellipticity=model["kappa"],
-        apparent_area=model["A_n"],
-        reference_roughness=roughness,
-        summit_parameter=model["eta_s"][index] * model["R"][index] * roughness,
-        summit_parameter_exponent=0.0,
-        summit_radius=model["R"][index],
-        summit_radius_exponent=0.0,
-        summit_offset=model["y_s"][index] != 0.0,
-        size_distribution=model["phi_a"],
-        mean_ratio=model["mean_ratio"],
-        spread_ratio=model["sigma_a_ratio"],
-        gap_ratio=model["gap_ratio"],
-        truncation=model["truncation"],
-        participation=model["participation"],
-        elastic_depth_ratio=model["h_e_ratio"],
-        elastic_limits=model["elastic_limits"],
-        coverage_limits=model["coverage_limits"],
-        film_load=model["film_load"],
-    )
-
-
 def test_area_ratios_sum_to_one(curves):
     _, values = curves
     ratios = values["particle_contact_area_ratio"] + values["surface_contact_area_ratio"]
@@ -155,7 +121,7 @@ def fluid_load(d, again, viscosity):
     for _ in range(60):
         middle = 0.5 * (low + high)
         thin = np.zeros(d.shape, dtype=bool)
-        thin[wet] = again.R_x * again.film(np.exp(middle[wet]), viscosity[wet])[0] < d[wet]
+        thin[wet] = again.model["R_x"] * again.film(np.exp(middle[wet]), viscosity[wet])[0] < d[wet]
         low, high = np.where(thin, low, middle), np.where(thin, middle, high)
     return np.where(wet, np.exp(low), 0.0)
 
@@ -176,11 +142,11 @@ def test_areas_are_those_of_the_separation(dataset, on_surfaces):
 
 def test_the_attributes_alone_give_each_value_again(dataset, curves):
     conditions, values = curves
-    model = json.loads(dataset.attrs["model_parameters"])
+    attribute = dataset.attrs["model_parameters"]
     load = dataset["load"].values[:, None]
     for index, roughness in enumerate(dataset["roughness"].values):
         here = conditions[2] == roughness
-        inputs = inputs_of(model, index, roughness)
+        inputs = Parameters.from_attribute(attribute, roughness, index)
         solution = tb.solve(load, *conditions[:, here], inputs, dataset.attrs["rtol"])
         for name in QUANTITIES:
             again = getattr(solution, name)

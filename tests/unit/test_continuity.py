@@ -1,9 +1,11 @@
 """No variable jumps where regimes, table pieces, branches or node counts change; monotone where theory says so."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.integrate import IntegrationWarning
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
@@ -126,7 +128,10 @@ def test_no_jump_where_the_largest_particles_touch(
         assert np.array_equal(known, solution.error_bound <= rtol)
         d = solution.separation
         assert relative_error(d[1:], d[:-1]).max() <= 10.0 * max(rtol, NEXT)
-        at, closer, farther = (again.areas(gap) for gap in (d, d * (1 - rtol), d * (1 + rtol)))
+        with warnings.catch_warnings():
+            # the largest particles leave `quad` an interval that is as narrow as rounding
+            warnings.simplefilter("ignore", IntegrationWarning)
+            at, closer, farther = (again.areas(gap) for gap in (d, d * (1 - rtol), d * (1 + rtol)))
         for index, name in enumerate(VARIABLES[:3]):
             allowed = rtol * at[index] + np.abs(closer[index] - farther[index])
             error = np.abs(getattr(solution, name) - at[index])

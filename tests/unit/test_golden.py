@@ -27,49 +27,6 @@ def golden_rows():
         return list(csv.DictReader(stream))
 
 
-def parameters_of(row) -> Parameters:
-    """The inputs of a golden row; its surface is given at its own roughness."""
-    number = {name: float(text) for name, text in row.items() if _is_number(text)}
-    return Parameters(
-        elastic_modulus_surfaces=number["E_ss"],
-        elastic_modulus_particle=number["E_sa"],
-        hardness_surface_1=number["H_s1"],
-        hardness_surface_2=number["H_s2"],
-        yield_pressure_ratio=number["k"],
-        plastic_interference_ratio=number["omega_ratio"],
-        ball_radius=number["R_x"],
-        material_parameter=number["G"],
-        hardness_parameter=number["V"],
-        speed_per_viscosity=number["U_per_viscosity"],
-        ellipticity=number["kappa"],
-        apparent_area=number["A_n"],
-        reference_roughness=number["roughness"],
-        summit_parameter=number["eta_s"] * number["R"] * number["roughness"],
-        summit_parameter_exponent=0.0,
-        summit_radius=number["R"],
-        summit_radius_exponent=0.0,
-        summit_offset=row["surface_offset"] == "1",
-        size_distribution=row["phi_a"],
-        mean_ratio=number["mean_ratio"],
-        spread_ratio=number["sigma_a_ratio"],
-        gap_ratio=number["gap_ratio"],
-        truncation=number["truncation"],
-        participation=number["participation"],
-        elastic_depth_ratio=number["h_e_ratio"],
-        elastic_limits=row["elastic_limits"],
-        coverage_limits=row["coverage_limits"],
-        film_load=row["film_load"],
-    )
-
-
-def _is_number(text):
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
-
-
 def solve_row(row, rtol):
     conditions = (
         "load",
@@ -78,7 +35,8 @@ def solve_row(row, rtol):
         "roughness",
         "particle_density",
     )
-    return tb.solve(*(float(row[name]) for name in conditions), parameters_of(row), rtol)
+    inputs = Parameters.on_one_surface(row, float(row["roughness"]))
+    return tb.solve(*(float(row[name]) for name in conditions), inputs, rtol)
 
 
 def test_there_are_enough_golden_points_over_all_readings():

@@ -183,6 +183,24 @@ def test_numbers_survive_the_attribute_to_the_last_digit(parameters):
     assert model["truncation"] == math.pi
 
 
+@pytest.mark.parametrize("index", [0, 1, 2])
+def test_the_attribute_is_read_back_as_it_was_written(reading, index):
+    roughness = [1e-7, 3e-7, 5e-7]
+    text = reading.as_attribute(roughness)
+    again = Parameters.from_attribute(text, roughness[index], index)
+    model, found = json.loads(text), json.loads(again.as_attribute(roughness[index : index + 1]))
+    for key in LISTS:
+        assert_allclose(found.pop(key), [model.pop(key)[index]], rtol=1e-15)
+    assert found == model
+
+
+def test_what_is_read_back_holds_at_its_own_roughness(parameters):
+    inputs = replace(parameters, summit_parameter_exponent=0.0, summit_radius_exponent=0.0)
+    here = replace(inputs, reference_roughness=5e-7)
+    again = Parameters.from_attribute(here.as_attribute([5e-7]), 5e-7)
+    assert replace(again, summit_parameter=here.summit_parameter) == here
+
+
 def test_inputs_cannot_be_changed_and_equal_ones_are_equal(parameters):
     with pytest.raises(FrozenInstanceError):
         parameters.truncation = 1.0

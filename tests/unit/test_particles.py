@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
-from scipy.integrate import quad
 
 from thirdbody.model.particles import ParticleLayer
 
@@ -20,80 +19,45 @@ def layer(parameters, diameter=DIAMETER, density=DENSITY):
     return ParticleLayer.of(diameter, np.full(diameter.shape, ROUGHNESS), density, parameters)
 
 
-def distribution(inputs, diameter=DIAMETER):
-    """Mean, spread and largest size [m] of phi_a."""
-    mean = 0.0 if inputs.size_distribution == "uncentred" else inputs.mean_ratio * diameter
-    spread = inputs.spread_ratio * diameter
-    if inputs.size_distribution == "gap_convolved":
-        spread = np.hypot(spread, inputs.gap_ratio * ROUGHNESS)
-    return mean, spread, mean + inputs.truncation * spread
+@pytest.fixture(scope="module")
+def plain(equations):
+    """Makes the plain equations of ``count`` equal points of these particles."""
+
+    def make(inputs, count=1):
+        attribute = inputs.as_attribute([ROUGHNESS])
+        points = np.full(count, DIAMETER), np.full(count, DENSITY)
+        return equations(attribute, 0, ROUGHNESS, *points)
+
+    return make
 
 
-def moment(inputs, low, high):
-    """I(low, high) [m2] by numerical integration of Eq. 6."""
-    mean, spread, largest = distribution(inputs)
-
-    def integrand(z):
-        square = (mean + z * spread) ** 2
-        if inputs.size_distribution == "gap_convolved":
-            square = (1.0 + inputs.spread_ratio**2) * DIAMETER**2
-        return square / DIAMETER**2 * np.exp(-0.5 * z**2) / np.sqrt(2.0 * np.pi)
-
-    low, high = (max((min(end, largest) - mean) / spread, -40.0) for end in (low, high))
-    middle = sorted({low, high, *(z for z in (-5.0, 0.0, 1.0, 2.0, 3.0) if low < z < high)})
-    pieces = zip(middle, middle[1:], strict=False)
-    return DIAMETER**2 * sum(quad(integrand, *ends, epsabs=0.0, epsrel=1e-13)[0] for ends in pieces)
-
-
-def share(inputs):
-    """pi eta_a p/(H_s1 + H_s2) [m-2 Pa-1]."""
-    hardness = inputs.hardness_surface_1 + inputs.hardness_surface_2
-    return np.pi * DENSITY * inputs.participation / hardness
-
-
-def separations(inputs):
+def separations(again):
     """From contact with every size to the largest ones alone [m]."""
-    mean, spread, largest = distribution(inputs)
+    spread, largest = again.spread[0], again.largest[0]
     return np.array([1e-3 * spread, 0.3 * largest, 0.6 * largest, 0.9 * largest])
 
 
-def test_the_coverage_is_the_second_moment_of_the_larger_particles(sizes):
-    d = separations(sizes)
-    particles = layer(sizes, np.full(d.shape, DIAMETER))
-    _, _, coverage, _ = particles.contact(d)
-    expected = [sizes.hardness_surface_1 * share(sizes) * moment(sizes, low, np.inf) for low in d]
+def test_the_coverage_is_the_second_moment_of_the_larger_particles(sizes, plain):
+    again = plain(sizes)
+    d = separations(again)
+    _, _, coverage, _ = layer(sizes, np.full(d.shape, DIAMETER)).contact(d)
     # differences of two moments: rounding of the larger over the smallest, 1e-16/1e-2
-    assert_allclose(coverage, expected, rtol=1e-13)
+    assert_allclose(coverage, again.coverage(d), rtol=1e-13)
 
 
 @pytest.mark.parametrize("limits", ["printed", "physical"])
-def test_the_area_weighs_elastic_particles_by_the_elastic_factor(sizes, limits):
+def test_the_area_weighs_elastic_particles_by_the_elastic_factor(sizes, plain, limits):
     inputs = replace(sizes, elastic_limits=limits, elastic_depth_ratio=0.0885)
-    d = separations(inputs)
+    again = plain(inputs)
+    d = separations(again)
     area, *_ = layer(inputs, np.full(d.shape, DIAMETER)).contact(d)
-    h_e = 0.0885 * DIAMETER
-    shift = -h_e if limits == "printed" else 0.0
-    expected = [
-        inputs.hardness_surface_2
-        * share(inputs)
-        * (
-            inputs.elastic_factor * moment(inputs, x + shift, x + shift + h_e)
-            + moment(inputs, x, np.inf)
-        )
-        for x in d
-    ]
-    assert_allclose(area, expected, rtol=1e-13)
+    assert_allclose(area, again.particle_area(d), rtol=1e-13)
 
 
-def test_the_printed_coverage_in_the_load_is_that_of_all_sizes(sizes):
+def test_the_printed_coverage_in_the_load_is_that_of_all_sizes(sizes, plain):
     printed = replace(sizes, coverage_limits="printed")
     log_bare, slope = layer(printed).log_bare_load(np.full(1, 0.5), np.ones(1))
-    if sizes.size_distribution == "gap_convolved":
-        every = (1.0 + sizes.spread_ratio**2) * DIAMETER**2
-    else:
-        every = moment(sizes, 0.0, np.inf)
-    coverage = sizes.hardness_surface_1 * share(sizes) * every
-    assert_allclose(-np.expm1(log_bare), coverage, rtol=1e-12)
+    assert_allclose(-np.expm1(log_bare), plain(printed).load_coverage(0.0), rtol=1e-12)
     assert slope == 0.0
 
 
@@ -105,8 +69,8 @@ def test_the_contacting_coverage_in_the_load_is_that_of_the_area(sizes):
     assert_allclose(slope, -coverage_slope / (1.0 - coverage), rtol=1e-14)
 
 
-def test_slopes_are_those_of_the_values(reading):
-    _, _, largest = distribution(reading)
+def test_slopes_are_those_of_the_values(reading, plain):
+    largest = plain(reading).largest
     d = np.linspace(0.05, 0.95, 19) * largest
     step = 1e-5 * largest
     particles = layer(reading, np.full(d.shape, DIAMETER))
@@ -126,9 +90,9 @@ def test_no_particle_touches_beyond_the_largest(reading):
         assert (value == 0.0).all()
 
 
-def test_contact_begins_without_a_jump_at_the_largest_particle(sizes):
-    _, spread, largest = distribution(sizes)
-    d = largest - spread * np.array([1e-2, 1e-4, 1e-6])
+def test_contact_begins_without_a_jump_at_the_largest_particle(sizes, plain):
+    again = plain(sizes)
+    d = again.largest - again.spread * np.array([1e-2, 1e-4, 1e-6])
     _, _, coverage, _ = layer(sizes, np.full(3, DIAMETER)).contact(d)
     # linear in the distance from the largest size, to the first order of it
     assert_allclose(coverage[:2] / coverage[1:], 100.0, rtol=0.05)
@@ -150,13 +114,13 @@ def test_particles_of_all_sizes_look_alike_in_units_of_their_diameter(parameters
             assert_allclose(value / diameter**2, value[0] / diameter[0] ** 2, rtol=1e-13)
 
 
-def test_particles_bear_more_the_larger_they_are_and_the_narrower_the_gap(parameters):
+def test_particles_bear_more_the_larger_they_are_and_the_narrower_the_gap(parameters, plain):
     # provable for the uncentred reading with the printed limits: the moment is x_a^2 g(d/x_a)
     # with a falling g
     diameter = np.linspace(0.1, 1.0, 50) * 1e-6
     by_size, *_ = layer(parameters, diameter).contact(np.full(50, 100e-9))
     assert (np.diff(by_size) > 0.0).all()
-    d = np.linspace(0.0, 0.99, 50) * distribution(parameters)[2]
+    d = np.linspace(0.0, 0.99, 50) * plain(parameters).largest
     by_gap, slope, *_ = layer(parameters, np.full(50, DIAMETER)).contact(d)
     assert (np.diff(by_gap) < 0.0).all()
     assert (slope[1:] < 0.0).all()
