@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.model.parameters import Parameters
-from thirdbody.regimes import contact_mode, lubrication_regime
+from thirdbody.model.regimes import contact_mode, lubrication_regime
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 

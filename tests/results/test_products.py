@@ -9,11 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.transitions import LIMITS
+from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
@@ -95,7 +95,7 @@ def test_turning_points_are_above_their_neighbours_on_the_load_axis(tables, data
 
 
 def test_the_written_load_is_within_its_written_error(tables, datasets, defaults):
-    from thirdbody.turning_point import turning_points
+    from thirdbody.curves.turning_point import turning_points
 
     rows = [row for row in tables["tpca_loads"] if row["figure"] == "fig11"]
     conditions = columns(rows, CONDITIONS)
