@@ -54,7 +54,20 @@ RECOMPUTED = {
 
 
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
-    """Rows of the table ``paper_table`` from the printed ``rows`` of config/paper_tables.yaml."""
+    """A table of the paper with each derived entry recomputed.
+
+    Parameters
+    ----------
+    rows : list of dict
+        One table of ``config/paper_tables.yaml``: what is printed in each row.
+    inputs : Parameters
+        Inputs of the model that the entries derive from.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``paper_table``, in the same order.
+    """
     return [_judged(row, inputs) for row in rows]
 
 

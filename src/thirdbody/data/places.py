@@ -8,9 +8,19 @@ FIGURE = re.compile(r"Figures? (\d+)")
 
 
 def part_of_paper(where: str) -> str:
-    """The part that ``where`` names first: ``Figure 4``, ``Conclusions``, ``Abstract``, ...
+    """The part of the paper that a statement belongs to: the first that its place names.
 
-    ``where`` is the field of a claim, such as ``Figures 4B and 4C, section 3.3``.
+    Parameters
+    ----------
+    where : str
+        Field of a claim in ``config/claims.yaml``.
+
+    Examples
+    --------
+    >>> part_of_paper("Figures 4B and 4C, section 3.3")
+    'Figure 4'
+    >>> part_of_paper("Conclusion 7")
+    'Conclusions'
     """
     figure = FIGURE.match(where)
     if figure:

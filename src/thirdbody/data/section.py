@@ -114,9 +114,15 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
 
 
 def correlation_length(state: State, parameters: Parameters) -> float:
-    """Length [m] over which a Gaussian surface with the model's density of summits forgets."""
-    # ASSUME: autocorrelation exp(-x^2/2l^2), whose summit density is 1/(2 pi sqrt(3) l^2)
-    # (Nayak 1971); density and radius of the summits cannot both be those of a Gaussian surface
+    """Correlation length [m] of a Gaussian surface with the model's density of summits.
+
+    References
+    ----------
+    Nayak (1971): a surface with the autocorrelation exp(-x^2/2l^2) has 1/(2 pi sqrt(3) l^2)
+    summits per unit area.
+    """
+    # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
+    # cannot both be those of a Gaussian surface
     density = parameters.surface(state.condition.roughness).summit_density
     return 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * density)
 

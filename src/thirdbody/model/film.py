@@ -73,8 +73,8 @@ class Film:
         >>> thickness, slope = film.thickness(np.log(1e-6))
         >>> f"{thickness[0]:.3e}"
         '1.783e-04'
-        >>> film.load_parameter(thickness).round(9)
-        array([-13.815510558])
+        >>> film.load_parameter(thickness)
+        array([-13.81551056])
         """
         kappa = parameters.ellipticity
         ln_U = np.log(parameters.speed_per_viscosity) + np.log(viscosity)
