@@ -3,31 +3,67 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-BOUNDARY_LIMIT = 0.90
-FULL_FILM_LIMIT = 0.03
-PARTICLE_LIMIT = 0.95
-SURFACE_LIMIT = 0.05
+BOUNDARY_LIMIT = 0.90  # of L_s
+FULL_FILM_LIMIT = 0.03  # of L_s
+PARTICLE_LIMIT = 0.95  # of A_sa,t*
+SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
 SOLUTION_STATUSES = ("converged", "outside_film_formula", "coverage_exceeded", "not_converged")
 
 
-def lubrication_regime(solid_load_fraction):
-    """Index into ``LUBRICATION_REGIMES``: boundary above 0.90, full film below 0.03 (section 3.1).
+def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
+    """Lubrication regime from the solids' share of the load.
 
-    ``solid_load_fraction`` L_s [1], any shape; result int8 of that shape.
+    Boundary above 0.90, full film below 0.03, else mixed (section 3.1 of the paper).
+
+    Parameters
+    ----------
+    solid_load_fraction : array_like
+        L_s [1], of any shape.
+
+    Returns
+    -------
+    array of int8
+        Index into ``LUBRICATION_REGIMES``, of the same shape.
+
+    Examples
+    --------
+    >>> [LUBRICATION_REGIMES[index] for index in lubrication_regime([0.95, 0.5, 0.01])]
+    ['boundary', 'mixed', 'full_film']
     """
     fraction = np.asarray(solid_load_fraction)
     return _between(fraction < FULL_FILM_LIMIT, fraction > BOUNDARY_LIMIT, 1)
 
 
-def contact_mode(particle_contact_area_ratio, has_particles):
-    """Index into ``CONTACT_MODES`` (section 3.2): particle-surface above 0.95, surface below 0.05.
+def contact_mode(
+    particle_contact_area_ratio: ArrayLike, has_particles: ArrayLike
+) -> NDArray[np.int8]:
+    """Contact mode from the particles' share of the contact area.
 
-    ``particle_contact_area_ratio`` A_sa,t* [1] and the mask ``has_particles`` broadcast; an
-    interface without particles is two-body.  Result int8.
+    Particle-surface above 0.95, surface-surface below 0.05, else hybrid (section 3.2 of the paper);
+    an interface without particles is two-body.
+
+    Parameters
+    ----------
+    particle_contact_area_ratio : array_like
+        A_sa,t* [1], of any shape.
+    has_particles : array_like of bool
+        Whether there are particles; broadcasts with the ratio.
+
+    Returns
+    -------
+    array of int8
+        Index into ``CONTACT_MODES``, of the shape that both broadcast to.
+
+    Examples
+    --------
+    >>> modes = contact_mode([0.0, 0.01, 0.2, 0.99], [False, True, True, True])
+    >>> [CONTACT_MODES[index] for index in modes]
+    ['two_body', 'surface_surface', 'hybrid', 'particle_surface']
     """
     ratio = np.asarray(particle_contact_area_ratio)
     return has_particles * _between(ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT, 2)
