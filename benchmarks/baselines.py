@@ -88,7 +88,7 @@ class NestedRoots:
         def solid(d):
             return math.exp(self.plain.log_solid_load(d, model, point))
 
-        if not point.dry and model["film_load"] == "total":
+        if not point.dry and not self.parameters.readings.film_load.depends_on_shares:
             d = self.plain.film_separation(math.log(load), model, point)
             share = solid(d) / load
             if share < 1.0:

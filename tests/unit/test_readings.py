@@ -8,12 +8,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+import benchmarks
 import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.readings import KINDS, Centred, FilmLoad, SizeDistribution
 
-SOURCES = Path(tb.__file__).parent
+SOURCES = Path(tb.__file__).parent, Path(benchmarks.__file__).parent
 LOADS = np.geomspace(1e-7, 1e-4, 5)
 
 
@@ -44,7 +45,8 @@ def test_no_other_module_compares_the_words():
     words = {word for kind in KINDS.values() for word in kind.known if isinstance(word, str)}
     found = [
         (path.name, node.lineno)
-        for path in SOURCES.rglob("*.py")
+        for folder in SOURCES
+        for path in folder.rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
         if isinstance(node, ast.Compare)
         for side in ast.walk(node)
