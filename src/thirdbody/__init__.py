@@ -1,8 +1,28 @@
-"""Dry and lubricated three-body contact of rough surfaces, after Chen & Horng (2024)."""
+"""Dry and lubricated three-body contact of rough surfaces, after Chen & Horng (2024).
 
-__all__ = ["Parameters", "Solution", "grid", "load_parameters", "solve", "stream"]
+Begin with the calibrated inputs and one point, in SI units (loads are dimensionless):
 
-_HOMES = {
+>>> import thirdbody as tb
+>>> point = tb.solve(
+...     load=1e-5,
+...     viscosity=90e-6,
+...     particle_diameter=300e-9,
+...     roughness=300e-9,
+...     particle_density=1e11,
+...     parameters=tb.load_parameters(),
+... )
+>>> print(f"{point.solid_load_fraction:.3f} of the load is borne by solids")
+0.866 of the load is borne by solids
+
+``solve`` takes arrays as well, ``grid`` returns a dataset over five axes and ``stream`` writes one
+larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in
+``thirdbody.solver``: both need numpy and scipy alone.  Other rooms need the extra of their name.
+"""
+
+__all__ = ["Parameters", "Solution", "__version__", "grid", "load_parameters", "solve", "stream"]
+
+# where each stands, for Python; __init__.pyi says it to editors and type checkers
+_MODULES = {
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "grid": "data.dataset",
@@ -12,10 +32,19 @@ _HOMES = {
 }
 
 
-def __getattr__(name):
+def __getattr__(name: str):
     """Public names are imported when first used: an import of the package itself costs nothing."""
-    if name not in _HOMES:
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("thirdbody")
+    if name not in _MODULES:
         raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(f"thirdbody.{_HOMES[name]}"), name)
+    return getattr(import_module(f"thirdbody.{_MODULES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    """The public names, whether imported yet or not."""
+    return sorted(__all__)

@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-LOCKS = {"workflow": EXTRAS["workflow"], "test": EXTRAS["workflow"] + EXTRAS["test"]}
+LOCKS = ("workflow", "test")
 PINNED = re.compile(r"[\w.-]+==[\w.+!]+( ;[^\\]*)?( \\\n    --hash=sha256:[0-9a-f]{64})+")
 # imports every module of the library but those of matplotlib and SALib, which write when imported
 # (a cache of fonts, a probe for semaphores), and prints what was run, reached or written
@@ -40,6 +40,15 @@ def name_of(requirement):
     return re.match(r"[\w-]+", requirement)[0].lower()
 
 
+def named_by(*extras):
+    """Packages that the project names for itself and for some extras."""
+    named = {name_of(one) for one in PROJECT["dependencies"]}
+    for requirement in (one for extra in extras for one in EXTRAS[extra]):
+        own = re.fullmatch(rf"{PROJECT['name']}\[([\w,]+)\]", requirement)
+        named |= named_by(*own[1].split(",")) if own else {name_of(requirement)}
+    return named
+
+
 @pytest.mark.parametrize("lock", LOCKS)
 def test_every_locked_package_has_one_version_and_its_hashes(lock):
     text = (ROOT / "locks" / f"{lock}.txt").read_text(encoding="utf-8")
@@ -48,14 +57,16 @@ def test_every_locked_package_has_one_version_and_its_hashes(lock):
     assert [entry for entry in packages if not PINNED.fullmatch(entry)] == []
     assert "://" not in text, "a lock names no host"
     locked = {name_of(entry) for entry in packages}
-    wanted = {name_of(one) for one in [*PROJECT["dependencies"], *LOCKS[lock]]}
-    assert wanted - {PROJECT["name"]} <= locked
+    assert named_by(lock) <= locked
 
 
 def test_nothing_is_installed_without_hashes():
-    """The project itself has none, and then brings nothing else along."""
+    """The project itself has none, and then brings nothing else along.
+
+    `make lowest`, which tries versions that nobody locked, does so in an environment of its own.
+    """
     text = (ROOT / "Makefile").read_text(encoding="utf-8")
-    calls = re.findall(r"pip install (.*)", text)
+    calls = re.findall(r"-m pip install (.*)", text)
     assert len(calls) == 3
     assert all("--require-hashes" in call or "--no-deps" in call for call in calls)
     assert all("--no-build-isolation" in call for call in calls if "--no-deps" in call)
@@ -67,8 +78,13 @@ def test_the_readme_gives_a_reason_for_every_direct_dependency():
     table = text.partition("\n## Dependencies\n")[2].partition("\n## ")[0]
     rows = re.findall(r"(?m)^\| ([^|]+) \| [^|]+ \|$", table)
     named = {name.lower() for row in rows[1:] for name in row.strip().split(", ")}
-    wanted = {name_of(one) for one in [*PROJECT["dependencies"], *LOCKS["test"]]}
-    assert named == wanted - {PROJECT["name"]}
+    assert named == named_by(*EXTRAS)
+
+
+def test_a_run_of_the_paper_installs_nothing_that_only_tests_need():
+    text = (ROOT / "locks" / "workflow.txt").read_text(encoding="utf-8")
+    locked = {name_of(line) for line in re.findall(r"(?m)^\w.*", text)}
+    assert locked.isdisjoint(named_by("test") - named_by("workflow"))
 
 
 def test_importing_the_library_runs_nothing_and_writes_nothing(tmp_path, tell):

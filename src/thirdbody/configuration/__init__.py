@@ -4,3 +4,7 @@
 the model and ``settings`` what the workflow takes.  This room may import ``thirdbody.model.parameters``
 alone; begin with ``schema``.
 """
+
+from thirdbody.extras import require
+
+require("data", "yaml", "jsonschema")

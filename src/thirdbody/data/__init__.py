@@ -6,3 +6,7 @@ how a dataset becomes a file and is read again (``netcdf``, ``streaming``), and 
 from it (``extraction``, ``tables``).  It may import ``thirdbody.curves`` and what is below.  Begin
 with ``dataset.grid``.
 """
+
+from thirdbody.extras import require
+
+require("data", "xarray", "netCDF4")

@@ -6,3 +6,7 @@ This room knows what each figure shows (``registry``: the paper's; ``claims``, `
 matplotlib figure; ``sheet.saving`` alone writes files.  It may import ``thirdbody.data`` and the
 limits and names of regimes in ``thirdbody.model``.  Begin with ``registry``.
 """
+
+from thirdbody.extras import require
+
+require("figures", "matplotlib")

@@ -2,3 +2,7 @@
 
 Imports ``thirdbody.data`` and below.
 """
+
+from thirdbody.extras import require
+
+require("study", "SALib", "tabulate")

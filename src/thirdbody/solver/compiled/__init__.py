@@ -1,4 +1,8 @@
-"""Many points on one surface in machine code; an optional extra.
+"""Many points at once in machine code, which numba compiles; an optional extra.
 
-Imports ``thirdbody.model`` and numba.
+Imports ``thirdbody.model``.
 """
+
+from thirdbody.extras import require
+
+require("compiled", "numba")

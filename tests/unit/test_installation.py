@@ -1,0 +1,136 @@
+"""The library as it is installed: a wheel beside numpy and scipy, in an environment of its own."""
+
+import json
+import os
+import runpy
+import subprocess
+import sys
+import tomllib
+import venv
+import zipfile
+from dataclasses import asdict
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+import thirdbody
+
+ROOT = Path(__file__).resolve().parents[2]
+POINT = dict(
+    load=1e-5,
+    viscosity=90e-6,
+    particle_diameter=300e-9,
+    roughness=300e-9,
+    particle_density=1e11,
+)
+SOLVE = """
+import json, sys
+import thirdbody as tb
+parameters, point = json.loads(sys.argv[1])
+solution = tb.solve(**point, parameters=tb.Parameters(**parameters))
+print(json.dumps([solution.separation.item(), solution.total_contact_area.item()]))
+"""
+# what reading configuration imports, with what jsonschema imports
+READING = (
+    "yaml",
+    "jsonschema",
+    "attr",
+    "attrs",
+    "referencing",
+    "rpds",
+    "jsonschema_specifications",
+)
+# what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
+LACKING = {
+    "from thirdbody import load_parameters": ("yaml, jsonschema", "data"),
+    "from thirdbody import grid": ("xarray, netCDF4", "data"),
+    "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
+    "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
+    "import thirdbody.solver.compiled.points": ("numba", "compiled"),
+    "import thirdbody.figures.panel": ("matplotlib", "figures"),
+    "import thirdbody.study.sobol": ("SALib, tabulate", "study"),
+}
+
+
+@pytest.fixture(scope="module")
+def installed(tmp_path_factory):
+    """Function that runs a program where the wheel, numpy, scipy and some modules are installed."""
+    folder = tmp_path_factory.mktemp("installed")
+    built = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(built, cwd=ROOT, check=True, capture_output=True)
+    venv.create(folder / "venv", with_pip=False)
+    (packages,) = (folder / "venv").glob("lib/python*/site-packages")
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(packages)
+    for name in ("numpy", "scipy"):
+        link_module(name, packages)
+
+    def run(code, *arguments, modules=()):
+        beside = folder.joinpath("_".join(["beside", *modules]))
+        beside.mkdir(exist_ok=True)
+        for name in modules:
+            link_module(name, beside)
+        command = [folder / "venv" / "bin" / "python", "-c", code, *arguments]
+        paths = {"PYTHONPATH": str(beside)}
+        return subprocess.run(
+            command, cwd=beside, env=os.environ | paths, capture_output=True, text=True
+        )
+
+    return run
+
+
+def link_module(name, folder):
+    """Have an installed module in ``folder`` as well, with the libraries that its wheel brought."""
+    source = Path(find_spec(name).origin).parent
+    for path in (source, source.with_name(f"{name}.libs")):
+        link = folder / path.name
+        if path.exists() and not link.exists():
+            link.symlink_to(path)
+
+
+def test_numpy_and_scipy_are_enough_to_solve(installed, parameters):
+    done = installed(SOLVE, json.dumps([asdict(parameters), POINT]))
+    assert done.stderr == ""
+    expected = thirdbody.solve(**POINT, parameters=parameters)
+    assert json.loads(done.stdout) == [expected.separation, expected.total_contact_area]
+
+
+@pytest.mark.parametrize("code", LACKING)
+def test_a_missing_extra_is_named_in_one_line(installed, code):
+    modules, extra = LACKING[code]
+    done = installed(code)
+    assert done.returncode == 1
+    told = f'needs {modules}: pip install "thirdbody[{extra}]"'
+    last = done.stderr.splitlines()[-1]
+    assert last == f"ModuleNotFoundError: this part of thirdbody {told}"
+    assert extra in project()["optional-dependencies"]
+
+
+def test_the_wheel_brings_the_calibrated_inputs(installed):
+    code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
+    done = installed(code, modules=READING)
+    assert done.stderr == ""
+    assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
+
+
+def test_the_wheel_says_that_it_is_typed(installed):
+    code = "import pathlib, thirdbody; print(pathlib.Path(thirdbody.__file__).with_name('py.typed').exists())"
+    assert installed(code).stdout == "True\n"
+
+
+def project():
+    return tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def test_the_public_names_can_be_completed_and_are_there():
+    assert dir(thirdbody) == sorted(thirdbody.__all__)
+    assert all(getattr(thirdbody, name) is not None for name in thirdbody.__all__)
+    assert thirdbody.__version__ == project()["version"]
+
+
+def test_an_editor_sees_the_names_where_they_are():
+    stub = runpy.run_path(str(Path(thirdbody.__file__).with_suffix(".pyi")))
+    seen = {name: value for name, value in stub.items() if not name.startswith("__")}
+    given = {name: getattr(thirdbody, name) for name in thirdbody.__all__ if name != "__version__"}
+    assert seen == given
