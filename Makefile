@@ -2,19 +2,22 @@
 # make test        the tests, likewise from a fresh clone
 # make verify      whether the release is whole, and the products are those that it holds
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
+# make accuracy    errors and times of the solver, measured on this machine (10 minutes)
 # make overhead    the time of a clean run against that of the same jobs if they only import
 # make lock        renew the locked dependencies (needs uv)
+# make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)
 
 PYTHON ?= python3
 CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
+LOWEST := $(VENV)/lowest
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test test-survival verify overhead lock format clean
+.PHONY: reproduce test test-survival verify accuracy overhead lock lowest format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -42,12 +45,21 @@ $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 verify: $(VENV)/workflow.done
 	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
 
+accuracy: $(VENV)/test.done
+	$(BIN)/snakemake -c$(CORES) accuracy
+
 overhead: $(VENV)/test.done
 	$(BIN)/python benchmarks/measure_overhead.py
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
+
+lowest:
+	uv venv --quiet --clear --python 3.11 $(LOWEST)
+	uv pip install --quiet --python $(LOWEST) --resolution lowest-direct --editable '.[compiled,workflow]'
+	uv pip install --quiet --python $(LOWEST) --editable '.[test]'
+	$(LOWEST)/bin/python -m pytest tests/unit
 
 format: $(VENV)/test.done
 	$(BIN)/ruff check --fix

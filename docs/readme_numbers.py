@@ -3,7 +3,7 @@
     python docs/readme_numbers.py            say which pages differ from results/, exit 1 if any
     python docs/readme_numbers.py --write    renew them
 
-What `snakemake -c2 accuracy` measures differs from run to run: a page agrees with it if its words do
+What `make accuracy` measures differs from run to run: a page agrees with it if its words do
 and its numbers up to a factor, and keeps what it says where there is no such run.
 """
 
@@ -193,7 +193,7 @@ def main(arguments) -> int:
         elif new != text or not agree(text, newest):
             stale.append(page.name)
     if not measured:
-        print("errors and times stay as they are: run snakemake -c2 accuracy to renew them")
+        print("errors and times stay as they are: run make accuracy to renew them")
     if stale:
         print(
             f"{', '.join(stale)}: numbers differ from results/; run docs/readme_numbers.py --write"

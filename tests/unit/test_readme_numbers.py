@@ -83,7 +83,7 @@ def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, c
             write_results(tmp_path, rtols, 0.5)
         assert tool["main"](["--write"]) == 0
         assert page.read_text(encoding="utf-8") == BLOCK.format("old")
-        assert "snakemake -c2 accuracy" in capsys.readouterr().out
+        assert "make accuracy" in capsys.readouterr().out
 
 
 def test_a_page_is_stale_if_the_run_says_something_else(tool, tmp_path):
