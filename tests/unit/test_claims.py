@@ -1,5 +1,6 @@
 """The paper's statements as data, and the checks that judge them, on synthetic evidence."""
 
+import re
 from collections import Counter
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import numpy as np
 import pytest
 import yaml
 
+from thirdbody.configuration.schema import read_schema
 from thirdbody.data.conditions import Condition
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import Curve, TurningPoint, judge
@@ -734,8 +736,55 @@ def test_bad_claim_is_refused_in_one_line(tmp_path, change, key):
     assert "claims.yaml: some-claim: " in message and key in message and "\n" not in message
 
 
+def test_the_words_of_the_schema_are_those_of_the_checks(tmp_path):
+    schema = read_schema("claims")
+    words = schema["$defs"]
+    kinds = schema["items"]["properties"]["kind"]["enum"]
+    (levels,) = words["conditions"]["patternProperties"]
+    assert set(kinds) == set(checks.CHECKS)
+    assert words["quantity"]["enum"] == list(claims.QUANTITIES)
+    assert words["curve_quantity"]["enum"] == list(claims.CURVE_QUANTITIES)
+    assert words["conditions"]["properties"].keys() == {*claims.KEYS, "load_max_N"}
+    assert schema["items"]["properties"]["reference"]["properties"].keys() == set(claims.KEYS)
+    assert all(re.search(levels, name) for name in (*claims.CURVE_QUANTITIES, *claims.BOUNDS))
+    steps = re.compile(words["states"]["items"]["pattern"])
+    assert all(steps.search(name) for name in claims.STATES)
+    assert steps.search("mixed hybrid or full_film surface_surface")
+    for wrong in ("wet", "", "mixed ", "mixed or", "mixed or ", "or mixed", "mixedhybrid"):
+        assert not steps.search(wrong), wrong
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"kind": "guess"}, "kind is 'guess'; allowed: value, range"),
+        ({"direction": "increasing"}, "unknown key 'direction'; allowed: id, where"),
+        ({"quantity": "friction"}, "quantity is 'friction'; allowed: load, "),
+        ({"published": [1.0, 2.0]}, "published is [1.0, 2.0]; allowed: a number or nothing"),
+        ({"reference": {"roughness_nm": [1]}}, "reference.roughness_nm is [1]; allowed: a number"),
+        ({"where": ""}, "where is ''; allowed: at least one letter"),
+        (
+            {"tolerance": {"absolute": 0.1, "relative": 0.1, "reason": "both"}},
+            "allowed: either absolute or relative",
+        ),
+    ],
+)
+def test_a_refusal_says_what_is_allowed(tmp_path, change, told):
+    with pytest.raises(ValueError) as error:
+        load(tmp_path, GOOD | change)
+    assert told in str(error.value)
+
+
+def test_a_window_asks_for_a_surface_alone(tmp_path):
+    window = GOOD | {"quantity": "window_low", "conditions": {"roughness_nm": 300}}
+    del window["extreme"]
+    (claim,) = load(tmp_path, window)
+    assert claim.source == "window"
+
+
 def test_sequence_of_unknown_states_is_refused(tmp_path):
-    entry = {key: GOOD[key] for key in claims.COMMON_FIELDS} | {
+    common = ("id", "where", "statement", "conditions", "tolerance")
+    entry = {key: GOOD[key] for key in common} | {
         "kind": "regime_sequence",
         "published": ["boundary", "wet"],
     }
@@ -747,6 +796,6 @@ def test_ids_are_unique_and_contradictions_mutual(tmp_path):
     with pytest.raises(ValueError, match="some-claim"):
         load(tmp_path, GOOD, GOOD)
     other = GOOD | {"id": "other-claim", "contradicts": ["some-claim"]}
-    with pytest.raises(ValueError, match="other-claim: contradicts some-claim"):
+    with pytest.raises(ValueError, match=r"other-claim: contradicts\[0\] is 'some-claim'"):
         load(tmp_path, GOOD, other)
     assert len(load(tmp_path, GOOD | {"contradicts": ["other-claim"]}, other)) == 2

@@ -8,11 +8,17 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.configuration.inputs import load_parameters, read_inputs
+from thirdbody.configuration.inputs import (
+    load_parameters,
+    read_calibrated,
+    read_entries,
+    read_inputs,
+)
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory, validate
+from thirdbody.configuration.schema import config_directory, read_schema, validate
 from thirdbody.configuration.settings import read_plain, workflow_settings
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.readings import KINDS
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
@@ -124,9 +130,9 @@ def test_plain_data_are_read(write):
     assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
 
 
-@pytest.mark.parametrize("name", ["config", "scenes", "inputs", "schema", "paper_tables"])
-def test_each_shipped_file_of_settings_is_plain_data(name):
-    assert read_yaml(CONFIG / f"{name}.yaml")
+@pytest.mark.parametrize("path", sorted(CONFIG.glob("*.yaml")), ids=lambda path: path.name)
+def test_each_shipped_file_is_plain_data(path):
+    assert read_yaml(path, list if path.stem == "claims" else dict)
 
 
 def test_a_template_that_runs_code_is_refused(write):
@@ -140,7 +146,25 @@ def test_a_template_that_runs_code_is_refused(write):
 
 
 def test_the_inputs_have_an_entry_for_each_field_and_no_other():
-    assert set(read_yaml(CONFIG / "inputs.yaml")) == {field.name for field in fields(Parameters)}
+    names = {field.name for field in fields(Parameters)}
+    schema = read_schema("inputs")
+    assert set(read_yaml(CONFIG / "inputs.yaml")) == names
+    assert set(schema["properties"]) == set(schema["required"]) == names
+
+
+def test_an_input_is_described_in_the_unit_of_its_entry():
+    described = read_schema("inputs")["properties"]
+    for name, entry in read_entries().items():
+        if "unit" in entry:
+            assert described[name]["description"].endswith(f"[{entry['unit']}]"), name
+
+
+def test_the_readings_allowed_are_those_of_the_model():
+    entries = read_entries()
+    listed = {name: entry["allowed"] for name, entry in entries.items() if "allowed" in entry}
+    assert {name: set(words) for name, words in listed.items()} == {
+        name: set(kind.known) for name, kind in KINDS.items()
+    }
 
 
 def test_each_input_says_where_it_comes_from_and_what_is_allowed():
@@ -172,7 +196,7 @@ def test_a_file_of_some_keys_replaces_those_alone(write):
 
 def test_later_files_win(write):
     first, second = write("truncation: 3.0", "a.yaml"), write("truncation: 4.0", "b.yaml")
-    assert read_inputs(CONFIG / "inputs.yaml", first, second)["truncation"] == 4.0
+    assert read_inputs(read_entries(), first, second)["truncation"] == 4.0
 
 
 def test_an_integer_is_a_number(write):
@@ -184,6 +208,11 @@ def test_an_integer_is_a_number(write):
 def test_both_ends_of_the_bounds_are_allowed(write):
     assert load_parameters(write("truncation: 0.5")).truncation == 0.5
     assert load_parameters(write("truncation: 10")).truncation == 10.0
+
+
+def calibrated(inputs, member="{truncation: 2.0}"):
+    """Text of a calibrated file."""
+    return f"reading: some\nobjective: 70.5\ninputs: {inputs}\nensemble: [{member}]\n"
 
 
 BAD_INPUTS = {
@@ -207,8 +236,24 @@ BAD_INPUTS = {
     "a misspelt entry": ("ball_radius: {valeu: 6.35e-3}", "ball_radius"),
     "an unknown entry": ("ball_radius: {value: 6.35e-3, colour: red}", "ball_radius"),
     "another unit": ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
-    "a number for all inputs": ("inputs: 5", "inputs"),
-    "a list for all inputs": ("inputs: [truncation]", "inputs"),
+    "a number for all inputs": (calibrated("5"), "inputs is 5; allowed: keys with values"),
+    "a list for all inputs": (
+        calibrated("[truncation]"),
+        "inputs is ['truncation']; allowed: keys",
+    ),
+    "a calibrated input out of bounds": (
+        calibrated("{truncation: 99}"),
+        "inputs.truncation is 99; allowed: a number from 0.5 to 10",
+    ),
+    "an unknown calibrated input": (
+        calibrated("{truncatoin: 2.0}"),
+        "inputs: unknown key 'truncatoin'; allowed: truncation, ",
+    ),
+    "a member of the ensemble out of bounds": (
+        calibrated("{truncation: 2.0}", "{participation: 1.5}"),
+        "ensemble[0].participation is 1.5; allowed: a number from 1e-06 to 1",
+    ),
+    "inputs of no reading": ("inputs: {truncation: 2.0}", "key 'reading' is missing"),
 }
 
 
@@ -221,17 +266,33 @@ def test_a_bad_input_is_refused_with_file_and_key(write, case):
     assert told in message
 
 
+@pytest.mark.parametrize("path", sorted((CONFIG / "calibrated").iterdir()), ids=lambda p: p.stem)
+def test_each_shipped_calibrated_file_is_valid(path):
+    assert read_calibrated(path)["reading"] == path.stem
+
+
+def test_a_calibrated_file_replaces_its_inputs_alone(write):
+    path = write(calibrated("{truncation: 3.0}"))
+    base = load_parameters(CONFIG / "inputs.yaml").as_dict()
+    assert load_parameters(path).as_dict() == base | {"truncation": 3.0}
+
+
+def test_a_calibrated_file_must_name_its_reading(write):
+    path = write("inputs: {truncation: 3.0}\nobjective: 1.5\nensemble: [{truncation: 3.0}]\n")
+    assert refusal(read_calibrated, path).startswith(f"{path}: key 'reading' is missing")
+
+
 def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert load_parameters() == defaults
     assert config_directory().is_absolute()
 
 
-# ---- the schema
+# ---- settings of the workflow
 
 
 def test_the_shipped_configuration_is_valid(shipped, from_root):
-    validate(shipped, read_yaml(CONFIG / "schema.yaml"))
+    validate(shipped, read_schema("config"), "configuration")
     settings = workflow_settings(shipped)
     assert settings["parameters"] == load_parameters().as_dict()
 
@@ -246,31 +307,6 @@ def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
     scene = workflow_settings(own)["scenes"]["fig03"]
     assert scene["rtol"] == 1e-3
     assert scene["load_axis"]["count"] == 7
-
-
-def schema_nodes(node, place=""):
-    """Every mapping in a JSON Schema that describes a value."""
-    if isinstance(node, dict):
-        if "type" in node or "properties" in node:
-            yield place, node
-        for key, item in node.items():
-            yield from schema_nodes(item, f"{place}.{key}")
-
-
-def test_the_schema_is_closed_everywhere():
-    for place, node in schema_nodes(read_yaml(CONFIG / "schema.yaml")):
-        if node.get("type") == "object":
-            assert node.get("additionalProperties") is False, place
-
-
-def test_each_key_of_the_schema_has_a_description():
-    schema = read_yaml(CONFIG / "schema.yaml")
-    for place, node in schema_nodes(schema):
-        for key, item in node.get("properties", {}).items():
-            target = item
-            if "$ref" in item and "description" not in item:
-                target = schema["$defs"][item["$ref"].rpartition("/")[2]]
-            assert target.get("description"), f"{place}.{key}"
 
 
 BAD_SETTINGS = {

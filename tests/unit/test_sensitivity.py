@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import validate
+from thirdbody.configuration.schema import read_schema, validate
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import plot
@@ -260,11 +260,11 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
 
 
 def test_settings_are_closed():
-    schema = read_yaml(CONFIG / "sensitivity.schema.yaml")
-    validate(SETTINGS, schema)
+    schema = read_schema("sensitivity")
+    validate(SETTINGS, schema, "sensitivity.yaml")
     for wrong in ({"windows": [100]}, {"load_N": [0.04]}, {"also": ["elastic_depth"]}):
         with pytest.raises(ValueError, match=next(iter(wrong))):
-            validate(SETTINGS | wrong, schema)
+            validate(SETTINGS | wrong, schema, "sensitivity.yaml")
 
 
 def test_unpublished_inputs_exist(parameters):

@@ -16,6 +16,8 @@ CONFIG = "config/config.yaml"
 SCENES = "config/scenes.yaml"
 INPUTS = "config/inputs.yaml"
 ACCURACY = "config/accuracy.yaml"
+CALIBRATION = "config/calibration.yaml"
+SENSITIVITY = "config/sensitivity.yaml"
 SECOND = "config/second.yaml"
 # what a run makes that ought to be refused and is not
 CHEAP = "results/extracted/table1/all.csv"
@@ -196,7 +198,10 @@ CASES = [
     put(
         "entry without bounds", INPUTS, "truncation/bounds", ABSENT, INPUTS, "truncation", "allowed"
     ),
-    put("entry without unit", INPUTS, "truncation", {"value": 99, "bounds": [0, 1]}, INPUTS, "99"),
+    put("entry without unit", INPUTS, "truncation/unit", ABSENT, INPUTS, "truncation", "'unit'"),
+    put("entry out of its bounds", INPUTS, "truncation/value", 99, INPUTS, "truncation", "99"),
+    put("bounds the wrong way", INPUTS, "truncation/bounds", [9, 1], INPUTS, "bounds", "[9, 1]"),
+    put("entry of no source", INPUTS, "truncation/source", "hearsay", INPUTS, "source", "assumed"),
     put("bare number as entry", INPUTS, "truncation", 2.5, INPUTS, "truncation", "allowed"),
     put("no such entry", INPUTS, "truncation", ABSENT, INPUTS, "truncation", "allowed"),
     put("one more entry", INPUTS, "colour", {"value": 1.0, "bounds": [0, 2]}, INPUTS, "'colour'"),
@@ -208,8 +213,31 @@ CASES = [
     put("printed word", "config/paper_tables.yaml", "table1/0/printed", "x", "table1", "allowed"),
     put("no such formula", "config/paper_tables.yaml", "table1/0/recompute", "x", "table1", "'x'"),
     # settings of the calibration
-    text("damaged calibration", "config/calibration.yaml", b"\na: [\n", "calibration.yaml", "line"),
-    without("missing calibration", "config/calibration.yaml"),
+    text("damaged calibration", CALIBRATION, b"\na: [\n", "calibration.yaml", "line"),
+    without("missing calibration", CALIBRATION),
+    put(
+        "reading that fixes too much",
+        CALIBRATION,
+        "readings/centred_plane_full/fixed/participation",
+        2.0,
+        CALIBRATION,
+        "readings.centred_plane_full.fixed.participation",
+        "2.0",
+        "1e-06 to 1",
+    ),
+    put(
+        "unknown of no kind",
+        CALIBRATION,
+        "always/0",
+        "gap_ration",
+        CALIBRATION,
+        "always[0]",
+        "'gap_ration'",
+        "summit_parameter",
+    ),
+    put(
+        "reversed loads of a study", SENSITIVITY, "load_N", [80, 1], SENSITIVITY, "load_N", "below"
+    ),
     put("no timings", ACCURACY, "rounds", 0, ACCURACY, "rounds", "0", "at least 1"),
     put("accuracy of a bad rtol", ACCURACY, "rtol", [1], ACCURACY, "rtol[0]", "1", "at most 0.01"),
     put("no accuracy file", CONFIG, "accuracy", "config/none.yaml", "config/none.yaml", "allowed"),

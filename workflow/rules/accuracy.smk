@@ -5,7 +5,7 @@ import sys
 from thirdbody.configuration.schema import read_valid
 
 try:
-    ACCURACY = read_valid(settings["accuracy"], "config/accuracy.schema.yaml")
+    ACCURACY = read_valid(settings["accuracy"], "accuracy")
 except ValueError as error:
     sys.exit(f"{error}")
 

@@ -1,0 +1,196 @@
+"""The schemas of the configuration: closed, described, bounded, and their rules."""
+
+from pathlib import Path
+
+import pytest
+from jsonschema import Draft202012Validator
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.rules import RULES
+from thirdbody.configuration.schema import read_schema, read_valid, validate
+
+CONFIG = Path(__file__).parents[2] / "config"
+SCHEMAS = sorted(path.name.removesuffix(".schema.yaml") for path in CONFIG.glob("*.schema.yaml"))
+ALTERNATIVES = ("if", "then", "else", "allOf", "anyOf", "oneOf", "not")
+every_schema = pytest.mark.parametrize("kind", SCHEMAS)
+
+
+@pytest.mark.parametrize("kind", ["accuracy", "claims", "inputs", "paper_tables", "sensitivity"])
+def test_each_shipped_file_keeps_to_the_schema_beside_it(kind):
+    assert read_valid(CONFIG / f"{kind}.yaml", kind)
+
+
+def test_each_shipped_file_has_a_schema():
+    elsewhere = {
+        "scenes": "config",  # read as one with config.yaml
+        "minimal": "config",
+        "accuracy_minimal": "accuracy",
+    }
+    for path in CONFIG.glob("*.yaml"):
+        name = path.name.removesuffix(".yaml").removesuffix(".schema")
+        assert elsewhere.get(name, name) in SCHEMAS
+
+
+def schema_nodes(node, place="", alternatives=True):
+    """Every mapping in a JSON Schema that describes a value."""
+    if isinstance(node, dict):
+        if isinstance(node.get("type"), str | list) or isinstance(node.get("properties"), dict):
+            yield place, node
+        for key, item in node.items():
+            if alternatives or key not in ALTERNATIVES:
+                yield from schema_nodes(item, f"{place}.{key}", alternatives)
+    elif isinstance(node, list):
+        for index, item in enumerate(node):
+            yield from schema_nodes(item, f"{place}[{index}]", alternatives)
+
+
+@every_schema
+def test_it_is_a_schema(kind):
+    Draft202012Validator.check_schema(read_schema(kind))
+
+
+@every_schema
+def test_it_is_closed_everywhere(kind):
+    for place, node in schema_nodes(read_schema(kind), alternatives=False):
+        if node.get("type") == "object":
+            closed = node.get("additionalProperties") is False or "propertyNames" in node
+            assert closed, place
+
+
+@every_schema
+def test_each_key_has_a_description(kind):
+    schema = read_schema(kind)
+    for place, node in schema_nodes(schema, alternatives=False):
+        for key, item in node.get("properties", {}).items():
+            target = item
+            if "$ref" in item and "description" not in item:
+                file, _, name = item["$ref"].partition("#/$defs/")
+                target = (read_yaml(CONFIG / file) if file else schema)["$defs"][name]
+            assert target.get("description"), f"{place}.{key}"
+
+
+BOUNDED = {
+    "number": [{"minimum", "exclusiveMinimum"}, {"maximum", "exclusiveMaximum"}],
+    "integer": [{"minimum"}, {"maximum"}],
+    "array": [{"maxItems"}],
+    "string": [{"maxLength", "pattern"}],
+}
+
+
+@every_schema
+def test_each_value_is_bounded(kind):
+    for place, node in schema_nodes(read_schema(kind)):
+        if ".if" in place or place.endswith(".allowed.items") or ".reading.properties" in place:
+            continue  # words that inputs.yaml itself lists
+        types = node.get("type", [])
+        for name in [types] if isinstance(types, str) else types:
+            for bounds in BOUNDED.get(name, []):
+                assert bounds & set(node), f"{place}: {name}"
+
+
+def mappings(node):
+    """Every mapping in nested mappings and lists."""
+    if isinstance(node, dict):
+        yield node
+    for item in node.values() if isinstance(node, dict) else node:
+        if isinstance(item, dict | list):
+            yield from mappings(item)
+
+
+@every_schema
+def test_what_it_asks_for_can_be_told(kind):
+    for node in mappings(read_schema(kind)):
+        if isinstance(node.get("pattern"), str) or isinstance(node.get("oneOf"), list):
+            assert node["allowed"]
+        assert set(node.get("rules", [])) <= set(RULES)
+
+
+def test_each_rule_is_asked_for():
+    asked = [node.get("rules", []) for kind in SCHEMAS for node in mappings(read_schema(kind))]
+    assert set(sum(asked, [])) == set(RULES)
+
+
+# ---- rules
+
+
+def refusal(schema, content):
+    with pytest.raises(ValueError) as refused:
+        validate(content, schema, "given.yaml")
+    return str(refused.value)
+
+
+BROKEN = {
+    "first_below_last": ([2.0, 1.0], "range is [2.0, 1.0]; allowed: a first value below the last"),
+    "particles_fit": (
+        {
+            "particle_diameter_nm": 1000,
+            "roughness_nm": 100,
+            "particle_density_per_m2": 1e13,
+        },
+        "range: particles of 1000 nm at 1e+13 m-2 cover 7.85 of the interface; allowed: at most 1",
+    ),
+    "lists_of_equal_length": (
+        {"roughness_nm": [1, 2], "viscosity_cSt": [0], "load": 1e-5},
+        "range: roughness_nm has 2 values, viscosity_cSt has 1 values; allowed: lists of equal length",
+    ),
+    "ids_are_unique": ([{"id": "a"}, {"id": "a"}], "range[1].id is 'a'; allowed: an id given once"),
+    "contradictions_are_mutual": (
+        [{"id": "a", "contradicts": ["b"]}, {"id": "b"}],
+        "range[0].contradicts[0] is 'b'; allowed: the id of a statement that contradicts this one too",
+    ),
+    "unknowns_are_listed": (
+        {"unknowns": {"a": 1}, "always": ["a"], "readings": {"r": {"start": {"a": 1, "b": 2}}}},
+        "range.readings.r.start: unknown key 'b'; allowed: a",
+    ),
+    "unknowns_have_a_start": (
+        {"always": ["a"], "readings": {"r": {"unknowns": ["b"], "start": {"a": 1}}}},
+        "range.readings.r.start: key 'b' is missing; allowed: it must be given",
+    ),
+}
+
+
+@pytest.mark.parametrize("rule", RULES)
+def test_a_broken_rule_is_told_with_key_value_and_what_is_allowed(rule):
+    content, told = BROKEN[rule]
+    schema = {"properties": {"range": {"rules": [rule]}}}
+    assert refusal(schema, {"range": content}) == f"given.yaml: {told}"
+
+
+def test_rules_are_asked_only_where_the_rest_is_right():
+    ends = {"type": "array", "items": {"type": "number"}, "rules": ["first_below_last"]}
+    schema = {"properties": {"a": ends, "b": ends}}
+    assert refusal(schema, {"a": [2, 1], "b": ["x", 1]}).startswith("given.yaml: b[0] is 'x'")
+    assert refusal(schema, {"a": [2, 1], "b": [0, 1]}).startswith("given.yaml: a is [2, 1]")
+
+
+# ---- messages
+
+
+def test_the_fault_nearest_to_the_top_is_told():
+    number = {"type": "number"}
+    schema = {"properties": {"a": {"properties": {"b": number}}, "c": number}}
+    assert refusal(schema, {"a": {"b": "x"}, "c": "y"}).startswith("given.yaml: c is 'y'")
+
+
+def test_the_words_of_a_schema_replace_its_numbers():
+    schema = {"properties": {"a": {"minimum": 0.1, "allowed": "a tenth or more"}}}
+    assert refusal(schema, {"a": 0}) == "given.yaml: a is 0; allowed: a tenth or more"
+
+
+def test_an_entry_goes_by_its_id_if_that_is_fit_to_be_shown():
+    schema = {"items": {"required": ["b"]}}
+    missing = "key 'b' is missing; allowed: it must be given"
+    assert refusal(schema, [{"id": "some-id"}]) == f"given.yaml: some-id: {missing}"
+    assert refusal(schema, [{"id": "a\nb"}]) == f"given.yaml: [0]: {missing}"
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), True, "1", None])
+def test_a_number_is_finite_and_no_truth_value(value):
+    told = refusal({"properties": {"a": {"type": "number"}}}, {"a": value})
+    assert told.startswith(f"given.yaml: a is {value!r}; allowed: ")
+
+
+def test_a_list_of_any_length_is_refused_at_once():
+    schema = {"properties": {"a": {"uniqueItems": True}}}
+    told = refusal(schema, {"a": [{}] * 100_000})
+    assert told == "given.yaml: a holds 100000 values; allowed: at most 1000"
