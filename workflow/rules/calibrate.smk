@@ -8,6 +8,7 @@ CALIBRATION = settings["calibration"]
 rule search_reading:
     input:
         claims="config/claims.yaml",
+        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
         modules=import_closure("workflow/scripts/search_reading.py"),
     output:
         evaluations="results/calibration/{reading}/seed{seed}.csv",

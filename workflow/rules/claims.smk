@@ -31,6 +31,13 @@ rule render_claims:
 rule judge_conflict:
     input:
         claims="config/claims.yaml",
+        schemas=[
+            "config/claims.schema.yaml",
+            "config/conditions.schema.yaml",
+            "config/calibrated.schema.yaml",
+            "config/inputs.schema.yaml",
+            "config/inputs.yaml",
+        ],
         calibrated=MAIN_READINGS,
         modules=import_closure("workflow/scripts/judge_conflict.py"),
     output:

@@ -6,6 +6,13 @@ CALIBRATED = sorted(str(path) for path in Path("config/calibrated").glob("*.yaml
 rule judge_claims:
     input:
         claims="config/claims.yaml",
+        schemas=[
+            "config/claims.schema.yaml",
+            "config/conditions.schema.yaml",
+            "config/calibrated.schema.yaml",
+            "config/inputs.schema.yaml",
+            "config/inputs.yaml",
+        ],
         default=settings["inputs"],
         calibrated=CALIBRATED,
         modules=import_closure("workflow/scripts/judge_claims.py"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -49,8 +50,29 @@ class _StrictLoader(yaml.composer.Composer, yaml.CSafeLoader):
 KINDS = {dict: "keys with values", list: "a list"}
 
 
-def read_yaml(path, kind: type = dict):
-    """The ``dict`` or ``list`` in a YAML file; ``ValueError`` in one line names file and place."""
+def read_yaml(path: str | Path, kind: type = dict, strict: bool = True) -> Any:
+    """Read a YAML file that is plain data.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file, in UTF-8.
+    kind : type, optional
+        What it must hold, ``dict`` or ``list``.
+    strict : bool, optional
+        Whether tags, anchors, and keys that stand twice or are no words are refused.  Schemas are read
+        without, in a quarter of the time: they are part of the program, and tested to be plain.
+
+    Returns
+    -------
+    dict or list
+        Plain data: mappings, lists, numbers, words, truth values, dates and nothing.
+
+    Raises
+    ------
+    ValueError
+        In one line: the file, the line in it, and what is wrong there.
+    """
     try:
         text = Path(path).read_bytes().decode("utf-8")
     except OSError as error:
@@ -58,7 +80,7 @@ def read_yaml(path, kind: type = dict):
     except UnicodeDecodeError as error:
         raise ValueError(f"{path}: byte {error.start} is not UTF-8") from None
     try:
-        content = yaml.load(text, _StrictLoader)
+        content = yaml.load(text, _StrictLoader if strict else yaml.CSafeLoader)
     except RecursionError:
         raise ValueError(f"{path}: nested too deeply") from None
     except (yaml.YAMLError, ValueError) as error:

@@ -25,7 +25,7 @@ from typing import Any
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.rules import RULES, Breach
 
-SHARED = "conditions.schema.yaml"  # what the schemas of several files say of the same quantities
+SHARED = "conditions"  # what the schemas of several files say of the same quantities
 LONGEST_LIST = 1000  # what the schemas allow at most
 MOST_NAMED = 16  # keys in a message
 LONGEST_SHOWN = 60  # letters of a value in a message
@@ -68,7 +68,7 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
 
 def read_schema(kind: str) -> dict:
     """The JSON Schema of one kind of file."""
-    return read_yaml(config_directory() / f"{kind}.schema.yaml")
+    return read_yaml(config_directory() / f"{kind}.schema.yaml", strict=False)
 
 
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
@@ -138,15 +138,10 @@ def _registry(definitions: Mapping[str, Mapping]):
     from referencing import Registry
     from referencing.jsonschema import DRAFT202012
 
-    known = {SHARED: _read_once(config_directory() / SHARED), **definitions}
+    known = {f"{SHARED}.schema.yaml": read_schema(SHARED), **definitions}
     return Registry().with_resources(
         (name, DRAFT202012.create_resource(each)) for name, each in known.items()
     )
-
-
-@cache
-def _read_once(path: Path) -> dict:
-    return read_yaml(path)
 
 
 def _refuse_long_lists(value: Any, name: str, path: tuple = ()) -> None:
