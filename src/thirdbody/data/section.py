@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import Condition
 from thirdbody.data.schematic import Particle, Section, State
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
@@ -56,8 +56,7 @@ def solved_state(conditions: Mapping, parameters: Parameters) -> State:
     ValueError
         Where the model has no solution.
     """
-    # products, not the nearest decimals as everywhere else: pixels of figure 2 hang on the last digit
-    condition = Condition(*(conditions[axis.key] * axis.scale for axis in CONDITION_AXES))
+    condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
     solution = solve(load, *condition, parameters=parameters)
     if not np.isfinite(solution.separation):
