@@ -9,7 +9,7 @@ import pytest
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 
-SCHEMA = Path(__file__).parents[2] / "config" / "schema.yaml"
+SCHEMA = Path(__file__).parents[2] / "config" / "config.schema.yaml"
 UNITS = {"cSt": 1e-6, "nm": 1e-9, "m-2": 1.0, "1": 1.0}
 SPELT = {"m-2": "per_m2", "m2 s-1": "m2_per_s"}  # in names of keys and columns
 
