@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -17,7 +18,8 @@ from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 
-BAND_RTOL = 1e-4  # of the members: below the width of a line by far
+BAND_RTOL = 1e-4  # asked for each member: an error far below the width of a drawn line
+# suffix of a variable: the word for it in its long name, and what finds it (nan gives way to numbers)
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
 SUMMARY = (
     "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "
@@ -31,11 +33,46 @@ COMMENT = (
 )
 
 
-def band(dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping]) -> xr.Dataset:
-    """``<quantity>_low`` and ``_high`` on the dimensions of ``dataset``, which they enclose.
+def band(
+    dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
+) -> xr.Dataset:
+    """Lowest and highest value of each quantity over an ensemble of inputs, along given curves.
 
-    ``dataset`` is one of ``read_dataset`` solved with ``base``; each member of ``ensemble`` maps
-    names of inputs to values (SI) that replace those of ``base``.
+    Every member of the ensemble is solved at the conditions and loads F_t* of ``dataset``.  The
+    values of ``dataset`` count as well, so that the band encloses its curves.
+
+    Parameters
+    ----------
+    dataset : xarray.Dataset
+        Points of a figure, one of ``thirdbody.data.netcdf.read_dataset``, solved with ``base``.
+    base : Parameters
+        Inputs of the model.
+    ensemble : sequence of mapping
+        For each member, the inputs that differ from ``base``: names of fields of ``Parameters``
+        and their values, SI.  Without members the band is as wide as the curves.
+
+    Returns
+    -------
+    xarray.Dataset
+        Variables ``<quantity>_low`` and ``<quantity>_high`` for each of ``QUANTITIES``, with the
+        dimensions, shape and units that the quantity has in ``dataset``.
+
+    Raises
+    ------
+    ValueError
+        If the inputs of a member are not physical.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> inputs = tb.load_parameters()
+    >>> points = tb.grid([1e-6, 1e-5], [9e-5], [3e-7], [3e-7], [1e11], inputs)
+    >>> stiffer = {"apparent_area": 0.9 * inputs.apparent_area}
+    >>> envelope = band(points, inputs, [stiffer])
+    >>> bool((envelope["separation_low"] <= points["separation"]).all())
+    True
+    >>> bool((envelope["separation_high"] >= points["separation"]).all())
+    True
     """
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
@@ -56,7 +93,11 @@ def band(dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping]) -> 
 
 
 def _variable(values, attributes, shown, extreme):
-    """Dimensions, values with the combinations that are not shown, and attributes."""
+    """A variable as xarray takes it: dimensions, values and attributes.
+
+    ``values`` [load, curve] go to the combinations of conditions that are ``shown``; all others
+    hold the fill value.
+    """
     whole = np.full((len(values), *shown.shape), FILL_FLOAT)
     whole[:, shown] = values
     described = {name: attributes[name] for name in ("units", "symbol", "equation")}
@@ -66,7 +107,7 @@ def _variable(values, attributes, shown, extreme):
 
 
 def _attributes(dataset, ensemble) -> dict:
-    """Those of ``dataset`` with what differs here."""
+    """Global attributes: those of ``dataset``, with the title, origin and ensemble of the band."""
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
     return dataset.attrs | {

@@ -1,16 +1,24 @@
-"""The unprinted inputs as an inverse problem: a search over what they may be, reading by reading.
+"""Finding the inputs that the paper does not print, as an inverse problem.
 
-``config/calibration.yaml`` states the unknowns, their bounds and what is usual, the objective and
-the budget.  A search records every evaluation, so that what is acceptable, what is identified and
-what is correlated can be told afterwards.
+A *reading* here is one way to read the printed equations; it fixes some inputs and leaves others
+unknown.  For each reading the unknowns are searched for values under which the paper's statements
+hold.  ``config/calibration.yaml`` states the readings, the unknowns with their bounds and the
+ranges usual in nature, the weights of the objective, and how long to search.
+
+A search works on *positions*: the value of each unknown as a number between 0 and 1, its place
+between its bounds on a linear or logarithmic scale.  All positions together are a point in the unit
+cube.  Every evaluation is recorded; ``thirdbody.study.posterior`` tells from these records which
+values explain the statements about equally well.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import differential_evolution, least_squares
 
 from thirdbody.model.parameters import Parameters
@@ -18,16 +26,33 @@ from thirdbody.study.checks import MISSING_SCORE, judge
 from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
-SLOPE_OF_LOSS = 0.1  # keeps a statement that fails badly worth improving
-LOCAL_POOL = 12  # of the best sets: local searches start from those farthest apart among them
-DIFFERENCE_STEP = 4e-3  # of a position: well above the error of what is solved
+# The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
+SLOPE_OF_LOSS = 0.1
+# Local searches start from sets of inputs that are far apart among so many of the best.
+LOCAL_POOL = 12
+# Step of a position in a finite difference: the change of a score is well above the solver's error.
+DIFFERENCE_STEP = 4e-3
+# Distance that the start of a local search keeps from the faces of the unit cube.
 EDGE = 1e-3
-WALK_STEP = 0.15  # of the spread of the acceptable sets found so far
+# Steps of the random walk, as a fraction of the spread of the best sets found before it.
+WALK_STEP = 0.15
 
 
 @dataclass(frozen=True)
 class Unknown:
-    """An input to be found: hard ``bounds``, the range ``usual`` in nature, and its scale."""
+    """An input of the model that is to be found.
+
+    Attributes
+    ----------
+    name : str
+        Field of ``Parameters``.
+    bounds : tuple of float
+        Least and greatest value that is tried [unit of the input].
+    usual : tuple of float
+        Range that is usual in nature; values beyond it are penalised [unit of the input].
+    logarithmic : bool
+        Whether it is searched on a logarithmic scale.
+    """
 
     name: str
     bounds: tuple[float, float]
@@ -35,21 +60,50 @@ class Unknown:
     logarithmic: bool
 
     def value(self, position: float) -> float:
-        """The input at ``position`` in [0, 1] between its bounds."""
+        """Value of the input at a position.
+
+        Parameters
+        ----------
+        position : float
+            Place between the bounds [1], from 0 to 1.
+
+        Returns
+        -------
+        float
+            In the unit of the input.
+
+        Examples
+        --------
+        >>> radius = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), logarithmic=True)
+        >>> round(radius.value(0.5), 12)
+        0.0001
+        """
         low, high = self.bounds
         if self.logarithmic:
             return float(low * (high / low) ** position)
         return float(low + (high - low) * position)
 
     def position(self, value: float) -> float:
-        """The inverse of ``value``, held between 0 and 1."""
+        """Place of a value between the bounds [1]: the inverse of ``value``, kept from 0 to 1."""
         low, high = self.bounds
         if self.logarithmic:
             low, high, value = np.log(low), np.log(high), np.log(value)
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Squared distance beyond what is usual, in decades or widths of the usual range."""
+        """How unusual a value is.
+
+        Parameters
+        ----------
+        value : float
+            In the unit of the input.
+
+        Returns
+        -------
+        float
+            Square of the distance beyond the usual range [1], counted in decades if the scale is
+            logarithmic, else in widths of that range; 0 within it.
+        """
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -58,16 +112,43 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Reading:
-    """One way to read the printed equations: what it fixes, what it leaves unknown, a start."""
+    """One way to read the printed equations, with the inputs that it leaves to be found.
+
+    ``Reading.of`` makes one from the configuration.
+
+    Attributes
+    ----------
+    name : str
+        Its key in ``config/calibration.yaml``.
+    fixed : dict
+        Inputs that the reading fixes, by name of the field of ``Parameters``, SI.
+    unknowns : tuple of Unknown
+        Inputs to be found; their order is that of the columns of positions.
+    start : dict
+        A value of each unknown to start from, by name, SI.
+    """
 
     name: str
-    fixed: dict
+    fixed: dict[str, Any]
     unknowns: tuple[Unknown, ...]
-    start: dict
+    start: dict[str, float]
 
     @classmethod
-    def of(cls, name: str, settings: dict) -> Reading:
-        """The reading ``name`` of the mapping in ``config/calibration.yaml``."""
+    def of(cls, name: str, settings: Mapping[str, Any]) -> Reading:
+        """Take a reading from the configuration.
+
+        Parameters
+        ----------
+        name : str
+            Which of the readings.
+        settings : mapping
+            Content of ``config/calibration.yaml``.
+
+        Raises
+        ------
+        KeyError
+            If there is no reading of this name.
+        """
         entry = settings["readings"][name]
         names = (*settings["always"], *entry.get("unknowns", ()))
         unknowns = (
@@ -81,32 +162,85 @@ class Reading:
         )
         return cls(name, entry["fixed"], tuple(unknowns), entry["start"])
 
-    def values(self, positions) -> dict:
-        """Inputs at ``positions`` in the unit cube."""
+    def values(self, positions: ArrayLike) -> dict[str, float]:
+        """Values of the unknowns at their positions.
+
+        Parameters
+        ----------
+        positions : array_like, shape (unknowns,)
+            From 0 to 1 [1].
+
+        Returns
+        -------
+        dict
+            Value of each unknown by its name, SI.
+        """
         pairs = zip(self.unknowns, positions, strict=True)
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
 
 @dataclass(frozen=True)
 class Objective:
-    """What a calibration minimises: misses of the statements and unusualness of the inputs."""
+    """What a calibration minimises: losses of the statements, and penalties for unusual inputs.
+
+    ``Objective.of`` makes one from all statements of the paper.
+
+    Attributes
+    ----------
+    claims : tuple of Claim
+        Statements that the inputs are fitted to.
+    asked : dict
+        Conditions that these statements speak of, as ``referenced_conditions`` returns them.
+    weights : dict
+        Weight of a statement by its kind; 1 for kinds that are not named.
+    newtons : tuple of float
+        First and last normal load [N].
+    base : Parameters
+        Values of all inputs that neither a reading fixes nor a search varies.
+    """
 
     claims: tuple[Claim, ...]
-    asked: dict
-    weights: dict
+    asked: dict[str, set]
+    weights: dict[str, float]
     newtons: tuple[float, float]
     base: Parameters
 
     @classmethod
-    def of(cls, claims: Sequence[Claim], settings: dict, base: Parameters) -> Objective:
-        """The objective over those of ``claims`` whose role is ``calibration``."""
+    def of(
+        cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Parameters
+    ) -> Objective:
+        """Make the objective over the statements whose role is ``calibration``.
+
+        Parameters
+        ----------
+        claims : sequence of Claim
+            All statements of the paper, in the order from which their roles follow.
+        settings : mapping
+            Content of ``config/calibration.yaml``.
+        base : Parameters
+            Values of all inputs that are neither fixed by a reading nor searched.
+        """
         roles = assign_roles(claims)
         fitted = tuple(claim for claim in claims if roles[claim.id] == "calibration")
         asked = referenced_conditions(fitted)
         return cls(fitted, asked, settings["weights"], tuple(settings["newtons"]), base)
 
-    def misses(self, reading: Reading, positions) -> np.ndarray:
-        """Square roots of the terms of the objective at ``positions`` in the unit cube."""
+    def misses(self, reading: Reading, positions: ArrayLike) -> NDArray[np.float64]:
+        """Square roots of the terms of the objective, whose sum of squares it is.
+
+        Parameters
+        ----------
+        reading : Reading
+            Says what the positions stand for.
+        positions : array_like, shape (unknowns,)
+            From 0 to 1 [1].
+
+        Returns
+        -------
+        array, shape (unknowns + claims,)
+            Roots of the penalties of the unknowns and of the weighted losses of the statements
+            [1].  Inputs that no surface can have give every statement its greatest loss.
+        """
         values = reading.values(positions)
         penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
         try:
@@ -123,17 +257,71 @@ class Objective:
         return np.sqrt(np.concatenate([penalties, weights * loss(np.array(scores))]))
 
 
-def loss(score):
-    """Loss of one statement at its ``score`` in tolerances: 1/2 at the tolerance, about 1 far off."""
+def loss(score: ArrayLike) -> ArrayLike:
+    """Loss of a statement.
+
+    It is about one half where the statement just holds, and grows slowly far off, so that a
+    statement that cannot hold does not drown the others.
+
+    Parameters
+    ----------
+    score : array_like
+        Distances from what is published, in tolerances [1], as ``thirdbody.study.checks.judge``
+        returns them.
+
+    Returns
+    -------
+    array_like
+        s^2/(1 + s^2) + 0.1 s for each score s [1].
+    """
     return score**2 / (1.0 + score**2) + SLOPE_OF_LOSS * score
 
 
-def search(reading: Reading, objective, budget: dict, seed: int, report=print) -> np.ndarray:
-    """Every evaluation of a global, then local search and a walk over what is acceptable.
+def search(
+    reading: Reading,
+    objective: Objective,
+    budget: Mapping[str, int],
+    seed: int,
+    report: Callable[[str], object] = print,
+) -> NDArray[np.float64]:
+    """Search the unknowns of a reading for the least objective, and record every evaluation.
 
-    ``objective.misses(reading, positions)`` is minimised in the sum of its squares; ``budget``
-    limits the work; the same ``seed`` gives the same result.  Returns rows (positions in the unit
-    cube ..., objective).
+    Differential evolution over the whole unit cube comes first, then least squares from several of
+    the best sets of inputs, then a random walk over those that are about as good as the best.
+
+    Parameters
+    ----------
+    reading : Reading
+        Its unknowns are searched.
+    objective : Objective
+        The sum of the squares of ``objective.misses(reading, positions)`` is minimised.
+    budget : mapping
+        How much to evaluate: ``population`` and ``generations`` of the differential evolution,
+        ``starts`` of local searches of ``local`` steps each, and steps of the ``walk``.
+    seed : int
+        Of the random numbers: the same seed gives the same result.
+    report : callable
+        Is given a line of text from time to time.
+
+    Returns
+    -------
+    array, shape (evaluations, unknowns + 1)
+        Positions [1], and in the last column the objective there [1], in the order of evaluation.
+
+    Examples
+    --------
+    An objective of one's own, least where the ratio is 1.5:
+
+    >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
+    >>> reading = Reading("one", {}, (ratio,), {"gap_ratio": 3.0})
+    >>> class Valley:
+    ...     def misses(self, reading, positions):
+    ...         return np.array([reading.values(positions)["gap_ratio"] - 1.5])
+    >>> budget = {"population": 8, "generations": 2, "starts": 1, "local": 8, "walk": 4}
+    >>> rows = search(reading, Valley(), budget, seed=1)
+    >>> best = rows[rows[:, -1].argmin()]
+    >>> round(reading.values(best[:-1])["gap_ratio"], 3)
+    1.5
     """
     rows: list[np.ndarray] = []
 
@@ -154,7 +342,11 @@ def search(reading: Reading, objective, budget: dict, seed: int, report=print) -
 
 
 def _global_search(reading, recorded, budget, rng) -> None:
-    """Differential evolution from the reading's start, its surroundings and all of the cube."""
+    """Differential evolution over the unit cube.
+
+    The first population holds the start of the reading, sets scattered about it, and, every third
+    one, sets from anywhere in the cube.
+    """
     start = np.array(
         [unknown.position(reading.start[unknown.name]) for unknown in reading.unknowns]
     )
@@ -176,7 +368,7 @@ def _global_search(reading, recorded, budget, rng) -> None:
 
 
 def _local_search(recorded, start, steps) -> None:
-    """Least squares on the misses, at most ``steps`` Gauss-Newton steps from ``start``."""
+    """Least squares on the misses from ``start``, in at most ``steps`` Gauss-Newton steps."""
     least_squares(
         recorded,
         np.clip(start, EDGE, 1.0 - EDGE),
@@ -190,7 +382,11 @@ def _local_search(recorded, start, steps) -> None:
 
 
 def _walk(recorded, rows, evaluations, rng) -> None:
-    """Metropolis walk from the best set: the unit of the objective is its temperature."""
+    """Metropolis random walk from the best set of inputs, to record sets about as good.
+
+    The objective is taken as a negative log-likelihood: a step that raises it by x is accepted
+    with probability e^-x.
+    """
     best = rows[np.argsort(rows[:, -1], kind="stable")[: 4 * rows.shape[1]]]
     steps = WALK_STEP * np.maximum(best[:, :-1].std(axis=0), 1e-3)
     position, value = best[0, :-1], best[0, -1]
@@ -201,15 +397,42 @@ def _walk(recorded, rows, evaluations, rng) -> None:
             position, value = trial, found
 
 
-def acceptable(rows: np.ndarray, acceptance: float) -> np.ndarray:
-    """Rows whose objective is within ``acceptance`` of the best, best first, each once."""
+def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
+    """Evaluations that are about as good as the best.
+
+    Parameters
+    ----------
+    rows : array, shape (evaluations, unknowns + 1)
+        As ``search`` returns them.
+    acceptance : float
+        How far the objective may be above the least one [1].
+
+    Returns
+    -------
+    array, shape (accepted, unknowns + 1)
+        The rows within ``acceptance`` of the best, in the order of their objective, equal rows
+        once.
+    """
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
     return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
 
 
-def spread_out(rows: np.ndarray, count: int) -> np.ndarray:
-    """The best row and others of ``rows``, ``count`` in all, each farthest from those before."""
+def spread_out(rows: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+    """Choose rows that are far apart from each other.
+
+    Parameters
+    ----------
+    rows : array, shape (n, unknowns + 1)
+        Positions and objective; the first row is chosen first.
+    count : int
+        How many to choose.
+
+    Returns
+    -------
+    array, shape (min(count, n), unknowns + 1)
+        The first row, and each next the one whose positions are farthest from all before.
+    """
     chosen = [0]
     distance = np.full(len(rows), np.inf)
     while len(chosen) < min(count, len(rows)):

@@ -1,4 +1,13 @@
-"""One check for each kind of statement: how far off a claim is, in units of its tolerance."""
+"""How far a statement of the paper is from holding: one check for each kind of statement.
+
+``judge`` asks the ``Evidence`` for the curves, turning points and windows that a claim speaks of,
+measures on them what the claim is about, and expresses the distance from what the paper says in
+tolerances of the claim.  A claim holds if this distance is at most 1.
+
+Every check returns ``(measured, value, deviation, distance)``: what was measured as text and as a
+number, how much it deviates, and the distance in tolerances; nan where there is nothing to measure.
+Kinds of statements are explained at the head of ``config/claims.yaml``.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +16,7 @@ from functools import cached_property
 from typing import NamedTuple, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.study.claims import (
     BOUNDS,
@@ -19,52 +29,82 @@ from thirdbody.study.claims import (
     state_names,
 )
 
-MISSING_SCORE = 10.0  # no evidence, and the most that any score reaches
-BOUND_TOLERANCE = 0.02  # of ratios that bound a range of loads: a line's width on their axes
-SATURATED = 1e-12  # ratios nearer to 0 or 1 have no odds to tell apart
-TINY = 1e-300  # floor under logarithms: keeps what has vanished comparable
+MISSING_SCORE = 10.0  # the greatest score, given also where there is nothing to measure
+# A claim may bound its range of loads by a ratio: this much of it is a line's width in the figures.
+BOUND_TOLERANCE = 0.02
+SATURATED = 1e-12  # nearer to 0 or 1, a ratio has lost the digits that tell its odds
+TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
+Measured = tuple[str, float, float, float]  # what a check returns
 
 
 @dataclass(frozen=True)
 class Curve:
-    """One curve over increasing load F_t*: 1-D arrays of equal length.
+    """A curve over the load: arrays of one shape (loads,).
 
-    ``normal_load`` in N, ``separation`` in m, the others dimensionless under the names of the
-    datasets' variables; ``film_thickness`` is d/R_x when dry; ``solved``: which points converged.
+    Attributes
+    ----------
+    load : array
+        F_t* [1], increasing.
+    normal_load : array
+        F_t [N].
+    total_contact_area : array
+        A_t* [1].
+    particle_contact_area_ratio : array
+        A_sa,t* [1].
+    solid_load_fraction, fluid_load_fraction : array
+        L_s and L_f [1].
+    film_thickness : array
+        d/R_x [1], whether there is a film or not.
+    separation : array
+        d [m].
+    solved : array of bool
+        Which points have a solution; the values of others are nan.
     """
 
-    load: np.ndarray
-    normal_load: np.ndarray
-    total_contact_area: np.ndarray
-    particle_contact_area_ratio: np.ndarray
-    solid_load_fraction: np.ndarray
-    fluid_load_fraction: np.ndarray
-    film_thickness: np.ndarray
-    separation: np.ndarray
-    solved: np.ndarray
+    load: NDArray[np.float64]
+    normal_load: NDArray[np.float64]
+    total_contact_area: NDArray[np.float64]
+    particle_contact_area_ratio: NDArray[np.float64]
+    solid_load_fraction: NDArray[np.float64]
+    fluid_load_fraction: NDArray[np.float64]
+    film_thickness: NDArray[np.float64]
+    separation: NDArray[np.float64]
+    solved: NDArray[np.bool_]
 
     @cached_property
-    def solid_load(self) -> np.ndarray:
-        """Dimensionless load borne by the solid, L_s F_t* [1]."""
+    def solid_load(self) -> NDArray[np.float64]:
+        """Dimensionless load that the solids bear, L_s F_t* [1]."""
         return self.solid_load_fraction * self.load
 
     @cached_property
-    def log_load(self) -> np.ndarray:
+    def log_load(self) -> NDArray[np.float64]:
         """ln F_t* [1]."""
         return np.log(self.load)
 
     @cached_property
-    def total_contact_area_slope(self) -> np.ndarray:
-        """d ln A_t* / d ln F_t* [1]: the slope that logarithmic axes show."""
+    def total_contact_area_slope(self) -> NDArray[np.float64]:
+        """d ln A_t*/d ln F_t* [1]: the slope of the curve on logarithmic axes."""
         return np.gradient(_log(self.total_contact_area), self.log_load)
 
     @cached_property
-    def _samples(self) -> dict[str, tuple[np.ndarray, bool]]:
+    def _samples(self) -> dict[str, tuple[NDArray[np.float64], bool]]:
         return {}
 
-    def samples(self, quantity: str) -> tuple[np.ndarray, bool]:
-        """Values of ``quantity`` to interpolate in, nan where unsolved, and whether they are
-        logarithms: so they are where all values are positive."""
+    def samples(self, quantity: str) -> tuple[NDArray[np.float64], bool]:
+        """Values to interpolate between.
+
+        Parameters
+        ----------
+        quantity : str
+            Name of an attribute.
+
+        Returns
+        -------
+        values : array
+            The quantity, or its logarithm if it is positive everywhere; nan at unsolved points.
+        logarithmic : bool
+            Whether they are logarithms.
+        """
         if quantity not in self._samples:
             values = getattr(self, quantity)
             logarithmic = bool((values > 0.0).all())
@@ -74,7 +114,19 @@ class Curve:
 
 
 class TurningPoint(NamedTuple):
-    """Interior maximum of A_sa,t* over load: F_TPCA*, A_sa,t* and L_s there [1]; nan if none."""
+    """The turning point of a curve: the interior maximum of A_sa,t* over the load.
+
+    Attributes
+    ----------
+    load : float
+        F_TPCA* [1]; nan, as the other numbers, if there is none.
+    peak_ratio : float
+        A_sa,t* there [1].
+    solid_load_fraction : float
+        L_s there [1].
+    exists : bool
+        Whether there is one.
+    """
 
     load: float
     peak_ratio: float
@@ -83,23 +135,55 @@ class TurningPoint(NamedTuple):
 
 
 class Evidence(Protocol):
-    """What claims are judged on; arguments in SI, as in ``Condition``."""
+    """What claims are judged on.
 
-    def curve(self, viscosity, particle_diameter, roughness, particle_density) -> Curve:
-        """The curve over the whole load range."""
+    Conditions are those of ``thirdbody.data.conditions.Condition``: nu [m2/s], x_a [m], sigma [m]
+    and eta_a [m-2].
+    """
 
-    def turning_point(self, viscosity, particle_diameter, roughness, particle_density):
-        """The ``TurningPoint`` of that curve, refined below its grid spacing."""
+    def curve(
+        self,
+        viscosity: float,
+        particle_diameter: float,
+        roughness: float,
+        particle_density: float,
+    ) -> Curve:
+        """The curve at these conditions over the whole range of loads."""
 
-    def window(self, roughness) -> tuple[float, float]:
-        """Ends of the range of x_a/sigma [1] with a turning point in hybrid mode (dry, 1e11)."""
+    def turning_point(
+        self,
+        viscosity: float,
+        particle_diameter: float,
+        roughness: float,
+        particle_density: float,
+    ) -> TurningPoint:
+        """The turning point of that curve, found more closely than its loads are spaced."""
+
+    def window(self, roughness: float) -> tuple[float, float]:
+        """Ends of the range of x_a/sigma [1] within which dry curves have a turning point.
+
+        They are curves at ``roughness`` [m] and eta_a = 1e11 m-2.
+        """
 
 
 class Verdict(NamedTuple):
-    """How a claim fares; ``deviation`` is a fraction where the tolerance is relative.
+    """What comes of judging a claim.
 
-    ``score`` counts tolerances up to 1 and grows with their logarithm beyond, at most to
-    ``MISSING_SCORE``: each miss keeps a slope, none drowns the others; nan if value withheld.
+    Attributes
+    ----------
+    measured : str
+        What was measured, as text.
+    value : float
+        The same as a number, where it is one [unit of the quantity]; else nan.
+    deviation : float
+        Measured minus published [unit of the quantity], or the relative deviation [1] if the
+        claim's tolerance is relative.
+    score : float
+        Distance from what is published, in tolerances [1].  Beyond 1 it grows with the logarithm
+        of the distance only, up to ``MISSING_SCORE``, so that one bad miss does not outweigh
+        everything else in a sum.  nan if the paper keeps the value back.
+    holds : bool
+        Whether the score is at most 1.
     """
 
     measured: str
@@ -110,11 +194,57 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load obeys a claim's bounds; the argument is by how much the nearest misses them."""
+    """No load of a curve is within the bounds that a claim sets.
+
+    The argument is by how much the nearest load misses them, in the unit of the bound; or the
+    logarithm of the ratio of two loads.
+    """
 
 
 def judge(claim: Claim, evidence: Evidence) -> Verdict:
-    """Measures what the claim speaks of and compares it with what the paper says."""
+    """Measure what a claim speaks of and compare it with what the paper says.
+
+    Parameters
+    ----------
+    claim : Claim
+        A statement of the paper.
+    evidence : Evidence
+        Curves, turning points and windows of the model, at least at the conditions of the claim.
+
+    Returns
+    -------
+    Verdict
+        What was measured and whether the claim holds.
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> from thirdbody.study.claims import referenced_conditions
+    >>> from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+    >>> claim = Claim(
+    ...     id="fig03a-ratio-zero-without-particles",
+    ...     where="Figure 3A, section 3.3",
+    ...     statement="Without particles the particle contact ratio is 0 at each load.",
+    ...     kind="value",
+    ...     quantity="particle_contact_area_ratio",
+    ...     extreme="maximum",
+    ...     conditions={
+    ...         "viscosity_cSt": 0,
+    ...         "particle_diameter_nm": 0,
+    ...         "roughness_nm": 100,
+    ...         "particle_density_per_m2": 1e11,
+    ...     },
+    ...     published=0.0,
+    ...     tolerance=0.001,
+    ...     relative=False,
+    ...     reason="true by definition of the ratio",
+    ... )
+    >>> asked = referenced_conditions([claim])
+    >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
+    >>> verdict = judge(claim, evidence)
+    >>> verdict.value, verdict.score, bool(verdict.holds)
+    (0.0, 0.0, True)
+    """
     try:
         measured, value, deviation, distance = CHECKS[claim.kind](claim, evidence)
     except NotReached as short:
@@ -125,37 +255,44 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
 
 
 def _score(distance: float) -> float:
+    """Score of a distance in tolerances: the distance up to 1, 1 + its logarithm beyond."""
     if np.isnan(distance):
         return MISSING_SCORE
     within = min(max(float(distance), 0.0), 1.0)
     return min(within + float(np.log(max(distance, 1.0))), MISSING_SCORE)
 
 
-# --- checks: (measured, value, deviation, distance in tolerances), nan without evidence ---
+# --- one check for each kind of claim ---
 
 
-def check_value(claim: Claim, evidence: Evidence):
-    """One number; where several curves share it, the worst of them counts."""
+def check_value(claim: Claim, evidence: Evidence) -> Measured:
+    """Check one number; if several curves are to have it, the one farthest off counts."""
     values = _scalars(claim, evidence)
     return _against_published(claim, values, _shown(claim, evidence, values))
 
 
-def check_range(claim: Claim, evidence: Evidence):
-    """Least and greatest value of the quantity on a curve."""
+def check_range(claim: Claim, evidence: Evidence) -> Measured:
+    """Check the least and the greatest value of the quantity on a curve."""
     (course,) = _courses(claim, evidence)
     ends = np.array([course.min(), course.max()])
     return _against_published(claim, ends, f"{ends[0]:.4g} to {ends[1]:.4g}")
 
 
-def check_window(claim: Claim, evidence: Evidence):
-    """Ends of the turning point's range of x_a/sigma; of several surfaces the worst counts."""
+def check_window(claim: Claim, evidence: Evidence) -> Measured:
+    """Check the ends of the range of x_a/sigma with a turning point.
+
+    Of several surfaces the one farthest off counts.
+    """
     windows = np.array([evidence.window(condition.roughness) for condition in claim.curves])
     text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
     return _against_published(claim, windows, text)
 
 
-def check_ordering(claim: Claim, evidence: Evidence):
-    """Curves one above the other: nowhere against the order, and each pair somewhere apart."""
+def check_ordering(claim: Claim, evidence: Evidence) -> Measured:
+    """Check that curves lie one above the other.
+
+    No two neighbours may be in the opposite order anywhere, and they must be apart somewhere.
+    """
     sign = -1.0 if claim.direction == "decreasing" else 1.0
     gaps = [sign * gap for gap in _gaps(claim, evidence)]
     against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
@@ -163,14 +300,14 @@ def check_ordering(claim: Claim, evidence: Evidence):
     return _missed(claim, text, np.max([against, 2.0 * claim.step - apart]))
 
 
-def check_coincidence(claim: Claim, evidence: Evidence):
-    """Curves that overlap with their references."""
+def check_coincidence(claim: Claim, evidence: Evidence) -> Measured:
+    """Check that curves overlap with their references."""
     widest = np.max([np.abs(gap).max() for gap in _gaps(claim, evidence)])
     return _missed(claim, f"apart by {widest:.3g} at most", widest)
 
 
-def check_course(claim: Claim, evidence: Evidence):
-    """A trend along load on each curve, or from curve to curve; or no interior maximum."""
+def check_course(claim: Claim, evidence: Evidence) -> Measured:
+    """Check a trend over the load, or from curve to curve; or that there is no interior maximum."""
     along_curves = claim.along == "curves"
     courses = [_scalars(claim, evidence)] if along_curves else _courses(claim, evidence)
     miss = COURSES[claim.direction or claim.kind]
@@ -181,8 +318,8 @@ def check_course(claim: Claim, evidence: Evidence):
     return _missed(claim, _shown(claim, evidence, course) if along_curves else text, misses[worst])
 
 
-def check_sequence(claim: Claim, evidence: Evidence):
-    """Regimes, modes or both, passed in this order with increasing load."""
+def check_sequence(claim: Claim, evidence: Evidence) -> Measured:
+    """Check that regimes, modes or both are passed in the published order as the load grows."""
     curves = [evidence.curve(*condition) for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
     worst = int(np.argmax(misses))
@@ -202,12 +339,14 @@ CHECKS = {
 }
 
 
-def _against_published(claim, measured, text):
+def _against_published(claim, measured, text) -> Measured:
+    """Result of a check whose ``measured`` numbers are to equal the published ones."""
     published = np.nan if claim.published is None else np.asarray(claim.published)
     deviation = measured - published
     distance = np.abs(deviation) / claim.tolerance
     if claim.relative:
-        # logarithmic, so that a quantity near zero keeps a slope; 1 at either end of the tolerance
+        # The distance is a ratio of logarithms, 1 at either end of the tolerance: so it goes on
+        # growing where a quantity is far too small, and a calibration can follow its slope.
         ratio = np.maximum(measured / published, TINY)
         deviation = ratio - 1.0
         distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
@@ -215,7 +354,8 @@ def _against_published(claim, measured, text):
     return text, measured.flat[worst], deviation.flat[worst], distance.flat[worst]
 
 
-def _missed(claim, text, miss):
+def _missed(claim, text, miss) -> Measured:
+    """Result of a check that found by how much a course or an order is missed."""
     deviation = np.expm1(miss) if claim.relative else miss
     return text, np.nan, deviation, miss / claim.step
 
@@ -224,7 +364,10 @@ def _missed(claim, text, miss):
 
 
 def _scalars(claim, evidence):
-    """The claim's quantity, one number a curve; its relative change where a reference is given."""
+    """The claim's quantity as one number for each curve.
+
+    If the claim has a reference, it is the relative change from that.
+    """
     if claim.quantity == REVERSAL_LOAD:
         return np.array([_reversal_load(claim, evidence)])
     if claim.source == "turning_point":
@@ -240,7 +383,10 @@ def _scalars(claim, evidence):
 
 
 def _courses(claim, evidence):
-    """The claim's quantity along each curve; its relative change where a reference is given."""
+    """The claim's quantity along each curve.
+
+    If the claim has a reference, it is the relative change from that.
+    """
     if not claim.references:
         return [_table(claim, evidence, [condition])[1][0] for condition in claim.curves]
     pairs = zip(claim.references, claim.curves, strict=True)
@@ -249,23 +395,26 @@ def _courses(claim, evidence):
 
 
 def _gaps(claim, evidence):
-    """What each curve shows more than its reference or the one before it, on the scale of step."""
+    """By how much each curve is above its reference, or above the curve before it.
+
+    Differences are logarithmic if the tolerance is relative, as ``claim.step`` is.
+    """
     pairs = zip(claim.references, claim.curves, strict=True)
     for group in pairs if claim.references else [claim.curves]:
         yield from np.diff(_scaled(claim, _table(claim, evidence, group)[1]), axis=0)
 
 
 def _reversal_load(claim, evidence):
-    """Load F_t* [1] above which A_t* keeps the order of the claim's curves."""
+    """Load F_t* [1] above which A_t* increases from curve to curve, in the order of the claim."""
     loads, areas = _table(claim, evidence, claim.curves, "total_contact_area")
     gaps = np.diff(_log(areas), axis=0)
     return np.max([_first_fall(loads[::-1], gap[::-1]) for gap in gaps])
 
 
 def _table(claim, evidence, group, quantity=""):
-    """Abscissa and quantity [curve, point] of a group of curves, where the claim speaks of them."""
+    """Abscissa [points] and quantity [curves, points] of curves, where the claim speaks of them."""
     curves = [evidence.curve(*condition) for condition in group]
-    # bounds speak of the curve itself, not of the reference that it is held against
+    # Bounds of the load hold on a curve itself, not on the reference that it is compared with.
     x = _loads(claim, curves, curves[bool(claim.references) :])
     if claim.against != "load":
         spans = [getattr(curve, claim.against) for curve in curves]
@@ -276,7 +425,11 @@ def _table(claim, evidence, group, quantity=""):
 
 
 def _loads(claim, curves, bounded):
-    """Loads F_t* [1] that the claim speaks of: one, or all within its bounds on ``bounded``."""
+    """Loads F_t* [1] that the claim speaks of.
+
+    There is one load if the claim names it, or the level of a quantity that is reached there; else
+    they are all loads within the claim's bounds on the curves ``bounded``.
+    """
     limits, grid = claim.conditions, curves[-1]
     if "load" in limits:
         return np.array([limits["load"]])
@@ -305,10 +458,11 @@ def _loads(claim, curves, bounded):
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero, continuous where that leaves the range.
+    """Load at which ``values`` first fall to zero.
 
-    Values below zero from the start give the first load; values that end above zero are continued
-    by their last slope, for a decade at most.
+    If they are not above zero at the start, it is the first load.  If they never fall to zero, they
+    are continued beyond the last load by their last slope, for a decade at most: so the result
+    does not jump when inputs change.
     """
     above = values > 0.0
     if not above[0]:
@@ -321,7 +475,10 @@ def _first_fall(loads, values):
 
 
 def _sample(curve, quantity, x, against="load"):
-    """``quantity`` where ``against`` is ``x``: linear in logarithms; nan beside unsolved points."""
+    """Values of a quantity of a curve where the quantity ``against`` has the values ``x``.
+
+    Interpolated linearly in logarithms; nan beside unsolved points.
+    """
     if quantity == against:
         return x
     known = curve.log_load if against == "load" else np.log(getattr(curve, against))
@@ -332,23 +489,31 @@ def _sample(curve, quantity, x, against="load"):
 
 
 def _rise_miss(values, step):
-    """How far ``values`` fall back, or what they lack to rise visibly in all."""
+    """By how much ``values`` miss a rise.
+
+    That is the deepest fall within the course, or what it lacks to rise by two steps in all.
+    """
     relapse = np.max(np.maximum.accumulate(values) - values)
     return np.max([relapse, 2.0 * step - (values[-1] - values[0])])
 
 
 def _peak_height(values):
-    """How far the highest interior maximum stands out, over the higher of its two sides' feet."""
+    """Height of the most prominent interior maximum.
+
+    It is taken above the lowest values on the two sides, of which the higher one counts.
+    """
     left = values - np.minimum.accumulate(values)
     right = values - np.minimum.accumulate(values[::-1])[::-1]
     return np.max(np.minimum(left, right))
 
 
 def _peak_miss(values, step):
-    """How much higher a maximum must stand out and, where there is none, how far from turning.
+    """By how much a course of ratios misses an interior maximum of two steps.
 
-    The latter is the gentlest change of the odds, taken over the whole course: unlike the ratio,
-    the odds go on changing near 0 and 1.  A ratio stuck there is as far off as odds can tell.
+    Where there is no maximum at all, its height gives a calibration no slope to follow.  Therefore
+    the miss also counts how far the course is from turning, by the slope of ln(v/(1 - v)), which
+    unlike v itself goes on changing near 0 and 1: a course turns where the slope falls from above
+    to below zero.  If too few values are distinct from 0 and 1, the miss is the greatest.
     """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
@@ -362,7 +527,7 @@ def _peak_miss(values, step):
     return (2.0 + lack) * step - _peak_height(values)
 
 
-# how far a course of values is from what its name promises, on the scale of ``step``
+# By how much a course of values misses what its name says, from (values, step).
 COURSES = {
     "increasing": _rise_miss,
     "decreasing": lambda values, step: _rise_miss(-values, step),
@@ -374,12 +539,17 @@ COURSES = {
 
 
 def _sequence_miss(claim, curve):
-    """Least worst excursion from the published steps if each is passed in turn, none skipped."""
+    """How far a curve leaves the published states, passed in turn.
+
+    The points of the curve are given to the steps in turn, each step at least one point; the miss
+    is the largest excursion of a point from its step, and the division with the least miss counts.
+    """
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():
         return np.nan
     enter, reached = -np.inf, [np.inf] * len(excursions)
-    # plain numbers: the steps are too few for arrays to pay
+    # reached[step]: least miss so far if the point before belongs to this step.  Plain numbers are
+    # quicker here than arrays, as there are few steps.
     for point in excursions.T.tolist():
         come = enter
         for step, here in enumerate(point):
@@ -391,7 +561,10 @@ def _sequence_miss(claim, curve):
 
 
 def _excursion(curve, step):
-    """How far each point is outside the limits of a step such as "mixed hybrid or full_film"."""
+    """How far each point is outside a step.
+
+    A step names alternatives ("mixed hybrid or full_film"), each a regime, a mode or both.
+    """
     excursions = []
     for alternative in step.split(" or "):
         outside = np.where(curve.solved, 0.0, np.nan)
@@ -404,7 +577,7 @@ def _excursion(curve, step):
 
 
 def _visited(claim, curve):
-    """The states that a curve passes, in the terms of the claim's own sequence."""
+    """Text of the states that a curve passes, of the kinds (regimes, modes) that the claim names."""
     families = {STATES[name][0] for name in state_names(claim.published)}
     inside = {
         name: (getattr(curve, quantity) > low) & (getattr(curve, quantity) <= high)
@@ -427,7 +600,7 @@ def _log(values):
 
 
 def _shown(claim, evidence, values):
-    """Numbers as text; a load outside those computed is shown as such."""
+    """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
     if claim.quantity in ("load", REVERSAL_LOAD):
         first, last = evidence.curve(*claim.curves[0]).load[[0, -1]]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.model.parameters import Parameters
@@ -15,18 +16,59 @@ from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
-MEMBERS = 4  # of each ensemble: the best and those farthest from it and from each other
+MEMBERS = 4  # judged of each ensemble, whose first is the best and whose next are far apart
 PARTS = ("Figure 4", "Figure 6", "Figure 11")
 
 
 def conflict_rows(
-    claims: Sequence[Claim], readings: Sequence[Mapping], base: Parameters, newtons
-) -> Iterator[dict]:
-    """One row a reading, member and statement with a published value or course.
+    claims: Sequence[Claim],
+    readings: Sequence[Mapping[str, Any]],
+    base: Parameters,
+    newtons: tuple[float, float],
+) -> Iterator[dict[str, Any]]:
+    """Judge the statements of the three figures under calibrated readings.
 
-    ``readings`` are contents of calibrated files (``thirdbody.study.posterior``), whose first member is
-    the best and whose next are the farthest apart; ``newtons`` is the first and last normal load
-    [N].
+    Parameters
+    ----------
+    claims : sequence of Claim
+        Statements of the paper; those of other figures, and those whose value the paper keeps
+        back, are passed over.
+    readings : sequence of mapping
+        Contents of calibrated files, as ``thirdbody.study.posterior.summary`` returns them.
+    base : Parameters
+        Values of the inputs that a calibrated file does not give.
+    newtons : tuple of float
+        First and last normal load [N].
+
+    Yields
+    ------
+    dict
+        A row of the table ``conflict`` for each reading, member of its ensemble, and statement.
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> claim = Claim(
+    ...     id="dry",
+    ...     where="Figure 4A",
+    ...     statement="Solids bear the whole load where there is no lubricant.",
+    ...     kind="value",
+    ...     quantity="solid_load_fraction",
+    ...     conditions={
+    ...         "viscosity_cSt": 0,
+    ...         "particle_diameter_nm": 500,
+    ...         "roughness_nm": 300,
+    ...         "particle_density_per_m2": 1e11,
+    ...     },
+    ...     published=1.0,
+    ...     tolerance=0.01,
+    ...     relative=False,
+    ...     reason="follows from the force balance",
+    ... )
+    >>> free = {"reading": "free", "inputs": {}, "ensemble": [{"participation": 0.003}]}
+    >>> (row,) = conflict_rows([claim], [free], load_parameters(), (0.04, 80.0))
+    >>> row["part"], row["particle_term"], row["score"]
+    ('Figure 4', 'free', 0.0)
     """
     chosen = [
         claim for claim in claims if part_of_paper(claim.where) in PARTS and not claim.is_withheld

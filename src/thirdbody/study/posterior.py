@@ -1,23 +1,60 @@
-"""What a calibration found: the best inputs, an ensemble, what is identified and correlated."""
+"""What the searches of a calibration found, as the content of a file of calibrated inputs.
+
+Such a file tells the best inputs of a reading, an ensemble of others that explain the paper's
+statements about equally well, which inputs the statements identify, and which are correlated.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Reading, acceptable, spread_out
 
-DIGITS = 6  # of an input in the calibrated file
-IDENTIFIED_SHARE = 0.25  # of its bounds: an input whose acceptable range is wider is not identified
-NOTABLE_CORRELATION = 0.6
-PROFILE_BINS = 12
+DIGITS = 6  # significant ones of a number in the file
+# An input is identified if its acceptable values span less than this share of its bounds.
+IDENTIFIED_SHARE = 0.25
+NOTABLE_CORRELATION = 0.6  # smaller coefficients are not told
+PROFILE_BINS = 12  # equal parts of an input's bounds
 
 
-def summary(reading: Reading, searches: Sequence[np.ndarray], settings: dict) -> dict:
-    """The content of ``config/calibrated/<reading>.yaml``.
+def summary(
+    reading: Reading, searches: Sequence[NDArray[np.float64]], settings: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Sum up the searches of a reading.
 
-    ``searches`` are the rows of ``thirdbody.study.calibration.search``, one array a seed.
+    Parameters
+    ----------
+    reading : Reading
+        The reading whose unknowns were searched.
+    searches : sequence of array, shape (evaluations, unknowns + 1)
+        What ``thirdbody.study.calibration.search`` returned for each seed.
+    settings : mapping
+        Content of ``config/calibration.yaml``, of which ``acceptance`` and ``ensemble`` are used.
+
+    Returns
+    -------
+    dict
+        Content of ``config/calibrated/<reading>.yaml``, SI: ``inputs`` are the best found,
+        ``ensemble`` a number of acceptable sets far apart from each other, the best first;
+        ``identification`` tells of each unknown the acceptable range, whether it is narrow, and
+        the least objective in each part of its bounds; ``correlations`` tells pairs of unknowns
+        that the statements constrain together only.
+
+    Examples
+    --------
+    >>> from thirdbody.study.calibration import Unknown
+    >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
+    >>> reading = Reading("one", {}, (ratio,), {"gap_ratio": 3.0})
+    >>> evaluated = np.array([[0.10, 7.0], [0.50, 3.0], [0.55, 3.4]])
+    >>> found = summary(reading, [evaluated], {"acceptance": 1.0, "ensemble": 2})
+    >>> found["inputs"], found["ensemble"]
+    ({'gap_ratio': 2.0}, [{'gap_ratio': 2.0}, {'gap_ratio': 2.2}])
+    >>> found["identification"]["gap_ratio"]["identified"]
+    True
     """
     rows = np.concatenate(searches)
     good = acceptable(rows, settings["acceptance"])
@@ -45,9 +82,9 @@ def _inputs(reading: Reading, row) -> dict:
 
 
 def _identification(reading: Reading, rows, good) -> dict:
-    """Of each input: its acceptable range, whether that identifies it, and its profile.
+    """For each unknown: its acceptable range, whether that is narrow, and its profile.
 
-    The profile is the least objective found with the input in each of equal parts of its bounds.
+    The profile is the least objective found with the unknown in each of equal parts of its bounds.
     """
     result = {}
     for index, unknown in enumerate(reading.unknowns):
@@ -63,7 +100,7 @@ def _identification(reading: Reading, rows, good) -> dict:
 
 
 def _correlations(reading: Reading, good) -> list[dict]:
-    """Pairs of inputs that the statements leave free together."""
+    """Pairs of unknowns that are correlated among the acceptable sets ``good``."""
     if len(good) < 3:
         return []
     with np.errstate(invalid="ignore"):

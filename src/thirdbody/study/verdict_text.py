@@ -1,8 +1,9 @@
-"""The verdicts as a page that a reviewer reads: counts first, then each statement, then the misses."""
+"""The verdicts as a page for a reviewer: counts, then every statement, then those that fail."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from tabulate import tabulate
 
@@ -19,12 +20,29 @@ from thirdbody.study.verdicts import (
 
 
 def claims_markdown(
-    trial: Trial, default: Mapping, readings: Sequence[Mapping], headline: Sequence[str]
+    trial: Trial,
+    default: Mapping[str, Any],
+    readings: Sequence[Mapping[str, Any]],
+    headline: Sequence[str],
 ) -> str:
-    """Markdown of ``claims.md``: counts, how near each reading comes, every verdict, the misses.
+    """Write the page ``claims.md``.
 
-    ``default`` and ``readings`` are contents of calibrated files; ``headline`` names the claims
-    that the readings are compared by.
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+    default : mapping
+        Content of the calibrated file whose inputs are the default.
+    readings : sequence of mapping
+        Contents of the calibrated files of all readings, in the order of ``trial.readings``.
+    headline : sequence of str
+        Ids of the statements by which the readings are compared.
+
+    Returns
+    -------
+    str
+        Markdown: counts, how near each reading comes, every verdict, and for each statement that
+        fails what would change it.
     """
     rows, why = verdict_rows(trial), explanations(trial)
     compared = reading_rows(trial, readings, headline)
@@ -60,7 +78,7 @@ def _counted(rows, by: str) -> str:
 
 
 def _share(row: Mapping) -> str:
-    """Share that holds of those with a verdict of our own."""
+    """Share that holds among the statements that were judged, as text; empty if there is none."""
     judged = row[HOLDS] + row[FAILS] + row[CONTRADICTED]
     return f"{100 * row[HOLDS] / judged:.0f} %" if judged else ""
 

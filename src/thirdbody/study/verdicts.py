@@ -1,49 +1,92 @@
-"""The verdict on every statement of the paper, and what would change those that fail."""
+"""The verdict on every statement of the paper, and what would change those that fail.
+
+All statements are judged under many sets of inputs: the default, the members of its ensemble, the
+default with one unknown moved at a time, and the best inputs of every reading.  ``Court`` judges
+them under one set of inputs, a ``Trial`` holds the judgements under all, and the functions below
+make rows of tables and text of a trial.
+"""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.checks import Verdict, judge
 from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEvidence
 
 HOLDS, FAILS = "holds", "fails"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
-LEAST_GAIN = 0.01  # of a score that is worth telling
-NUDGE = 0.08  # of an input's bounds: how far one input alone is moved to see what it would change
+LEAST_GAIN = 0.01  # smaller improvements of a score are not told
+NUDGE = 0.08  # how far an input is moved by itself, as a share of its bounds
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts on all claims, in their order, under one set of inputs."""
+    """Verdicts on all statements under one set of inputs.
+
+    Attributes
+    ----------
+    name : str
+        Name of the set of inputs.
+    verdicts : tuple of Verdict
+        In the order of the statements.
+    """
 
     name: str
     verdicts: tuple[Verdict, ...]
 
-    def held(self) -> np.ndarray:
-        """Which claims hold."""
+    def held(self) -> NDArray[np.bool_]:
+        """Which statements hold, shape (claims,)."""
         return np.array([verdict.holds for verdict in self.verdicts], dtype=bool)
 
 
 class Court:
-    """Judges the same claims under many sets of inputs."""
+    """Judges the same statements under any set of inputs.
 
-    def __init__(self, claims: Sequence[Claim], base: Parameters, newtons):
+    Parameters
+    ----------
+    claims : sequence of Claim
+        The statements.
+    base : Parameters
+        Values of the inputs that a set does not give.
+    newtons : tuple of float
+        First and last normal load of every curve [N].
+    """
+
+    def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
         self.claims = tuple(claims)
         self.base = base
         self.newtons = newtons
         self.asked = referenced_conditions(claims)
 
-    def judge(self, name: str, inputs: Mapping, effort=QUICK_EFFORT) -> Judgement:
-        """Verdicts with ``inputs`` in the place of those of ``base``."""
+    def judge(
+        self, name: str, inputs: Mapping[str, Any], effort: Effort = QUICK_EFFORT
+    ) -> Judgement:
+        """Judge all statements under one set of inputs.
+
+        Parameters
+        ----------
+        name : str
+            Name of the set, for the judgement.
+        inputs : mapping
+            Fields of ``Parameters`` that replace those of ``base``, SI.
+        effort : Effort
+            How finely curves and windows are solved.
+
+        Raises
+        ------
+        ValueError
+            If the inputs are not physical.
+        """
         parameters = replace(self.base, **inputs)
         evidence = SolvedEvidence(parameters, self.asked, self.newtons, effort)
         return Judgement(name, tuple(judge(claim, evidence) for claim in self.claims))
@@ -51,8 +94,21 @@ class Court:
 
 @dataclass(frozen=True)
 class Trial:
-    """The claims judged under the default inputs, their ensemble, single changes of theirs, and
-    the best inputs of every reading."""
+    """All statements, judged under all sets of inputs.
+
+    Attributes
+    ----------
+    claims : tuple of Claim
+        The statements.
+    main : Judgement
+        Under the default inputs.
+    ensemble : tuple of Judgement
+        Under each member of the ensemble of the default.
+    nudged : tuple of Judgement
+        Under the default with one unknown moved, up and down for each.
+    readings : tuple of Judgement
+        Under the best inputs of each reading.
+    """
 
     claims: tuple[Claim, ...]
     main: Judgement
@@ -61,8 +117,26 @@ class Trial:
     readings: tuple[Judgement, ...]
 
     @classmethod
-    def of(cls, court: Court, default: Mapping, reading: Reading, readings: Sequence[Mapping]):
-        """``default`` and ``readings`` are contents of calibrated files; ``reading`` is default's."""
+    def of(
+        cls,
+        court: Court,
+        default: Mapping[str, Any],
+        reading: Reading,
+        readings: Sequence[Mapping[str, Any]],
+    ) -> Trial:
+        """Hold the trial.
+
+        Parameters
+        ----------
+        court : Court
+            Has the statements.
+        default : mapping
+            Content of the calibrated file whose inputs are the default.
+        reading : Reading
+            The reading that this file is of.
+        readings : sequence of mapping
+            Contents of the calibrated files of all readings.
+        """
         inputs = default["inputs"]
         return cls(
             court.claims,
@@ -73,8 +147,47 @@ class Trial:
         )
 
 
-def verdict_rows(trial: Trial) -> list[dict]:
-    """One row a claim: what is published and measured, the verdict, and how many agree."""
+def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
+    """Rows of the table ``claims``.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+
+    Returns
+    -------
+    list of dict
+        For each statement what is published and measured, how far apart they are, the verdict
+        under the default inputs, and how many members of the ensemble and readings agree with it.
+
+    Examples
+    --------
+    >>> claim = Claim(
+    ...     id="fig03a-ratio-zero-without-particles",
+    ...     where="Figure 3A, section 3.3",
+    ...     statement="Without particles the particle contact ratio is 0 at each load.",
+    ...     kind="value",
+    ...     quantity="particle_contact_area_ratio",
+    ...     extreme="maximum",
+    ...     conditions={
+    ...         "viscosity_cSt": 0,
+    ...         "particle_diameter_nm": 0,
+    ...         "roughness_nm": 100,
+    ...         "particle_density_per_m2": 1e11,
+    ...     },
+    ...     published=0.0,
+    ...     tolerance=0.001,
+    ...     relative=False,
+    ...     reason="true by definition of the ratio",
+    ... )
+    >>> from thirdbody import load_parameters
+    >>> court = Court([claim], load_parameters(), newtons=(0.04, 80.0))
+    >>> trial = Trial((claim,), court.judge("default", {}), (), (), ())
+    >>> (row,) = verdict_rows(trial)
+    >>> row["measured"], row["verdict"]
+    ('0', 'holds')
+    """
     held = dict(zip((claim.id for claim in trial.claims), trial.main.held(), strict=True))
     roles = assign_roles(trial.claims)
     return [
@@ -104,13 +217,30 @@ def verdict_rows(trial: Trial) -> list[dict]:
 
 
 def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
-    """How many judgements of the claim at ``index`` come to the same as ``verdict``."""
+    """How many judgements come to the same as ``verdict`` on the statement at ``index``."""
     return sum(bool(each.verdicts[index].holds) == bool(verdict.holds) for each in judgements)
 
 
-def reading_rows(trial: Trial, readings: Sequence[Mapping], headline: Sequence[str]) -> list[dict]:
-    """One row a reading: its objective, the shares that hold, and what it gives for the claims
-    whose ids ``headline`` names."""
+def reading_rows(
+    trial: Trial, readings: Sequence[Mapping[str, Any]], headline: Sequence[str]
+) -> list[dict[str, Any]]:
+    """Compare the readings, each at its best inputs.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+    readings : sequence of mapping
+        Contents of the calibrated files of all readings, in the order of ``trial.readings``.
+    headline : sequence of str
+        Ids of the statements to compare the readings by.
+
+    Returns
+    -------
+    list of dict
+        For each reading, the least objective first: its objective, how many statements of each
+        role hold, and what is measured for those of ``headline``.
+    """
     roles = assign_roles(trial.claims)
     rows = []
     for judgement, content in zip(trial.readings, readings, strict=True):
@@ -126,7 +256,7 @@ def reading_rows(trial: Trial, readings: Sequence[Mapping], headline: Sequence[s
 
 
 def _published(claim: Claim) -> str:
-    """What the paper says, as text; empty where the statement is not a number or a sequence."""
+    """What the paper says, as text; empty if it is neither numbers nor a sequence of states."""
     if claim.published is None:
         return ""
     separator = " > " if claim.kind.endswith("_sequence") else ", "
@@ -134,7 +264,10 @@ def _published(claim: Claim) -> str:
 
 
 def _verdict(claim: Claim, verdict: Verdict, held: Mapping) -> str:
-    """A failed statement whose opposite the paper states as well, and which holds, is no miss."""
+    """The word for a verdict.
+
+    A statement does not count as failed if the paper states its opposite as well and that holds.
+    """
     if claim.is_withheld:
         return WITHHELD
     if verdict.holds:
@@ -143,8 +276,19 @@ def _verdict(claim: Claim, verdict: Verdict, held: Mapping) -> str:
 
 
 def explanations(trial: Trial) -> dict[str, str]:
-    """For each claim that fails, a paragraph: what the model gives, what would change it, and
-    which statements forbid that.  By claim id."""
+    """Explain the statements that fail.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+
+    Returns
+    -------
+    dict
+        For each statement that fails, by its id, a paragraph: what the model gives, which change
+        of one input or of the reading would bring it nearer, and which statements would be lost.
+    """
     return {
         claim.id: _paragraph(trial, index)
         for index, (claim, verdict) in enumerate(
@@ -154,8 +298,8 @@ def explanations(trial: Trial) -> dict[str, str]:
     }
 
 
-def _nudges(reading: Reading, inputs: Mapping):
-    """Each unknown alone, moved down and up by a part of its bounds."""
+def _nudges(reading: Reading, inputs: Mapping[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    """Names and sets of inputs with one unknown moved, down and up for each."""
     for unknown in reading.unknowns:
         for direction, step in (("lower", -NUDGE), ("higher", NUDGE)):
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
@@ -164,7 +308,7 @@ def _nudges(reading: Reading, inputs: Mapping):
 
 
 def _paragraph(trial: Trial, index: int) -> str:
-    """What the model gives for the claim at ``index``, and what an input or a reading changes."""
+    """What the model gives for the statement at ``index``, and what would bring it nearer."""
     verdict = trial.main.verdicts[index]
     return " ".join(
         [
@@ -197,7 +341,7 @@ def _by_reading(trial: Trial, index: int) -> str:
 
 
 def _price(trial: Trial, other: Judgement) -> str:
-    """Which statements that hold now forbid a change to ``other``."""
+    """Which statements hold under the default inputs and would fail under those of ``other``."""
     lost = [
         claim.id
         for claim, before, after in zip(trial.claims, trial.main.held(), other.held(), strict=True)
@@ -209,7 +353,7 @@ def _price(trial: Trial, other: Judgement) -> str:
     return f"{len(lost)} that hold now forbid it: {shown}"
 
 
-def counts(rows: Sequence[Mapping], by: str) -> list[dict]:
+def counts(rows: Sequence[Mapping[str, Any]], by: str) -> list[dict[str, Any]]:
     """How many statements fare how, in each group of them.
 
     Parameters
