@@ -1,7 +1,7 @@
-"""How a release is called, dated and cited: CITATION.cff, codemeta.json and Zenodo's metadata.
+"""Name, version, date and citation of a release, in the vocabularies that archives ask for.
 
-``pyproject.toml`` gives the version and ``CITATION.cff`` everything else, the date too: the same
-sources give the same archive whenever it is made.
+``pyproject.toml`` gives the name and version, ``CITATION.cff`` everything else.  The date is written
+there too and not taken from a clock: so the same sources give the same archive whenever it is made.
 """
 
 from __future__ import annotations
@@ -10,7 +10,9 @@ import re
 import tomllib
 from dataclasses import dataclass
 from importlib.metadata import version
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import yaml
 
@@ -22,18 +24,46 @@ SPDX = "https://spdx.org/licenses/"
 
 @dataclass(frozen=True)
 class Release:
-    """Name, version and date of a release, and ``citation``, the content of CITATION.cff."""
+    """A release of the project, as its files describe it.
+
+    Attributes
+    ----------
+    name : str
+        Name of the project.
+    version : str
+        Number of the release.
+    date : str
+        Day of the release, ISO 8601.
+    citation : dict
+        Content of ``CITATION.cff``.
+    """
 
     name: str
     version: str
-    date: str  # ISO 8601
-    citation: dict
+    date: str
+    citation: dict[str, Any]
 
     @classmethod
-    def of(cls, pyproject, citation) -> Release:
-        """The release that the files ``pyproject`` and ``citation`` describe.
+    def of(cls, pyproject: str | PathLike, citation: str | PathLike) -> Release:
+        """Read the release from the files that describe it.
 
-        Raises ``ValueError`` if they do not give the same version.
+        Parameters
+        ----------
+        pyproject, citation : path
+            ``pyproject.toml`` and ``CITATION.cff``.
+
+        Raises
+        ------
+        ValueError
+            If the two files do not give the same version.
+
+        Examples
+        --------
+        In the root of the repository:
+
+        >>> release = Release.of("pyproject.toml", "CITATION.cff")
+        >>> release.full_name == f"thirdbody-{release.version}"
+        True
         """
         project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
         cited = read_yaml(citation)
@@ -51,11 +81,12 @@ class Release:
 
     @property
     def authors(self) -> list[str]:
+        """Names of the authors of the release."""
         return [author["name"] for author in self.citation["authors"]]
 
     @property
-    def paper(self) -> dict:
-        """The paper that is reproduced."""
+    def paper(self) -> dict[str, Any]:
+        """The paper that is reproduced: the first reference of ``CITATION.cff``."""
         return self.citation["references"][0]
 
     @property
@@ -77,8 +108,24 @@ class Release:
         )
 
 
-def software_versions(pyproject) -> dict[str, str]:
-    """Installed versions of what the project itself asks for, to run its workflow."""
+def software_versions(pyproject: str | PathLike) -> dict[str, str]:
+    """Installed versions of the packages that running the workflow asks for.
+
+    Parameters
+    ----------
+    pyproject : path
+        ``pyproject.toml``, whose dependencies and those of the extra ``workflow`` are meant.
+
+    Returns
+    -------
+    dict
+        Versions by name of the package.
+
+    Raises
+    ------
+    importlib.metadata.PackageNotFoundError
+        If one of them is not installed.
+    """
     project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
     wanted = [*project["dependencies"], *project["optional-dependencies"]["workflow"]]
     names = sorted(re.match(r"[\w.-]+", requirement)[0] for requirement in wanted)
@@ -86,12 +133,29 @@ def software_versions(pyproject) -> dict[str, str]:
 
 
 def citation_text(release: Release) -> str:
-    """CITATION.cff of the release."""
+    """Text of the file ``CITATION.cff`` in the archive."""
     return yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
 
 
-def codemeta(release: Release, software: dict[str, str]) -> dict:
-    """codemeta.json (CodeMeta 3.0); ``software`` are versions by name."""
+def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
+    """Describe the software in the vocabulary CodeMeta 3.0.
+
+    Parameters
+    ----------
+    release : Release
+        What is described.
+    software : dict
+        Versions of the packages that it runs on, by name.
+
+    Returns
+    -------
+    dict
+        Content of ``codemeta.json``.
+
+    References
+    ----------
+    https://w3id.org/codemeta/3.0
+    """
     cited = release.citation
     return {
         "@context": "https://w3id.org/codemeta/3.0",
@@ -116,9 +180,17 @@ def codemeta(release: Release, software: dict[str, str]) -> dict:
     }
 
 
-def zenodo(release: Release) -> dict:
-    """Body of a deposit to Zenodo's interface; the file stands in the archive only, as a
-    ``.zenodo.json`` in the repository would make Zenodo ignore its CITATION.cff."""
+def zenodo(release: Release) -> dict[str, Any]:
+    """Describe the archive as Zenodo asks for it when one is deposited.
+
+    The description is part of the archive only: a file ``.zenodo.json`` in the repository would make
+    Zenodo ignore its ``CITATION.cff``.
+
+    Returns
+    -------
+    dict
+        Body of a request to Zenodo's programming interface.
+    """
     cited = release.citation
     return {
         "metadata": {

@@ -1,6 +1,7 @@
-"""codecheck.yml: what an independent checker compares, from the targets of the workflow.
+"""codecheck.yml: which products an independent checker compares, and how (CODECHECK 1.0).
 
-python -m thirdbody.release.codecheck > codecheck.yml
+In the root of the repository ``python -m thirdbody.release.codecheck > codecheck.yml`` writes it
+anew from the list of products in the Snakefile.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
+from os import PathLike
 from pathlib import Path, PurePosixPath
 
 import yaml
@@ -15,7 +17,8 @@ import yaml
 from thirdbody.release.citation import Release
 
 SPECIFICATION = "https://codecheck.org.uk/spec/config/1.0/"
-# by folder and ending; files with other endings hold the same in another format
+# How a product is compared, by its folder and ending.  Files with other endings hold the same in
+# another format and are not compared.
 COMPARED = {
     ("datasets", ".nc"): "every value is compared, to the relative error in the attribute rtol",
     ("tables", ".csv"): "every number is compared, to the error in its row if there is one",
@@ -26,8 +29,19 @@ COMPARED = {
 }
 
 
-def targets(snakefile) -> list[str]:
-    """The literal list of products in ``rule all`` of ``snakefile``."""
+def targets(snakefile: str | PathLike) -> list[str]:
+    """The products that the workflow makes by default.
+
+    Parameters
+    ----------
+    snakefile : path
+        A Snakefile whose ``rule all`` lists file names, and calls of ``multiext``, literally.
+
+    Returns
+    -------
+    list of str
+        File names, in the order of the list.
+    """
     text = Path(snakefile).read_text(encoding="utf-8")
     after = text.partition("\nrule all:\n")[2].partition("    input:\n")[2]
     items = re.match(r"(?: {8}.*\n)*", after)[0]
@@ -39,7 +53,7 @@ def targets(snakefile) -> list[str]:
 
 
 def _names(element: ast.expr) -> list[str]:
-    """A file name, or those of a ``multiext`` of literals."""
+    """File names that an element of the list stands for: itself, or those of a ``multiext``."""
     if isinstance(element, ast.Call):
         stem, *endings = map(ast.literal_eval, element.args)
         return [f"{stem}{ending}" for ending in endings]
@@ -47,7 +61,24 @@ def _names(element: ast.expr) -> list[str]:
 
 
 def codecheck_text(products: list[str], release: Release) -> str:
-    """codecheck.yml with a manifest of ``products``; who checks adds what the check found."""
+    """Text of ``codecheck.yml``, to which a checker adds who checked and what was found.
+
+    Parameters
+    ----------
+    products : list of str
+        File names in ``results/``; those that are not compared are left out.
+    release : Release
+        What is checked.
+
+    Returns
+    -------
+    str
+        YAML.
+
+    References
+    ----------
+    https://codecheck.org.uk/spec/config/1.0/
+    """
     content = {
         "version": SPECIFICATION,
         "source": f"{release.citation['title']}, version {release.version}",

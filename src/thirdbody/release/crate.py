@@ -1,13 +1,15 @@
-"""ro-crate-metadata.json: RO-Crate 1.1 with the Workflow Run Crate 0.5 profile.
+"""ro-crate-metadata.json: what each file of an archive is, and which was made from which.
 
-The crate says what each file is, and who made what from what: one ``CreateAction`` for the run of
-the workflow, and one for each of its jobs, with the script of the rule as its instrument.
+The description is an RO-Crate 1.1 with the profile Workflow Run Crate 0.5: a graph of entities that
+refer to each other by ``@id``.  The run of the workflow is one ``CreateAction``; each of its jobs is
+another, with the script of its rule as the instrument.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
@@ -28,7 +30,7 @@ LANGUAGE = "https://w3id.org/workflowhub/workflow-ro-crate#snakemake"
 DEVELOPERS = "#developers"
 COMPLETED = "http://schema.org/CompletedActionStatus"
 BIOSCHEMAS = "https://bioschemas.org/profiles"
-# folders of products, in results/ as in an archive
+# Folders of products and their titles; they are called alike in results/ and in an archive.
 KINDS = {
     "datasets": "solved points, one file a figure",
     "bands": "lowest and highest value (_low, _high) of each quantity over calibrated inputs",
@@ -44,7 +46,25 @@ FOLDERS = {
 
 @dataclass(frozen=True)
 class Job:
-    """One job of the run; paths as the workflow names them, relative to its folder."""
+    """A job of the workflow.
+
+    Paths are those that the workflow uses, relative to the root of the repository.
+
+    Attributes
+    ----------
+    rule : str
+        Name of its rule.
+    wildcards : dict
+        Values of the rule's wildcards, by name.
+    script : str
+        Path of the script that the rule runs.
+    modules : list of str
+        Paths of the modules of the project that the script imports, directly or not.
+    inputs, outputs : list of str
+        Paths of the files that it reads and writes.
+    configured : bool
+        Whether it takes parameters from the configuration.
+    """
 
     rule: str
     wildcards: dict[str, str]
@@ -52,25 +72,77 @@ class Job:
     modules: list[str]
     inputs: list[str]
     outputs: list[str]
-    configured: bool  # whether the configuration gives it parameters
+    configured: bool
 
     @property
     def name(self) -> str:
+        """Rule and values of the wildcards, for readers."""
         values = ", ".join(self.wildcards.values())
         return f"{self.rule} ({values})" if values else self.rule
 
 
 @dataclass(frozen=True)
 class Run:
-    """How the products were made: ``settings`` by name, ``jobs``, and ``software`` versions."""
+    """How the products were made.
 
-    settings: dict[str, dict]
+    Attributes
+    ----------
+    settings : dict
+        What the workflow was given; each entry becomes a file of this name in the archive.
+    jobs : list of Job
+        Jobs that made the products.
+    software : dict
+        Versions of the packages that the workflow ran on, by name.
+    """
+
+    settings: dict[str, dict[str, Any]]
     jobs: list[Job]
     software: dict[str, str]
 
 
-def crate(data: Path, kinds: dict[str, str], run: Run, release: Release) -> dict:
-    """The crate of the files in ``data``, with ``kinds`` the titles of the folders of products."""
+def crate(data: Path, kinds: dict[str, str], run: Run, release: Release) -> dict[str, Any]:
+    """Describe the files of an archive and how they were made.
+
+    Parameters
+    ----------
+    data : Path
+        Folder of the archive that holds products, sources and configuration.
+    kinds : dict
+        Title of each folder of products in ``data``, by name.
+    run : Run
+        The run of the workflow that made the products.
+    release : Release
+        What the archive is of.
+
+    Returns
+    -------
+    dict
+        Content of ``ro-crate-metadata.json``.
+
+    Raises
+    ------
+    KeyError
+        If the script or a module of a job is not among the files in ``data``.
+
+    References
+    ----------
+    https://w3id.org/ro/crate/1.1, https://w3id.org/ro/wfrun/workflow/0.5
+
+    Examples
+    --------
+    In the root of the repository:
+
+    >>> import tempfile
+    >>> release = Release.of("pyproject.toml", "CITATION.cff")
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     tables = Path(place, "tables")
+    ...     tables.mkdir()
+    ...     (tables / "table1.csv").touch()
+    ...     run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
+    ...     described = crate(Path(place), {"tables": "tables of the paper"}, run, release)
+    >>> [entity["name"] for entity in described["@graph"] if entity["@type"] == "File"]
+    ['table1.csv']
+    """
     files = [path for path in files_in(data, data) if path != METADATA]
     folders = FOLDERS | kinds
     products = [path for path in files if path.partition("/")[0] in kinds]
@@ -91,13 +163,13 @@ def crate(data: Path, kinds: dict[str, str], run: Run, release: Release) -> dict
 
 
 def _refer(*identifiers):
-    """References to entities: one, or a list of several."""
+    """References to entities: a mapping for one of them, else a list."""
     found = [{"@id": identifier} for identifier in identifiers]
     return found[0] if len(found) == 1 else found
 
 
 def _root(files, folders, jobs, release: Release) -> list[dict]:
-    """The descriptor of the metadata and the root of the crate."""
+    """The entity of the metadata file itself, and that of the whole crate."""
     top = [path for path in files if "/" not in path]
     descriptor = {
         "@id": METADATA,
@@ -126,7 +198,7 @@ def _root(files, folders, jobs, release: Release) -> list[dict]:
 
 
 def _context(software, release: Release) -> list[dict]:
-    """Profiles, people, licences, the paper and the software that the crate speaks of."""
+    """What the crate refers to: profiles, people, licences, the paper and the software."""
     paper = release.paper
     return [
         *(
@@ -175,7 +247,7 @@ def _package(name, number) -> str:
 
 
 def _workflow(scripts, software, release: Release) -> dict:
-    """The workflow, with the scripts of its rules and the software that it runs on."""
+    """The workflow, with references to the scripts of its rules and to its software."""
     return _file(WORKFLOW, release) | {
         "@type": ["File", "SoftwareSourceCode", "ComputationalWorkflow"],
         "name": f"workflow of {release.full_name}",
@@ -191,7 +263,7 @@ def _workflow(scripts, software, release: Release) -> dict:
 
 
 def _parameters(kinds) -> list[dict]:
-    """What the workflow takes and gives."""
+    """Formal parameters of the workflow: its configuration goes in, the products come out."""
     shape = _refer(f"{BIOSCHEMAS}/FormalParameter/1.0-RELEASE")
     return [
         {
@@ -218,7 +290,7 @@ def _parameters(kinds) -> list[dict]:
 
 
 def _scripts(jobs, archived, release: Release) -> dict[str, dict]:
-    """What is particular to the file of each rule's script: the modules that it imports."""
+    """What the files of the rules' scripts have beyond other files, by their paths."""
     found = {}
     for job in jobs:
         path = archived[job.script]
@@ -234,7 +306,7 @@ def _scripts(jobs, archived, release: Release) -> dict[str, dict]:
 
 
 def _file(path: str, release: Release) -> dict:
-    """A file of the archive; what is under another licence than the whole says so."""
+    """A file of the archive; it names its licence if that is not the one of the whole."""
     entity = {
         "@id": path,
         "@type": "File",
@@ -249,7 +321,7 @@ def _file(path: str, release: Release) -> dict:
 
 
 def _folder(folder: str, title: str, files, made: bool) -> dict:
-    """A folder of the archive with its files; those of products were ``made`` by the run."""
+    """A folder of the archive with references to its files; ``made``: the run made them."""
     parts = [path for path in files if path.startswith(f"{folder}/")]
     entity = {"@id": f"{folder}/", "@type": "Dataset", "name": folder, "description": title}
     entity["hasPart"] = _refer(*parts)
@@ -257,7 +329,7 @@ def _folder(folder: str, title: str, files, made: bool) -> dict:
 
 
 def _run(products, release: Release) -> dict:
-    """The run of the whole workflow."""
+    """The action that the run of the whole workflow is."""
     return {
         "@id": "#run",
         "@type": "CreateAction",
@@ -272,7 +344,7 @@ def _run(products, release: Release) -> dict:
 
 
 def _actions(jobs: list[Job], archived) -> list[dict]:
-    """An action for each job, and entities for files between two jobs that are not archived."""
+    """An action for each job, and an entity for each file of a job that is not in the archive."""
     graph, between = [], {}
     for job in jobs:
         inputs = [archived.get(path, f"#{path}") for path in job.inputs]
@@ -304,4 +376,5 @@ def _actions(jobs: list[Job], archived) -> list[dict]:
 
 
 def _slug(job: Job) -> str:
+    """Name of a job that can stand in an ``@id``."""
     return "-".join((job.rule, *job.wildcards.values()))

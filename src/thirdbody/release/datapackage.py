@@ -1,17 +1,19 @@
-"""datapackage.json (Frictionless): every product with its size and sum, tables with their columns."""
+"""datapackage.json: products with their sizes and sums, tables with their columns (Frictionless)."""
 
 from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from thirdbody.data.tables import TABLES, Column
 from thirdbody.release.bag import digest, files_in
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
 from thirdbody.release.media import media_type
 
-# the data that a figure draws; its columns are named by their content, not by a unit
+# Columns of the CSV file beside a figure: the points that it draws.
 DRAWN_POINTS = (
     Column("panel", "string", "", "letter of the panel"),
     Column("curve", "string", "", "label of the curve"),
@@ -22,8 +24,46 @@ DRAWN_POINTS = (
 )
 
 
-def data_package(data: Path, kinds, release: Release) -> dict:
-    """Description of the products in the folders ``kinds`` of ``data``."""
+def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:
+    """Describe the products of an archive.
+
+    Parameters
+    ----------
+    data : Path
+        Folder of the archive that holds the folders of products.
+    kinds : iterable of str
+        Names of the folders of products.
+    release : Release
+        What the archive is of.
+
+    Returns
+    -------
+    dict
+        Content of ``datapackage.json``.
+
+    Raises
+    ------
+    ValueError
+        If nothing describes the columns of a table.
+
+    References
+    ----------
+    https://datapackage.org/standard/data-package
+
+    Examples
+    --------
+    In the root of the repository:
+
+    >>> import tempfile
+    >>> release = Release.of("pyproject.toml", "CITATION.cff")
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     figures = Path(place, "figures")
+    ...     figures.mkdir()
+    ...     _ = (figures / "fig03.csv").write_text("panel,curve,x_name,x,y_name,y")
+    ...     package = data_package(Path(place), ["figures"], release)
+    >>> package["resources"][0]["path"], package["resources"][0]["type"]
+    ('figures/fig03.csv', 'table')
+    """
     resources = [
         _resource(data, path) for kind in sorted(kinds) for path in files_in(data / kind, data)
     ]
@@ -45,7 +85,7 @@ def data_package(data: Path, kinds, release: Release) -> dict:
 
 
 def _resource(data: Path, path: str) -> dict:
-    """One file; one with columns is a table."""
+    """Describe one file, and its columns if it is a table."""
     file = data / path
     described = {
         "name": path.lower().replace("/", "-").replace(".", "-").replace("_", "-"),
@@ -60,10 +100,24 @@ def _resource(data: Path, path: str) -> dict:
     return described | {"type": "table", "format": "csv", "encoding": "utf-8", "schema": schema}
 
 
-def table_schema(file: Path) -> dict | None:
-    """Table Schema of a CSV file, by its columns or from the file beside it; None for the rest.
+def table_schema(file: Path) -> dict[str, Any] | None:
+    """Describe the columns of a table.
 
-    Raises ``ValueError`` for a table whose columns nothing describes.
+    Parameters
+    ----------
+    file : Path
+        Any product.
+
+    Returns
+    -------
+    dict or None
+        The Table Schema of a CSV file: that in the JSON file beside it if there is one, else by
+        the names of its columns.  None for other files.
+
+    Raises
+    ------
+    ValueError
+        If nothing describes the columns.
     """
     if file.suffix != ".csv":
         return None

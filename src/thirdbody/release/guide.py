@@ -1,4 +1,4 @@
-"""README.md of an archive, written from what is in it."""
+"""README.md of an archive, for people: written from what the archive holds."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, Release
 from thirdbody.release.datapackage import DRAWN_POINTS, table_schema
 
-# unit and meaning of what the attribute ``model_parameters`` of a dataset holds
+# Unit and meaning of each entry of ``model_parameters``, the attribute of datasets.
 MODEL = {
     "E_ss": ("Pa", "composite elastic modulus of the two surfaces"),
     "E_sa": ("Pa", "composite elastic modulus of a particle and a surface"),
@@ -42,7 +42,24 @@ MODEL = {
 
 
 def guide(data: Path, kinds: dict[str, str], software: dict[str, str], release: Release) -> str:
-    """The text; ``kinds`` are the titles of the folders of products in ``data``."""
+    """Write the text of an archive's ``README.md``.
+
+    Parameters
+    ----------
+    data : Path
+        Folder of the archive that holds products, sources and configuration.
+    kinds : dict
+        Title of each folder of products in ``data``, by name; ``datasets`` must be among them.
+    software : dict
+        Versions of the packages that made the products, by name.
+    release : Release
+        What the archive is of.
+
+    Returns
+    -------
+    str
+        Markdown.
+    """
     parts = [
         _head(release),
         _checking(),
@@ -180,7 +197,7 @@ _CHAPTERS = {"datasets": _datasets, "tables": _tables, "figures": _figures, "cla
 
 
 def _meaning(folder: Path) -> str:
-    """Coordinates and variables with their units, from the first dataset, and the inputs."""
+    """Tables of coordinates, variables and inputs with their units, as the first dataset has them."""
     first = next(name for name in files_in(folder, folder) if name.endswith(".nc"))
     dataset = read_dataset(folder / first)
     variables = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from os import PathLike
 from pathlib import PurePath
 
 MEDIA_TYPES = {
@@ -22,6 +23,14 @@ MEDIA_TYPES = {
 }
 
 
-def media_type(path) -> str:
-    """Media type by the suffix of ``path``; what has none of these is plain text."""
+def media_type(path: str | PathLike) -> str:
+    """Media type of a file by the ending of its name; any other ending means plain text.
+
+    Examples
+    --------
+    >>> media_type("results/datasets/fig03.nc")
+    'application/x-netcdf'
+    >>> media_type("LICENSE")
+    'text/plain'
+    """
     return MEDIA_TYPES.get(PurePath(path).suffix, "text/plain")

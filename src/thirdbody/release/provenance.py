@@ -1,4 +1,7 @@
-"""What differs from run to run: when, where and by whom a release was made."""
+"""When, where, by whom and with what a release was made: what differs from run to run.
+
+It stands in a file of its own beside the archive, so that the archive itself is always the same.
+"""
 
 from __future__ import annotations
 
@@ -10,12 +13,26 @@ import sys
 from datetime import UTC, datetime
 from importlib.metadata import distributions
 from pathlib import Path
+from typing import Any
 
 from thirdbody.release.bag import ALGORITHMS, digest
 
 
-def provenance(archive: Path, cost: list[dict]) -> dict:
-    """Record of the making of ``archive``; ``cost`` are rows of what solving took."""
+def provenance(archive: Path, cost: list[dict[str, Any]]) -> dict[str, Any]:
+    """Record the making of an archive, now and on this machine.
+
+    Parameters
+    ----------
+    archive : Path
+        The archive file, which is read for its sums.
+    cost : list of dict
+        Rows of the table of what solving took.
+
+    Returns
+    -------
+    dict
+        Content of ``provenance.json``.
+    """
     sums = {algorithm: digest(archive, algorithm) for algorithm in ALGORITHMS}
     return {
         "archive": {"name": archive.name, "bytes": archive.stat().st_size, **sums},
@@ -32,7 +49,7 @@ def provenance(archive: Path, cost: list[dict]) -> dict:
 
 
 def user() -> str:
-    """Name of the user, if the system knows one."""
+    """Name of the user, or ``unknown`` if the system has none."""
     try:
         return getpass.getuser()
     except (OSError, KeyError):
@@ -40,7 +57,7 @@ def user() -> str:
 
 
 def commit() -> str:
-    """The git commit of the sources, if they are in a repository."""
+    """Git commit of the current folder, with ``-dirty`` if it was changed, or that there is none."""
     command = ["git", "describe", "--always", "--dirty", "--abbrev=40"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=True)

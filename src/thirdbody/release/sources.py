@@ -1,4 +1,4 @@
-"""Which files are the repository as it is published: what a run writes is in none of these."""
+"""Which files are the sources, as they are published: nothing that a run writes is among them."""
 
 from __future__ import annotations
 
@@ -34,5 +34,5 @@ SOURCES = (
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources, relative to the root of the repository: the current folder."""
+    """Sorted paths of all sources, relative to the current folder: the root of the repository."""
     return sorted({path.as_posix() for pattern in SOURCES for path in Path().glob(pattern)})

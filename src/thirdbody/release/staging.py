@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import os
 import shutil
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from runpy import run_path
+from typing import Any
 
 from thirdbody.release.bag import seal
 from thirdbody.release.citation import Release, citation_text, codemeta, zenodo
@@ -21,8 +23,22 @@ CONTENT_HASH = f"{VERIFICATION}content_hash.py"
 
 
 @contextmanager
-def whole_folder(place):
-    """A new folder to fill beside ``place``, which it replaces once the block is done."""
+def whole_folder(place: str | os.PathLike) -> Iterator[Path]:
+    """Fill a folder so that it is there as a whole or not at all.
+
+    A context manager: its block fills a new folder, which takes the place of a former one only when
+    the block has ended without an error.
+
+    Parameters
+    ----------
+    place : path
+        Where the folder is to stand.
+
+    Yields
+    ------
+    Path
+        The empty folder to fill, beside ``place``.
+    """
     place = Path(place)
     beside = place.with_name(f".{place.name}.partial")
     former = place.with_name(f".{place.name}.former")
@@ -39,11 +55,54 @@ def whole_folder(place):
             shutil.rmtree(rest, ignore_errors=True)
 
 
-def stage(folder: Path, products, sources, run: Run, release: Release) -> None:
-    """Fill the empty ``folder`` with files of the repository, which is the current folder.
+def stage(
+    folder: Path,
+    products: Sequence[str | os.PathLike],
+    sources: Iterable[str],
+    run: Run,
+    release: Release,
+) -> None:
+    """Fill the folder of a release: copy the files, describe them, and seal all with sums.
 
-    ``products`` are paths in ``results/``, ``sources`` those of the source code, among them the
-    programs that check an archive.  Raises ``ValueError`` for a product of an unknown kind.
+    The current folder must be the root of the repository.
+
+    Parameters
+    ----------
+    folder : Path
+        An empty folder.
+    products : sequence of path
+        Files in ``results/``, whose folder there tells their kind; at least one dataset.
+    sources : iterable of str
+        Files of the source code, among them the programs in ``verification/``.
+    run : Run
+        The run of the workflow that made the products.
+    release : Release
+        Name, version, date and citation.
+
+    Raises
+    ------
+    ValueError
+        If a product is of an unknown kind, or nothing describes the columns of a table.
+    OSError
+        If a file cannot be read or written.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import thirdbody as tb
+    >>> from thirdbody.data.netcdf import write_dataset
+    >>> points = tb.grid([1e-5], [0.0], [3e-7], [3e-7], [1e11], tb.load_parameters())
+    >>> sources = ["workflow/Snakefile", "verification/content_hash.py"]
+    >>> run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
+    >>> release = Release.of("pyproject.toml", "CITATION.cff")
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     product = Path(place, "datasets", "fig03.nc")
+    ...     product.parent.mkdir()
+    ...     write_dataset(points, product)
+    ...     folder = Path(place, release.full_name)
+    ...     stage(folder, [product], sources, run, release)
+    ...     print(*sorted(path.name for path in folder.iterdir() if not path.suffix))
+    data verification
     """
     data = folder / "data"
     for path in products:
@@ -71,19 +130,19 @@ def stage(folder: Path, products, sources, run: Run, release: Release) -> None:
 
 
 def _kind(product) -> str:
-    """The folder of ``results/`` that a product lies in."""
+    """Kind of a product: the folder of ``results/`` that it lies in."""
     kind = PurePosixPath(product).parent.name
     if kind not in KINDS:
         raise ValueError(f"{product}: kind {kind!r} is unknown; allowed: {', '.join(KINDS)}")
     return kind
 
 
-def _copy(path, place: Path) -> None:
-    """Copy bytes alone: no mode, owner or time."""
+def _copy(path: str | os.PathLike, place: Path) -> None:
+    """Copy the bytes of a file, but not its mode, owner or time."""
     place.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(path, place)
 
 
-def _write_json(path: Path, content) -> None:
+def _write_json(path: Path, content: Any) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
