@@ -23,7 +23,7 @@ from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.particles import ParticleLayer
-from thirdbody.solver.balance import Points
+from thirdbody.solver.points import Points
 
 LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch

@@ -18,7 +18,7 @@ def error_rows(rows, rtols, plain) -> list[dict]:
     """Rows of the table ``errors``: largest and 99th-percentile error of each variable, method,
     ``rtol`` and class at the golden ``rows``; ``plain`` is the module of plain equations.
 
-    Of the library's errors, alone and in company, the larger one counts.
+    Of the library's errors, which differ from way to way, the largest counts.
     """
     groups = [kind for group in grouped(rows) for kind in _of_one_kind(group)]
     table = []

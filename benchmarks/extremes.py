@@ -21,8 +21,8 @@ GAP_ROUNDING = 2.3e-16
 def judge_extremes(rows, rtol) -> list[dict]:
     """Verdict on each of ``rows``, the lines of ``extremes.csv``, solved with ``rtol``, in order.
 
-    Points of one surface are solved together and none may harm another; what they give alone and
-    in company must be right.  A warning or an exception makes all of them wrong.
+    Points of one surface are solved together and none may harm another; what each way gives must be
+    right.  A warning or an exception makes all of them wrong.
     """
     verdicts = {}
     accepted = []

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
-import numpy as np
-
 from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import MICROSECONDS, least_seconds
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 
 # what is left out: the class of points that remains
@@ -23,7 +22,6 @@ VARIABLES = {
     "all variables but L_s": ("solid_load_fraction",),
     "all variables but A_t*": ("total_contact_area",),
 }
-COPIES = 10  # of each point, where equal points are to be solved once
 
 
 def omission_rows(parameters: Parameters, budget) -> list[dict]:
@@ -33,17 +31,16 @@ def omission_rows(parameters: Parameters, budget) -> list[dict]:
     count = settings["points"]
 
     def solving(given, **wanted):
-        return partial(solve, **given, **wanted, parameters=parameters, rtol=settings["rtol"])
+        asked = {"parameters": parameters, "rtol": settings["rtol"], "way": COMPILED}
+        return partial(solve, **given, **wanted, **asked)
 
-    every, tenth = (
-        random_conditions(HEAVIEST, size, parameters) for size in (count, count // COPIES)
-    )
     runs = {
         name: solving(random_conditions(kind, count, parameters)) for name, kind in BODIES.items()
     }
-    runs |= {name: solving(every, variables=wanted) for name, wanted in VARIABLES.items()}
-    copied = {name: np.tile(values, COPIES) for name, values in tenth.items()}
-    runs[f"{COPIES - 1} of {COPIES} equal points"] = solving(copied)
+    runs |= {
+        name: solving(random_conditions(HEAVIEST, count, parameters), variables=wanted)
+        for name, wanted in VARIABLES.items()
+    }
     times = least_seconds(runs, budget["rounds"])
     return [
         {

@@ -7,16 +7,14 @@ import pytest
 from small_release import make_release
 
 from thirdbody.release.citation import Release
-from thirdbody.solver import solve as interface
+from thirdbody.solver.plan import WAYS
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-@pytest.fixture(params=["quadrature", "tables", "compiled"])
-def way(request, monkeypatch):
-    """Each way to a solution, whatever the number of points."""
-    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9 if request.param == "quadrature" else 1)
-    monkeypatch.setattr(interface, "COMPILATION_WORTH", 1 if request.param == "compiled" else 10**9)
+@pytest.fixture(params=WAYS)
+def way(request):
+    """Each way to a solution."""
     return request.param
 
 

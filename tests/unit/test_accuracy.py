@@ -23,7 +23,7 @@ from benchmarks.points import (
     relative_errors,
 )
 from benchmarks.streams import stream_rows
-from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH
+from thirdbody.solver.plan import WAYS
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
@@ -77,20 +77,12 @@ def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypa
         assert row["beyond_rtol"] == (row["points"] if off and not nothing else 0)
 
 
-def test_golden_points_are_solved_by_quadrature_by_tables_and_by_the_compiled_loop(monkeypatch):
-    sizes = []
-
-    def noted(**given):
-        sizes.append(given["load"].size)
-        return tb.solve(**given)
-
-    monkeypatch.setattr("benchmarks.library.solve", noted)
+def test_golden_points_are_solved_by_every_way():
     (group, *_) = grouped(read_rows(GOLDEN / "accuracy_points.csv"))
     given = group.conditions
     group = group.take(np.flatnonzero(given["viscosity"] * given["particle_diameter"]))
     found = [solution.separation for solution in solutions(group, 1e-3)]
-    assert sizes[0] < TABLE_WORTH <= sizes[1] < COMPILATION_WORTH <= sizes[2]
-    assert len({values.tobytes() for values in found}) == 3
+    assert len({values.tobytes() for values in found}) == len(WAYS) == 3
     for values in found:
         assert values.shape == (len(group.rows),)
         np.testing.assert_allclose(values, found[0], rtol=1e-3)

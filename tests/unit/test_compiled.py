@@ -1,8 +1,6 @@
 """The compiled loop gives what the other ways give, and leaves to them what it cannot promise."""
 
-import sys
 from dataclasses import replace
-from subprocess import run
 
 import numba
 import numpy as np
@@ -12,12 +10,11 @@ import thirdbody as tb
 from benchmarks.points import relative_errors
 from thirdbody.model.film import Film
 from thirdbody.model.particles import unit_moment
-from thirdbody.solver import solve as interface
 from thirdbody.solver.compiled.loop import ROOT
 from thirdbody.solver.compiled.points import CompiledPoints, _loop
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
+from thirdbody.solver.plan import LOOP_WORTH, TABLE_WORTH
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
-from thirdbody.solver.solve import COMPILATION_WORTH, TABLE_WORTH
 from thirdbody.solver.surfaces import prepare_surface
 
 ROUGHNESS = 300e-9
@@ -30,14 +27,6 @@ READINGS = {
     "contacting": {"coverage_limits": "contacting"},
     "offset": {"summit_offset": True},
 }
-# imports the library, solves so many points and says whether the compiler was loaded
-IS_LOADED = """
-import sys
-import numpy as np
-import thirdbody as tb
-tb.solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, tb.load_parameters())
-print("numba" in sys.modules)
-"""
 
 
 @pytest.fixture(params=READINGS)
@@ -67,17 +56,17 @@ def compiled(parameters, rtol, real=None, **given):
         return CompiledPoints(rough, parameters, *columns, rtol, real, areas=True)
 
 
-def best(monkeypatch, parameters, **given):
+def best(parameters, **given):
     """The points by quadrature, each on its own."""
-    monkeypatch.setattr(interface, "TABLE_WORTH", sys.maxsize)
-    monkeypatch.setattr(interface, "COMPILATION_WORTH", sys.maxsize)
-    return tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-11)
+    return tb.solve(
+        **given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-11, way="quadrature"
+    )
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6, 1e-9, 1e-10])
 @pytest.mark.parametrize("medium", ["dry", "lubricated"])
 @pytest.mark.parametrize("bodies", ["two_body", "three_body"])
-def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium, bodies, rtol):
+def test_errors_stay_below_the_bound_of_each_point(reading, medium, bodies, rtol):
     given = conditions(1500)
     if medium == "dry":
         given["viscosity"] = np.zeros(1500)
@@ -86,7 +75,7 @@ def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium,
     found = compiled(reading, rtol, **given)
     assert found.left.mean() < {1e-2: 0.01, 1e-3: 0.05, 1e-10: 0.1}.get(rtol, 0.01)
     known = ~found.left
-    expected = best(monkeypatch, reading, **given)
+    expected = best(reading, **given)
     errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
     allowed = np.maximum(expected.error_bound, QUADRATURE) + found.error_bound
     for name, error in errors.items():
@@ -97,7 +86,7 @@ def test_errors_stay_below_the_bound_of_each_point(monkeypatch, reading, medium,
     ("real", "rtol"), [(SINGLE, 1e-2), (SINGLE, 1e-3), (DOUBLE, 1e-3), (DOUBLE, 1e-9)]
 )
 @pytest.mark.parametrize("medium", ["dry", "lubricated"])
-def test_bounds_hold_far_beyond_the_ranges_of_the_paper(monkeypatch, reading, medium, real, rtol):
+def test_bounds_hold_far_beyond_the_ranges_of_the_paper(reading, medium, real, rtol):
     random = np.random.default_rng(5)
     count = 1500
     diameter = 10.0 ** random.uniform(-9.0, -5.0, count)
@@ -108,7 +97,7 @@ def test_bounds_hold_far_beyond_the_ranges_of_the_paper(monkeypatch, reading, me
         "particle_density": 10.0 ** random.uniform(-6.0, -0.5, count) / diameter**2,
     }
     found = compiled(reading, rtol, real, **given)
-    expected = best(monkeypatch, reading, **given)
+    expected = best(reading, **given)
     known = ~found.left & (expected.error_bound < 1e-9)
     assert known.mean() > 0.4
     errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
@@ -119,7 +108,7 @@ def test_bounds_hold_far_beyond_the_ranges_of_the_paper(monkeypatch, reading, me
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
 @pytest.mark.parametrize("limits", ["printed", "physical"])
-def test_nothing_is_extrapolated_across_first_contact(monkeypatch, parameters, rtol, limits):
+def test_nothing_is_extrapolated_across_first_contact(parameters, rtol, limits):
     """Diameters at which the largest particles begin to touch, and those just about them."""
     parameters = replace(parameters, elastic_limits=limits)
     given = {"load": 1e-6, "viscosity": 0.0, "particle_density": 1e11}
@@ -129,7 +118,7 @@ def test_nothing_is_extrapolated_across_first_contact(monkeypatch, parameters, r
         near = np.concatenate([[0.0], np.geomspace(1e-12, 0.5, 400)])
         diameter = alone / largest * np.concatenate([1.0 - near, 1.0 + near])
         found = compiled(parameters, rtol, **given | {"particle_diameter": diameter})
-        expected = best(monkeypatch, parameters, **given | {"particle_diameter": diameter})
+        expected = best(parameters, **given | {"particle_diameter": diameter})
         errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
         known = ~found.left
         assert known.mean() > 0.1
@@ -190,10 +179,10 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
 
 @pytest.mark.parametrize("given", [{}, {"viscosity": 0.0}, {"particle_density": 0.0}])
 def test_what_single_precision_leaves_is_solved_in_double(parameters, given):
-    given = conditions(COMPILATION_WORTH) | given
+    given = conditions(LOOP_WORTH) | given
     single = compiled(parameters, 1e-3, SINGLE, **given)
     double = compiled(parameters, 1e-3, DOUBLE, **given)
-    both = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-3)
+    both = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-3, way="compiled")
     for name in QUANTITIES:
         chosen = np.where(single.left, getattr(double, name), getattr(single, name))
         settled = ~(single.left & double.left)
@@ -213,12 +202,12 @@ def test_points_beyond_the_tables_are_left(parameters):
 
 
 def test_many_points_have_the_status_and_the_flags_of_few(parameters):
-    given = conditions(COMPILATION_WORTH)
+    given = conditions(LOOP_WORTH)
     given["load"][::500] = 1e3
     given["viscosity"][1::500] = 1e-9
     given["particle_density"][2::500] = 1e22
-    many = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters)
-    some = np.flatnonzero(np.arange(COMPILATION_WORTH) % 500 < 5)
+    many = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, way="compiled")
+    some = np.flatnonzero(np.arange(LOOP_WORTH) % 500 < 5)
     few = {name: values[some] for name, values in given.items()}
     assert some.size < TABLE_WORTH
     few = tb.solve(**few, roughness=ROUGHNESS, parameters=parameters)
@@ -228,10 +217,11 @@ def test_many_points_have_the_status_and_the_flags_of_few(parameters):
 
 
 def test_areas_that_nobody_asks_for_change_nothing_else(parameters):
-    given = conditions(COMPILATION_WORTH)
-    every = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters)
+    given = conditions(LOOP_WORTH)
+    given |= {"roughness": ROUGHNESS, "parameters": parameters, "way": "compiled"}
+    every = tb.solve(**given)
     names = ["solid_load_fraction", "separation", "error_bound"]
-    some = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, variables=names)
+    some = tb.solve(**given, variables=names)
     for name in names:
         np.testing.assert_array_equal(getattr(some, name), getattr(every, name))
     assert [name for name in VARIABLES if getattr(some, name) is None] == [
@@ -250,12 +240,3 @@ def test_it_compiles_where_nothing_can_be_kept(monkeypatch, parameters):
     monkeypatch.setattr("thirdbody.solver.compiled.points._loop", _loop.__wrapped__)
     again = compiled(parameters, 1e-6, **conditions(10))
     np.testing.assert_array_equal(again.separation, found.separation)
-
-
-@pytest.mark.parametrize(
-    ("points", "loaded"), [(COMPILATION_WORTH - 1, False), (COMPILATION_WORTH, True)]
-)
-def test_only_many_points_load_the_compiler(points, loaded):
-    command = [sys.executable, "-c", IS_LOADED, str(points)]
-    ran = run(command, capture_output=True, text=True, check=True)
-    assert ran.stdout.strip() == str(loaded)

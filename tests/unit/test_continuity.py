@@ -11,7 +11,7 @@ import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver import solve as interface
+from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.surfaces import TABLE_END, TABLE_SIZES, TABLE_START
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -28,8 +28,8 @@ POINT = {
 NEXT = 1e-12  # relative distance of two points that are the same in all but rounding
 
 
-def solve(parameters, rtol=1e-9, **given):
-    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
+def solve(parameters, rtol=1e-9, way=None, **given):
+    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol, way=way)
 
 
 def assert_no_jump(before, after, rtol):
@@ -65,7 +65,7 @@ def crossing(parameters, name, level, ends, **given):
 )
 def test_no_jump_at_the_limits_of_regimes_and_modes(parameters, name, level, ends, rtol, way):
     load = crossing(parameters, name, level, ends)
-    sides = [solve(parameters, rtol, load=load * (1.0 + step)) for step in (-3e-7, 3e-7)]
+    sides = [solve(parameters, rtol, way=way, load=load * (1.0 + step)) for step in (-3e-7, 3e-7)]
     assert_no_jump(*sides, rtol=max(rtol, 1e-6))
     flags = [(int(s.lubrication_regime), int(s.contact_mode)) for s in sides]
     # the flag changes where the variable crosses, within the error asked for
@@ -73,8 +73,7 @@ def test_no_jump_at_the_limits_of_regimes_and_modes(parameters, name, level, end
 
 
 @pytest.mark.parametrize("rtol", RTOLS)
-def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol, monkeypatch):
-    monkeypatch.setattr(interface, "TABLE_WORTH", 1)
+def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol):
     inputs = replace(parameters, summit_parameter=0.05, summit_parameter_exponent=0.0)
     population = SummitPopulation.of(inputs.surface(POINT["roughness"]), inputs)
     for count in sorted({size[1] for size in TABLE_SIZES}):
@@ -82,7 +81,10 @@ def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol, monkeypatch)
         edges = edges[(edges > -0.5) & (edges < 37.0)]
         load = np.exp(population.log_load(edges)[0])
         dry = {"viscosity": 0.0, "particle_diameter": 0.0}
-        sides = [solve(inputs, rtol, load=load * (1.0 + step), **dry) for step in (-NEXT, NEXT)]
+        sides = [
+            solve(inputs, rtol, way="tables", load=load * (1.0 + step), **dry)
+            for step in (-NEXT, NEXT)
+        ]
         assert_no_jump(*sides, rtol=max(rtol, NEXT))
 
 
@@ -96,11 +98,13 @@ def test_no_jump_at_the_ends_of_tables_and_of_branches(parameters, rtol, t, way)
     low, high = 1e-9, 1.0
     for _ in range(60):
         middle = np.sqrt(low * high)
-        d = solve(inputs, 1e-11, load=load, viscosity=middle, particle_diameter=0.0).separation
+        d = solve(
+            inputs, 1e-11, way=way, load=load, viscosity=middle, particle_diameter=0.0
+        ).separation
         below = (d - surface.summit_offset) / surface.summit_deviation < t
         low, high = (middle, high) if below else (low, middle)
     near = high * (1.0 + np.array([-10.0, -1.0, 0.0, 1.0, 10.0]) * NEXT)
-    solution = solve(inputs, rtol, load=load, viscosity=near, particle_diameter=0.0)
+    solution = solve(inputs, rtol, way=way, load=load, viscosity=near, particle_diameter=0.0)
     for name in VARIABLES:
         value = getattr(solution, name)
         error = relative_error(value[1:], value[:-1])
@@ -122,7 +126,7 @@ def test_no_jump_where_the_largest_particles_touch(
     for edge in (again.largest, again.largest + depth, again.largest - depth):
         load = again.solid_load(edge)
         near = load * (1.0 + np.array([-2.0, -1.0, 1.0, 2.0]) * NEXT)
-        solution = solve(inputs, rtol, load=near, viscosity=0.0, particle_density=1e9)
+        solution = solve(inputs, rtol, way=way, load=near, viscosity=0.0, particle_density=1e9)
         # so near the edge rounding of the gap may decide on the particles' area
         known = solution.solution_status == CONVERGED
         assert np.array_equal(known, solution.error_bound <= rtol)
@@ -150,12 +154,11 @@ SWEEPS = {
 @pytest.mark.parametrize("rtol", RTOLS)
 @pytest.mark.parametrize("name", list(SWEEPS))
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
-def test_no_jump_along_a_sweep(reading, monkeypatch, name, viscosity, rtol):
+def test_no_jump_along_a_sweep(reading, name, viscosity, rtol):
     """Tables, loose tolerances and branches leave the best solution by no more than ``rtol``."""
     given = {"viscosity": viscosity} | {name.split()[-1]: SWEEPS[name]}
     asked = solve(reading, rtol, **given)
-    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9)
-    best = solve(reading, 1e-11, **given)
+    best = solve(reading, 1e-11, way="quadrature", **given)
     both = (asked.solution_status < COVERED) & np.isfinite(best.error_bound)
     # refused: what particles that begin to touch make too steep for float64
     refused = np.isfinite(best.error_bound) & (asked.solution_status == FAILED)
@@ -176,8 +179,8 @@ def test_no_jump_from_the_thinnest_film_to_dry(parameters, rtol, way):
     """Where a valid film bears nothing, every variable is that of dry contact."""
     given = {"roughness": 1e-8, "particle_diameter": 1e-4, "particle_density": 1e7}
     load = np.geomspace(1e-8, 1e-6, 20)
-    film = solve(parameters, rtol, load=load, viscosity=3e-3, **given)
-    dry = solve(parameters, rtol, load=load, viscosity=0.0, **given)
+    film = solve(parameters, rtol, way=way, load=load, viscosity=3e-3, **given)
+    dry = solve(parameters, rtol, way=way, load=load, viscosity=0.0, **given)
     assert (film.solution_status == CONVERGED).all()
     assert film.fluid_load_fraction.max() < 1e-25
     assert film.fluid_load_fraction.min() > 0.0
@@ -192,9 +195,9 @@ def test_no_jump_from_the_thinnest_film_to_dry(parameters, rtol, way):
 @pytest.mark.parametrize("name", ["particle_diameter", "particle_density"])
 def test_no_jump_from_few_or_small_particles_to_none(reading, name, viscosity, rtol, way):
     load = np.geomspace(1e-9, 1e-3, 20)
-    none = solve(reading, rtol, load=load, viscosity=viscosity, **{name: 0.0})
+    none = solve(reading, rtol, way=way, load=load, viscosity=viscosity, **{name: 0.0})
     for least in (5e-324, 1e-310, 1e-200, 1e-100, 1e-30):
-        few = solve(reading, rtol, load=load, viscosity=viscosity, **{name: least})
+        few = solve(reading, rtol, way=way, load=load, viscosity=viscosity, **{name: least})
         assert (few.particle_contact_area_ratio < 1e-15).all()
         few.particle_contact_area_ratio[...] = 0.0  # few compared with none: never within rtol
         assert_no_jump(none, few, rtol)
@@ -205,7 +208,7 @@ def test_no_jump_from_few_or_small_particles_to_none(reading, name, viscosity, r
 def test_no_jump_where_the_tables_get_finer(reading, edge, viscosity, way):
     load = np.geomspace(1e-9, 1e-3, 1000)
     sides = [
-        solve(reading, rtol, load=load, viscosity=viscosity)
+        solve(reading, rtol, way=way, load=load, viscosity=viscosity)
         for rtol in (np.nextafter(edge, 0.0), edge, np.nextafter(edge, 1.0))
     ]
     assert_no_jump(sides[0], sides[1], edge)
@@ -214,7 +217,7 @@ def test_no_jump_where_the_tables_get_finer(reading, edge, viscosity, way):
 
 @pytest.mark.parametrize("rtol", RTOLS)
 def test_no_jump_where_points_become_enough_for_a_table(reading, rtol):
-    load = np.geomspace(1e-9, 1e-3, interface.TABLE_WORTH)
+    load = np.geomspace(1e-9, 1e-3, TABLE_WORTH)
     few = solve(reading, rtol, load=load[:-1])
     enough = solve(reading, rtol, load=load)
     for name in VARIABLES:
@@ -232,7 +235,7 @@ def test_no_jump_to_the_limits_of_the_asperity_law(parameters, name, limit, rtol
         direction = 1.0 if name == "plastic_interference_ratio" else -1.0
         near = replace(parameters, **{name: limit * (1.0 + direction * excess)})
         at = replace(parameters, **{name: limit})
-        sides = [solve(inputs, rtol, load=load, viscosity=0.0) for inputs in (at, near)]
+        sides = [solve(inputs, rtol, way=way, load=load, viscosity=0.0) for inputs in (at, near)]
         assert_no_jump(*sides, rtol=rtol)
 
 
@@ -243,7 +246,7 @@ def test_no_jump_to_the_limits_of_the_asperity_law(parameters, name, limit, rtol
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
 def test_a_heavier_load_brings_the_surfaces_closer(sizes, viscosity, rtol, way):
     load = np.geomspace(1e-300 if viscosity == 0.0 else 1e-12, 1e-2, 2000)
-    solution = solve(sizes, rtol, load=load, viscosity=viscosity)
+    solution = solve(sizes, rtol, way=way, load=load, viscosity=viscosity)
     known = solution.solution_status == CONVERGED
     assert np.count_nonzero(~known) <= 5  # where particles begin to touch
     separation = solution.separation[known]
@@ -255,7 +258,7 @@ def test_a_heavier_load_brings_the_surfaces_closer(sizes, viscosity, rtol, way):
 @pytest.mark.parametrize("diameter", [0.0, 500e-9], ids=["two-body", "three-body"])
 def test_a_thicker_oil_parts_the_surfaces_and_relieves_the_solids(parameters, diameter, rtol, way):
     given = {"viscosity": np.geomspace(1e-5, 1e-2, 1000), "particle_diameter": diameter}
-    solution = solve(parameters, rtol, **given)
+    solution = solve(parameters, rtol, way=way, **given)
     rising = solution.solution_status == CONVERGED
     separation = solution.separation[rising]
     solid, fluid = solution.solid_load_fraction[rising], solution.fluid_load_fraction[rising]
@@ -269,6 +272,6 @@ def test_a_thicker_oil_parts_the_surfaces_and_relieves_the_solids(parameters, di
 @pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-9])
 def test_two_body_area_grows_with_the_load(parameters, rtol, way):
     load = np.geomspace(1e-290, 1e-2, 2000)
-    area = solve(parameters, rtol, load=load, viscosity=0.0, particle_diameter=0.0)
+    area = solve(parameters, rtol, way=way, load=load, viscosity=0.0, particle_diameter=0.0)
     area = area.total_contact_area
     assert (np.diff(area) >= -2.0 * rtol * area[1:]).all()

@@ -7,7 +7,8 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.curves.transitions import LIMITS, transitions
-from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.curves.turning_point import turning_points
+from thirdbody.curves.windows import WindowSearch, turning_point_windows
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -33,8 +33,8 @@ REFUSED += ("psi 0.001 three-body wet",)
 REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
 
 
-def solve(parameters, rtol=1e-9, **given):
-    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
+def solve(parameters, rtol=1e-9, way=None, **given):
+    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol, way=way)
 
 
 # ---- golden values
@@ -111,10 +111,10 @@ def extreme_points(count, seed):
 @pytest.mark.parametrize("rtol", [1e-2, 1e-9])
 def test_no_point_harms_another(reading, rtol, way):
     points = extreme_points(400, seed=1)
-    together = solve(reading, rtol, **points)
+    together = solve(reading, rtol, way=way, **points)
     for index in range(0, 400, 25):
         one = {name: values[index] for name, values in points.items()}
-        alone = solve(reading, rtol, **one)
+        alone = solve(reading, rtol, way=way, **one)
         assert alone.solution_status == together.solution_status[index], one
         for name in VARIABLES:
             values = getattr(alone, name), getattr(together, name)[index]
@@ -123,7 +123,7 @@ def test_no_point_harms_another(reading, rtol, way):
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-11])
 def test_a_number_or_a_status_over_the_whole_domain(reading, rtol, way):
-    solution = solve(reading, rtol, **extreme_points(1000, seed=2))
+    solution = solve(reading, rtol, way=way, **extreme_points(1000, seed=2))
     solved = np.isfinite(solution.error_bound)
     assert np.array_equal(solution.error_bound <= rtol, solution.solution_status < COVERED)
     for name in VARIABLES:
@@ -221,7 +221,7 @@ def test_the_equations_hold_over_the_whole_domain(parameters, equations, rtol, s
     for _ in range(surfaces):
         inputs, points = random_inputs(parameters, random), random_points(random)
         roughness = 10.0 ** random.uniform(-9.0, -5.0)
-        solution = solve(inputs, rtol, **points, roughness=roughness)
+        solution = solve(inputs, rtol, way=way, **points, roughness=roughness)
         known = solution.solution_status < COVERED
         solved += known.sum()
         load, viscosity, diameter, density = (values[known] for values in points.values())

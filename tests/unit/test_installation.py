@@ -48,6 +48,7 @@ LACKING = {
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
     "import thirdbody.solver.compiled.points": ("numba", "compiled"),
+    "from thirdbody.solver.plan import check_way; check_way('compiled')": ("numba", "compiled"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
     "import thirdbody.study.sobol": ("SALib, tabulate", "study"),
 }

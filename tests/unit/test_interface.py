@@ -10,9 +10,10 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.model.contact import Contact
+from thirdbody.model.film import Film
+from thirdbody.model.particles import ParticleLayer
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
-from thirdbody.solver import solve as interface
-from thirdbody.solver import surfaces
+from thirdbody.solver import plan, surfaces
 from thirdbody.solver.solution import Solution
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -36,8 +37,8 @@ QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bou
 CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
 
 
-def solve(parameters, rtol=RTOL, **given):
-    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
+def solve(parameters, rtol=RTOL, way=None, **given):
+    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol, way=way)
 
 
 def assert_same(one, other, rtol=0.0):
@@ -165,17 +166,15 @@ def test_points_do_not_depend_on_their_order_or_company(parameters, mixture):
 def test_where_a_chunk_ends_makes_no_difference(parameters, mixture, monkeypatch):
     whole = solve(parameters, **mixture)
     for chunk in (1, 7):
-        monkeypatch.setattr(interface, "CHUNK", chunk)
+        monkeypatch.setattr(plan, "CHUNK", chunk)
         assert_same(solve(parameters, **mixture), whole, rtol=1e-12)
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-6, 1e-9, 1e-11])
-def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, monkeypatch, rtol):
+def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, rtol):
     given = {"load": loads, "viscosity": np.array([0.0, 25e-6, 120e-6])[:, None]}
-    monkeypatch.setattr(interface, "TABLE_WORTH", 10**9)
-    best = solve(reading, rtol=1e-11, **given)
-    monkeypatch.setattr(interface, "TABLE_WORTH", 1)
-    tabulated = solve(reading, rtol=rtol, **given)
+    best = solve(reading, rtol=1e-11, way="quadrature", **given)
+    tabulated = solve(reading, rtol=rtol, way="tables", **given)
     for name in QUANTITIES:
         # the best has an error of its own
         values = getattr(tabulated, name), getattr(best, name)
@@ -183,23 +182,20 @@ def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, 
 
 
 def test_no_jump_where_points_become_enough_for_a_table(parameters):
-    loads = np.geomspace(1e-7, 1e-4, interface.TABLE_WORTH)
+    loads = np.geomspace(1e-7, 1e-4, plan.TABLE_WORTH)
     few, enough = solve(parameters, load=loads[:-1]), solve(parameters, load=loads)
     for name in QUANTITIES:
         assert_allclose(getattr(enough, name)[:-1], getattr(few, name), rtol=2.0 * RTOL)
 
 
-@pytest.mark.parametrize("worth", [1, 10**9], ids=["tables", "quadrature"])
 @pytest.mark.parametrize("viscosity", [0.0, 1e-2])
-def test_points_on_several_surfaces_are_what_they_are_on_one(
-    parameters, loads, monkeypatch, worth, viscosity
-):
-    monkeypatch.setattr(interface, "TABLE_WORTH", worth)
+def test_points_on_several_surfaces_are_what_they_are_on_one(parameters, loads, way, viscosity):
     # on the smoothest of them the film is thicker than any table reaches
     roughness = np.array([[1e-8], [1e-7], [3e-7]])
-    together = solve(parameters, load=loads, roughness=roughness, viscosity=viscosity)
+    given = {"load": loads, "viscosity": viscosity, "way": way}
+    together = solve(parameters, roughness=roughness, **given)
     for place, (sigma,) in enumerate(roughness):
-        alone = solve(parameters, load=loads, roughness=sigma, viscosity=viscosity)
+        alone = solve(parameters, roughness=sigma, **given)
         for name in VARIABLES:
             found = getattr(together, name)[place]
             assert np.array_equal(found, getattr(alone, name), equal_nan=True), name
@@ -207,7 +203,7 @@ def test_points_on_several_surfaces_are_what_they_are_on_one(
 
 def test_separations_beyond_the_table_are_solved_too(parameters):
     # thick films on a smooth surface: d/sigma_s up to thousands, past any table
-    viscosity = np.geomspace(20e-6, 1e-2, 2 * interface.TABLE_WORTH)
+    viscosity = np.geomspace(20e-6, 1e-2, 2 * plan.TABLE_WORTH)
     many = solve(parameters, viscosity=viscosity, roughness=1e-8)
     chosen = slice(None, None, 200)
     few = solve(parameters, viscosity=viscosity[chosen], roughness=1e-8)
@@ -448,7 +444,7 @@ def counted(monkeypatch, owner, name):
 
 
 def test_a_dry_scene_evaluates_no_film(parameters, loads, monkeypatch):
-    calls = counted(monkeypatch, interface.Film, "of")
+    calls = counted(monkeypatch, Film, "of")
     solve(parameters, load=loads, viscosity=0.0)
     assert not calls
     solve(parameters, load=loads)
@@ -457,7 +453,7 @@ def test_a_dry_scene_evaluates_no_film(parameters, loads, monkeypatch):
 
 @pytest.mark.parametrize("without", ["particle_diameter", "particle_density"])
 def test_a_two_body_scene_evaluates_no_particles(parameters, loads, monkeypatch, without):
-    calls = counted(monkeypatch, interface.ParticleLayer, "of")
+    calls = counted(monkeypatch, ParticleLayer, "of")
     solve(parameters, load=loads, **{without: 0.0})
     assert not calls
     solve(parameters, load=loads)
@@ -494,33 +490,6 @@ def test_an_unknown_variable_is_refused_by_its_name(parameters, names):
         ValueError, match="variables has '.*'; allowed: a list out of total_contact"
     ):
         tb.solve(**POINT, parameters=parameters, variables=names)
-
-
-def test_equal_points_are_solved_once(parameters, mixture, monkeypatch):
-    sizes = []
-    solved_points = interface.SolvedPoints
-
-    def count(points, tolerance):
-        sizes.append(points.log_load.size)
-        return solved_points(points, tolerance)
-
-    monkeypatch.setattr(interface, "SolvedPoints", count)
-    once = tb.solve(**mixture, parameters=parameters)
-    distinct = sum(sizes)
-    thrice = {name: np.tile(values, (3, 1)) for name, values in mixture.items()}
-    again = tb.solve(**thrice, parameters=parameters)
-    assert sum(sizes) == 2 * distinct
-    for name in VARIABLES:
-        expected = np.broadcast_to(getattr(once, name), (3, distinct))
-        assert np.array_equal(getattr(again, name), expected, equal_nan=True), name
-
-
-def test_two_body_points_differ_by_no_particles(parameters, monkeypatch):
-    calls = counted(monkeypatch, interface, "make_contact")
-    densities = np.geomspace(1e10, 1e12, 3 * interface.CHUNK)
-    solution = solve(parameters, particle_diameter=0.0, particle_density=densities)
-    assert len(calls) == 1
-    assert np.unique(solution.separation).size == 1
 
 
 def test_importing_the_package_imports_nothing_heavy():

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, write_csv

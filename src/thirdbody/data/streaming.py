@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import product
+from math import prod
 from os import PathLike
 
 import netCDF4
@@ -16,8 +17,9 @@ from thirdbody.data.dataset import Axes, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solution import Solution
-from thirdbody.solver.solve import DEFAULT_RTOL, solve, type_of
+from thirdbody.solver.plan import expect_points
+from thirdbody.solver.solution import Solution, type_of
+from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
@@ -78,6 +80,7 @@ def stream(
         return solve(*np.ix_(*sides), parameters, rtol, names)
 
     axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
+    expect_points(prod(axis.size for axis in axes.values()), parameters)
     write_blocks(path, axes, solved, parameters, rtol, names)
 
 

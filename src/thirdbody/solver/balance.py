@@ -9,56 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import log_expit
 
-from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film
-from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import separation_bearing
 from thirdbody.model.readings import LoadOfTheFluid, TotalLoad
+from thirdbody.solver.points import Points
 from thirdbody.solver.roots import NOISE, decreasing_roots
-from thirdbody.solver.surfaces import RoughSurfaces
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
-
-
-@dataclass(frozen=True)
-class Points:
-    """Points to be solved, all with or without particles and all with or without a film.
-
-    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry.
-    """
-
-    contact: Contact
-    film: Film | None
-    log_load: NDArray
-
-    @property
-    def parameters(self) -> Parameters:
-        """Inputs of the model."""
-        return self.contact.parameters
-
-    @property
-    def surfaces(self) -> RoughSurfaces:
-        """The rough surfaces of the points."""
-        return self.contact.summits
-
-    def take(self, chosen) -> Points:
-        """The points that an index or mask ``chosen`` picks."""
-        film = self.film and self.film.take(chosen)
-        return Points(self.contact.take(chosen), film, self.log_load[chosen])
-
-    def film_separation(self, log_fluid_fraction):
-        """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
-        thickness, slope = self.film.thickness(self.log_load_parameter(log_fluid_fraction))
-        return self.parameters.ball_radius * thickness, self.parameters.ball_radius * slope
-
-    def log_load_parameter(self, log_fluid_fraction):
-        """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""
-        area = self.parameters.apparent_area / self.parameters.ball_radius**2
-        return self.log_load + log_fluid_fraction + np.log(area)
 
 
 def first_separation(points: Points):

@@ -10,7 +10,8 @@ from scipy.special import expit, log_expit
 
 from thirdbody.model.contact import TINY
 from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
-from thirdbody.solver.balance import BALANCES, Points, dry_balance
+from thirdbody.solver.balance import BALANCES, dry_balance
+from thirdbody.solver.points import Points
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
@@ -50,12 +51,18 @@ OF_AREAS = {"contact_mode", *(name for name in VARIABLES if "contact_area" in na
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
 
 
+def type_of(variable: str) -> type:
+    """Of the values of a variable of ``Solution``."""
+    return np.int8 if variable in FLAGS else float
+
+
 class SolvedPoints:
     """``points`` of one kind with the balance of their forces solved to ``rtol``.
 
     Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read;
-    ``imprecise`` marks the points that magnify the errors of tables and roots beyond ``rtol``.
-    Where there are no tables the roots are as good as float64 allows.
+    ``left`` marks the points that magnify the errors of tables and roots beyond ``rtol``, which
+    are to be solved by quadrature.  Without tables the roots are as good as float64 allows, and
+    nothing is left.
     """
 
     def __init__(self, points: Points, rtol: float):
@@ -67,7 +74,8 @@ class SolvedPoints:
         )
         magnified = points.surfaces.table_error * (self._balance.condition + 1.0)
         self._error = np.maximum(self._balance.error, self._onset_error()) + magnified
-        self.imprecise = (magnified > TABLE_SHARE * rtol) | (self._error > rtol)
+        imprecise = (magnified > TABLE_SHARE * rtol) | (self._error > rtol)
+        self.left = imprecise & points.surfaces.is_tabulated
         self.solution_status = self._status(rtol)
         self._void = np.isnan(self._balance.separation) | (
             self.solution_status == COVERAGE_EXCEEDED

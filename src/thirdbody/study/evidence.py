@@ -7,7 +7,8 @@ from functools import cached_property
 
 import numpy as np
 
-from thirdbody.curves.turning_point import WindowSearch, turning_point_windows, turning_points
+from thirdbody.curves.turning_point import turning_points
+from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import COVERAGE_EXCEEDED, VARIABLES

@@ -16,7 +16,7 @@ from scipy.interpolate import BarycentricInterpolator
 from scipy.special import logit
 
 from thirdbody.curves.transitions import LIMITS
-from thirdbody.curves.turning_point import WindowSearch, turning_point_windows
+from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Curve

@@ -1,0 +1,302 @@
+"""How points are solved: the only place that chooses a way, for the solver and for its searches.
+
+There are three ways.  By *quadrature* each load and area of the summits is an integral: the most
+precise, and the fastest for a few points.  By *tables* they are read off tables of one roughness,
+which many points repay.  The *compiled* loop solves in machine code, which very many points repay:
+a process has to import the compiler first, and to compile where no earlier one did.
+
+A way leaves the points for which it cannot promise the error that is asked for to the next, more
+precise one; every point is stored once, by the way that settles it.
+"""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.extras import require
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver import availability
+from thirdbody.solver.points import Conditions
+from thirdbody.solver.solution import OF_AREAS, SolvedPoints, type_of
+from thirdbody.solver.surfaces import TABLE_SIZES, prepare_surface, table_size
+
+COMPILED, TABLES, QUADRATURE = WAYS = "compiled", "tables", "quadrature"  # each more precise
+
+# Numbers of points from which a way costs less than it saves, measured by `python -m
+# benchmarks.starts`: on one roughness, from which its finest table does,
+TABLE_WORTH = 500
+# from which the tables of the loop do where the process has called it before,
+LOOP_WORTH = 5_000
+# and in all, from which it does to load the loop from disk, or to compile it.
+LOADING_WORTH = 600_000
+COMPILING_WORTH = 6_000_000
+# A search looks at a surface so often that tables as coarse as for this rtol always pay.
+CHEAP_TABLES = 1e-5
+
+CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
+QUADRATURE_CHUNK = 256  # the same without tables, where each has some hundred nodes
+
+
+def check_way(way: str | None) -> None:
+    """Refuse a way that does not exist or cannot be had.
+
+    Raises
+    ------
+    ValueError
+        Unless ``way`` is one of ``WAYS`` or None.
+    ImportError
+        If the compiled loop is asked for and numba is not installed.
+    """
+    if way is not None and way not in WAYS:
+        raise ValueError(f"way is {way!r}; allowed: {', '.join(WAYS)}, or None to choose")
+    if way == COMPILED:
+        require("compiled", "numba")
+
+
+def search_ways(roughness: NDArray, separations: int, rtol: float) -> Iterator[tuple]:
+    """Choose between tables and quadrature for searches along curves.
+
+    Parameters
+    ----------
+    roughness : array, shape (curves,)
+        sigma [m] of each curve.
+    separations : int
+        About how often each curve is looked at.
+    rtol : float
+        Relative error asked for.
+
+    Yields
+    ------
+    way : str
+        ``TABLES`` or ``QUADRATURE``.
+    table_rtol : float or None
+        What tables are good for; None by quadrature.
+    curves : array of int
+        Indices of all curves that are best searched so.
+    """
+    _, surface, curves = np.unique(roughness, return_inverse=True, return_counts=True)
+    tables = rtol >= CHEAP_TABLES or _tables_pay(curves * separations, rtol)
+    worthwhile = np.broadcast_to(tables, curves.shape)[surface]
+    for way, table_rtol, chosen in ((TABLES, rtol, worthwhile), (QUADRATURE, None, ~worthwhile)):
+        if chosen.any():
+            yield way, table_rtol, np.flatnonzero(chosen)
+
+
+def expect_points(points: int, parameters: Parameters) -> None:
+    """Prepare for points that will be solved in several calls.
+
+    Each call sees only its own; if all ``points`` together repay the loading of the compiled loop,
+    it is loaded now, and the calls find it there.
+    """
+    if _loop_solves(parameters) and _loop_pays(points):
+        import thirdbody.solver.compiled.points  # noqa: F401
+
+
+def solve_points(
+    conditions: Conditions,
+    parameters: Parameters,
+    rtol: float,
+    variables: Collection[str],
+    way: str | None = None,
+) -> dict[str, NDArray]:
+    """Solve points by the way that takes least time.
+
+    Parameters
+    ----------
+    conditions : Conditions
+        The points.
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Relative error asked for.
+    variables : collection of str
+        Names of the variables of ``Solution`` that are wanted.
+    way : str, optional
+        One of ``WAYS``, by which all points are solved first.
+
+    Returns
+    -------
+    dict
+        A 1-D array of each variable, one element a point.
+    """
+    result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
+    task = _Task(conditions, parameters, rtol, result)
+    groups = list(groups_of(conditions))
+    ways = [way] * len(groups) if way else fastest_ways(groups, parameters, rtol)
+    first = {each: [] for each in WAYS}
+    for group, chosen in zip(groups, ways, strict=True):
+        first[chosen].append(group)
+    left = task.solve_by_loop(first[COMPILED])
+    for places in _of_each_kind(first[TABLES] + left):
+        task.solve_by_quadrature(task.solve_by_tables(places))
+    for places in _of_each_kind(first[QUADRATURE]):
+        task.solve_by_quadrature(places)
+    return result
+
+
+@dataclass(frozen=True)
+class Group:
+    """Points of one roughness [m] and one kind: all with a film or all without, all with particles
+    or all without.  ``places`` are their indices, or the slice of all points."""
+
+    roughness: float
+    kind: int
+    places: slice | NDArray
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        places = self.places
+        return places.stop - places.start if isinstance(places, slice) else places.size
+
+
+def groups_of(conditions: Conditions) -> Iterator[Group]:
+    """The groups of points, by roughness and then by kind."""
+    wet, three_body = conditions.are_lubricated, conditions.have_particles
+    kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
+    roughness = conditions.roughness
+    if (roughness != roughness[:1]).any():
+        labels = 4 * np.unique(roughness, return_inverse=True)[1] + kinds
+    for places in _runs(labels):
+        first = places.start if isinstance(places, slice) else places[0]
+        yield Group(float(roughness[first]), int(kinds[first]), places)
+
+
+def _runs(labels):
+    """The places of equal ``labels``: a slice if all are equal, else arrays."""
+    if (labels == labels[:1]).all():
+        return [slice(0, labels.size)] if labels.size else []
+    order = np.argsort(labels, kind="stable")
+    edges = np.flatnonzero(np.diff(labels[order])) + 1
+    return np.split(order, edges)
+
+
+def _of_each_kind(groups):
+    """Places of all points of a kind, whatever their roughness, kind by kind."""
+    kinds = defaultdict(list)
+    for group in groups:
+        kinds[group.kind].append(group.places)
+    for places in kinds.values():
+        yield places[0] if len(places) == 1 else np.concatenate(places)
+
+
+def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> Iterator[str]:
+    """The way that takes least time, for each of ``groups``, which are solved in one call.
+
+    Groups that repay the tables of the loop count together for what it takes to load it.
+    """
+    sizes = np.array([group.size for group in groups])
+    many = (sizes >= LOOP_WORTH) & _loop_solves(parameters)
+    compiled = many & _loop_pays(sizes[many].sum())
+    on_surface = Counter()
+    for group in groups:
+        on_surface[group.roughness] += group.size
+    for group, by_loop in zip(groups, compiled, strict=True):
+        tables = TABLES if _tables_pay(on_surface[group.roughness], rtol) else QUADRATURE
+        yield COMPILED if by_loop else tables
+
+
+def _tables_pay(points, rtol):
+    """Whether so many ``points`` on one roughness are worth a table that is good for ``rtol``;
+    tables cost in proportion to their samples."""
+    finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], table_size(rtol)))
+    return points * finest >= TABLE_WORTH * table
+
+
+def _loop_pays(points):
+    """Whether so many ``points`` in all are worth the wait until the loop is in this process."""
+    if availability.is_loaded():
+        return True
+    if points < LOADING_WORTH or not availability.is_installed():
+        return False
+    return points >= COMPILING_WORTH or availability.is_kept()
+
+
+def _loop_solves(parameters):
+    """Whether the loop knows how the film bears its load in this reading of Eq. 8."""
+    return parameters.readings.film_load.depends_on_shares
+
+
+@dataclass(frozen=True)
+class _Task:
+    """What is asked of points, and the arrays of their solution.
+
+    Each method solves the points at ``places``, indices or a slice, in one way, stores those that
+    it settles and returns the places of those that it leaves.
+    """
+
+    conditions: Conditions
+    parameters: Parameters
+    rtol: float
+    result: dict[str, NDArray]
+
+    def solve_by_loop(self, groups: list[Group]) -> list[Group]:
+        """As the other methods, but for groups, because each roughness has tables of its own."""
+        if not groups or not _loop_solves(self.parameters):
+            return groups
+        from thirdbody.solver.compiled.points import CompiledPoints
+        from thirdbody.solver.compiled.tables import precisions
+
+        areas = not OF_AREAS.isdisjoint(self.result)
+
+        def solved(rough, real, some):
+            columns = some.load, some.viscosity, some.particle_diameter, some.particle_density
+            return CompiledPoints(rough, self.parameters, *columns, self.rtol, real, areas)
+
+        left = []
+        for group in groups:
+            rough = prepare_surface(group.roughness, self.parameters, self.rtol)
+            places = group.places
+            for real in precisions(self.rtol):
+                places = self._settle(places, CHUNK, partial(solved, rough, real))
+            left.append(replace(group, places=places))
+        return left
+
+    def solve_by_tables(self, places):
+        """Points of one kind, by tables of their surfaces."""
+        return self._settle(places, CHUNK, partial(self._solved, self.rtol))
+
+    def solve_by_quadrature(self, places):
+        """Points of one kind, by quadrature."""
+        return self._settle(places, QUADRATURE_CHUNK, partial(self._solved, None))
+
+    def _solved(self, table_rtol, some):
+        return SolvedPoints(some.points(self.parameters, table_rtol), self.rtol)
+
+    def _settle(self, places, size, solved):
+        """Solve points in pieces of ``size`` at most by ``solved(conditions)``."""
+        left = [np.zeros(0, np.intp)]
+        for piece in _pieces(places, size):
+            found = solved(self.conditions.take(piece))
+            if found.left.any():
+                left.append(_chosen(piece, found.left))
+                self._store(_chosen(piece, ~found.left), found, ~found.left)
+            else:
+                self._store(piece, found, slice(None))
+        return np.concatenate(left)
+
+    def _store(self, places, found, chosen):
+        """Store at ``places`` what is ``found`` of the ``chosen`` points of a piece."""
+        for name, values in self.result.items():
+            values[places] = getattr(found, name)[chosen]
+
+
+def _pieces(places, size):
+    """Pieces of ``size`` at most of a slice or of an array of indices."""
+    if isinstance(places, slice):
+        for start in range(places.start, places.stop, size):
+            yield slice(start, min(start + size, places.stop))
+    else:
+        yield from (places[start : start + size] for start in range(0, places.size, size))
+
+
+def _chosen(piece, mask):
+    """Indices of the points of a piece, a slice or an array of indices, that a mask chooses."""
+    chosen = np.flatnonzero(mask)
+    return chosen + piece.start if isinstance(piece, slice) else piece[chosen]

@@ -1,0 +1,131 @@
+"""The points to be solved: what is given of them, and the interface that it describes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.model.contact import Contact
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ParticleLayer, has_particles
+from thirdbody.solver.surfaces import RoughSurfaces
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The five conditions of each point, 1-D arrays of one length.
+
+    Parameters
+    ----------
+    load : array
+        F_t* [1], positive.
+    viscosity : array
+        Kinematic viscosity [m2/s]; 0 where the interface is dry.
+    particle_diameter : array
+        x_a [m]; 0 where there are no particles.
+    roughness : array
+        sigma [m], positive.
+    particle_density : array
+        eta_a [m-2]; 0 where there are no particles.
+    """
+
+    load: NDArray
+    viscosity: NDArray
+    particle_diameter: NDArray
+    roughness: NDArray
+    particle_density: NDArray
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        return self.load.size
+
+    @property
+    def are_lubricated(self) -> NDArray:
+        """Whether there is a film, at each point."""
+        return self.viscosity > 0.0
+
+    @property
+    def have_particles(self) -> NDArray:
+        """Whether there are particles, at each point."""
+        return has_particles(self.particle_diameter, self.particle_density)
+
+    def take(self, chosen) -> Conditions:
+        """Those of the points that a slice, an index or a mask ``chosen`` picks."""
+        return Conditions(*(column[chosen] for column in vars(self).values()))
+
+    def points(self, parameters: Parameters, table_rtol: float | None) -> Points:
+        """The interface at points that all have particles or all have none, and all have a film
+        or all have none; ``table_rtol`` is as in ``make_contact``."""
+        contact = make_contact(
+            self.particle_diameter, self.roughness, self.particle_density, parameters, table_rtol
+        )
+        film = None
+        if self.are_lubricated[0]:
+            film = Film.of(self.viscosity, self.roughness, parameters)
+        return Points(contact, film, np.log(self.load))
+
+
+def make_contact(
+    particle_diameter: NDArray,
+    roughness: NDArray,
+    particle_density: NDArray,
+    parameters: Parameters,
+    table_rtol: float | None,
+) -> Contact:
+    """The solids of points that all have particles or all have none.
+
+    Parameters
+    ----------
+    particle_diameter, roughness, particle_density : array
+        x_a [m], sigma [m] and eta_a [m-2], 1-D and of one length.
+    parameters : Parameters
+        Inputs of the model.
+    table_rtol : float or None
+        Relative error for which tables of the summits are good; None: by quadrature.
+    """
+    particles = None
+    if has_particles(particle_diameter[0], particle_density[0]):
+        particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
+    surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
+    return Contact(surfaces, particles, parameters)
+
+
+@dataclass(frozen=True)
+class Points:
+    """Points to be solved, all with or without particles and all with or without a film.
+
+    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry.
+    """
+
+    contact: Contact
+    film: Film | None
+    log_load: NDArray
+
+    @property
+    def parameters(self) -> Parameters:
+        """Inputs of the model."""
+        return self.contact.parameters
+
+    @property
+    def surfaces(self) -> RoughSurfaces:
+        """The rough surfaces of the points."""
+        return self.contact.summits
+
+    def take(self, chosen) -> Points:
+        """The points that an index or mask ``chosen`` picks."""
+        film = self.film and self.film.take(chosen)
+        return Points(self.contact.take(chosen), film, self.log_load[chosen])
+
+    def film_separation(self, log_fluid_fraction):
+        """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
+        thickness, slope = self.film.thickness(self.log_load_parameter(log_fluid_fraction))
+        return self.parameters.ball_radius * thickness, self.parameters.ball_radius * slope
+
+    def log_load_parameter(self, log_fluid_fraction):
+        """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""
+        area = self.parameters.apparent_area / self.parameters.ball_radius**2
+        return self.log_load + log_fluid_fraction + np.log(area)

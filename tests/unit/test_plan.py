@@ -1,0 +1,215 @@
+"""Which way points are solved: what is chosen, what can be asked for, and what a way leaves."""
+
+import os
+import sys
+from dataclasses import replace
+from subprocess import run
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.solver import availability, plan
+from thirdbody.solver.plan import (
+    COMPILING_WORTH,
+    LOADING_WORTH,
+    LOOP_WORTH,
+    TABLE_WORTH,
+    WAYS,
+    Group,
+    fastest_ways,
+    search_ways,
+)
+from thirdbody.solver.solution import VARIABLES
+
+RTOL = 1e-9
+POINT = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 500e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
+# imports the library, solves so many points and says whether the compiler was loaded
+IS_LOADED = """
+import sys
+import numpy as np
+import thirdbody as tb
+tb.solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, tb.load_parameters())
+print("numba" in sys.modules)
+"""
+
+
+@pytest.fixture
+def loop(monkeypatch):
+    """Says of the compiled loop whether it is installed, loaded and kept, whatever is true."""
+
+    def said(installed=True, loaded=False, kept=False):
+        for name, answer in (("installed", installed), ("loaded", loaded), ("kept", kept)):
+            monkeypatch.setattr(availability, f"is_{name}", lambda answer=answer: answer)
+
+    return said
+
+
+def chosen(parameters, *sizes, rtol=RTOL):
+    """The ways of groups of such ``sizes``, each on a roughness of its own."""
+    groups = [Group(float(index), 0, slice(0, size)) for index, size in enumerate(sizes)]
+    return list(fastest_ways(groups, parameters, rtol))
+
+
+# ---- the choice
+
+
+def test_few_points_are_solved_by_quadrature_and_more_by_tables(parameters, loop):
+    loop()
+    assert chosen(parameters, 1, TABLE_WORTH - 1, TABLE_WORTH) == [
+        "quadrature",
+        "quadrature",
+        "tables",
+    ]
+
+
+def test_coarser_tables_pay_earlier(parameters, loop):
+    loop()
+    assert chosen(parameters, TABLE_WORTH // 2, rtol=1e-3) == ["tables"]
+
+
+@pytest.mark.parametrize("kind", [1, 2])
+def test_points_on_one_roughness_share_its_tables(parameters, loop, kind):
+    loop()
+    half = slice(0, TABLE_WORTH // 2)
+    groups = [Group(3e-7, 0, half), Group(3e-7, kind, half)]
+    assert list(fastest_ways(groups, parameters, RTOL)) == ["tables", "tables"]
+
+
+@pytest.mark.parametrize(
+    ("state", "worth"),
+    [
+        ({"loaded": True}, LOOP_WORTH),
+        ({"kept": True}, LOADING_WORTH),
+        ({}, COMPILING_WORTH),
+    ],
+)
+def test_the_loop_is_chosen_once_it_saves_more_than_its_loading_takes(
+    parameters, loop, state, worth
+):
+    loop(**state)
+    assert chosen(parameters, worth - 1) == ["tables"]
+    assert chosen(parameters, worth) == ["compiled"]
+
+
+def test_points_of_all_roughnesses_count_together_for_the_loading(parameters, loop):
+    loop(kept=True)
+    parts = LOADING_WORTH // LOOP_WORTH
+    assert set(chosen(parameters, *[LOOP_WORTH] * parts)) == {"compiled"}
+    assert set(chosen(parameters, *[LOOP_WORTH] * (parts - 1))) == {"tables"}
+    # but a roughness with few points would not repay the tables of the loop
+    few = chosen(parameters, LOADING_WORTH, LOOP_WORTH - 1, 1)
+    assert few == ["compiled", "tables", "quadrature"]
+
+
+def test_the_loop_is_never_chosen_where_it_cannot_solve(parameters, loop):
+    loop(installed=False)
+    assert chosen(parameters, 10 * COMPILING_WORTH) == ["tables"]
+    loop(loaded=True)
+    assert chosen(replace(parameters, film_load="total"), 10 * COMPILING_WORTH) == ["tables"]
+
+
+def test_searches_take_tables_where_these_are_coarse_or_repaid():
+    roughness = np.array([3e-7, 1e-7, 3e-7, 3e-7])
+    ((way, table_rtol, curves),) = search_ways(roughness, 1, 1e-4)
+    assert (way, table_rtol, curves.tolist()) == ("tables", 1e-4, [0, 1, 2, 3])
+    tables, quadrature = search_ways(roughness, TABLE_WORTH // 2, RTOL)
+    assert tables[:2] == ("tables", RTOL)
+    assert quadrature[:2] == ("quadrature", None)
+    assert [tables[2].tolist(), quadrature[2].tolist()] == [[0, 2, 3], [1]]
+
+
+def test_only_many_points_load_the_compiler(parameters, tmp_path):
+    tb.solve(**POINT, parameters=parameters, way="compiled")
+    assert availability.is_loaded()
+    assert availability.is_kept()
+    elsewhere = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    for points, environment, loaded in (
+        (LOADING_WORTH - 1, os.environ, False),
+        (LOADING_WORTH, os.environ, True),
+        (LOADING_WORTH, elsewhere, False),
+    ):
+        command = [sys.executable, "-c", IS_LOADED, str(points)]
+        ran = run(command, env=environment, capture_output=True, text=True, check=True)
+        assert ran.stdout.strip() == str(loaded), points
+
+
+def test_what_was_compiled_from_another_source_is_not_kept(monkeypatch, tmp_path):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
+    assert not availability.is_kept()
+    version = "".join(map(str, sys.version_info[:2]))
+    index = tmp_path / "compiled_0" / f"loop.solve_points-1.py{version}.nbi"
+    index.parent.mkdir()
+    index.touch()
+    assert availability.is_kept()
+    os.utime(index, (0, 0))
+    assert not availability.is_kept()
+
+
+# ---- what can be asked for
+
+
+def test_every_way_can_be_asked_for_and_is_taken(parameters, monkeypatch):
+    taken = []
+    for name in ("solve_by_loop", "solve_by_tables", "solve_by_quadrature"):
+        original = getattr(plan._Task, name)
+
+        def noted(task, places, name=name, original=original):
+            if not isinstance(places, list) or places:
+                taken.append(name)
+            return original(task, places)
+
+        monkeypatch.setattr(plan._Task, name, noted)
+    first = {}
+    for way in WAYS:
+        taken.clear()
+        tb.solve(**POINT, parameters=parameters, way=way)
+        first[way] = taken[0]
+    assert first == {
+        "compiled": "solve_by_loop",
+        "tables": "solve_by_tables",
+        "quadrature": "solve_by_quadrature",
+    }
+
+
+@pytest.mark.parametrize("way", ["table", "", 1, "Compiled"])
+def test_any_other_way_is_refused_by_name(parameters, way):
+    with pytest.raises(
+        ValueError, match="^way is .*; allowed: compiled, tables, quadrature, or None to choose$"
+    ):
+        tb.solve(**POINT, parameters=parameters, way=way)
+
+
+def test_without_a_compiler_the_loop_is_refused_with_the_name_of_the_extra(parameters, monkeypatch):
+    monkeypatch.setattr("thirdbody.extras.find_spec", lambda name: None)
+    with pytest.raises(ImportError, match=r'needs numba: pip install "thirdbody\[compiled\]"$'):
+        tb.solve(**POINT, parameters=parameters, way="compiled")
+
+
+# ---- what a way leaves
+
+
+@pytest.mark.parametrize("change", [{"load": 1e3, "viscosity": 0.0}, {"viscosity": 1e9}])
+@pytest.mark.parametrize("film_load", ["fluid", "total"])
+def test_what_the_loop_leaves_is_solved_by_tables(parameters, film_load, change):
+    inputs = replace(parameters, film_load=film_load)
+    left = tb.solve(**POINT | change, parameters=inputs, way="compiled")
+    tables = tb.solve(**POINT | change, parameters=inputs, way="tables")
+    for name in VARIABLES:
+        assert np.array_equal(getattr(left, name), getattr(tables, name), equal_nan=True), name
+
+
+def test_what_tables_leave_is_solved_by_quadrature(parameters):
+    """Where the largest particles begin to touch, the error of tables is magnified."""
+    load = np.geomspace(1e-12, 1e-7, 1000)
+    given = POINT | {"load": load, "parameters": parameters, "rtol": 1e-11}
+    by_tables, best = tb.solve(**given, way="tables"), tb.solve(**given, way="quadrature")
+    same = by_tables.separation == best.separation
+    assert 0 < np.count_nonzero(same) < load.size
+    assert np.array_equal(by_tables.solution_status, best.solution_status)
