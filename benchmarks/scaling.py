@@ -16,6 +16,7 @@ from benchmarks.measuring import (
     wall_seconds,
 )
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 
 WAKING = 0.5  # seconds: while one process waits, the pool starts the next
@@ -40,7 +41,7 @@ def _size_rows(parameters, budget):
     for number in range(rounds):
         drawn = random_conditions(HEAVIEST, min(block, max(counts)), parameters, number)
         if number == 0:
-            solve(**drawn, parameters=parameters, rtol=rtol)  # prepares the surface
+            solve(**drawn, parameters=parameters, rtol=rtol, way=COMPILED)  # prepares the surface
         for count in counts:
             if number % (rounds // max(count // block, 1)) and count > block:
                 continue
@@ -57,7 +58,7 @@ def _solve_arrays(given, count, parameters, rtol):
     """Solve the points of ``given`` in arrays of ``count`` points at most."""
     for start in range(0, given["load"].size, count):
         some = {name: values[start : start + count] for name, values in given.items()}
-        solve(**some, parameters=parameters, rtol=rtol)
+        solve(**some, parameters=parameters, rtol=rtol, way=COMPILED)
 
 
 def _process_rows(parameters, budget):
@@ -90,7 +91,7 @@ def _submitted(pool, blocks, task):
 
 def _solve_block(parameters, block, rtol):
     """Solve the points that this process has drawn once and keeps."""
-    solve(**_points_of_block(parameters, block), parameters=parameters, rtol=rtol)
+    solve(**_points_of_block(parameters, block), parameters=parameters, rtol=rtol, way=COMPILED)
 
 
 @cache

@@ -21,6 +21,7 @@ from thirdbody.data.streaming import (
     write_blocks,
 )
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solve import solve
 
 POINT_BYTES = 8 * len(QUANTITIES) + len(FLAGS)
@@ -35,6 +36,7 @@ def stream_rows(parameters: Parameters, settings, directory) -> list[dict]:
     axes, rtol = _axes(parameters, settings["values"]), settings["rtol"]
     points = math.prod(axis.size for axis in axes.values())
     _require_room(directory, points)
+    expect_points(points, parameters)
     solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)  # prepares
     path = directory / "streamed.nc"
 

@@ -17,6 +17,7 @@ from benchmarks.measuring import (
 )
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.compiled.tables import precisions, prepare_model
+from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 from thirdbody.solver.surfaces import prepare_surface
 
@@ -40,7 +41,7 @@ def _rows_of(kind: PointClass, parameters, budget, plain):
     )
     runs, costs = {}, {}
     for rtol in budget["rtol"]:
-        solving = partial(solve, **many, parameters=parameters, rtol=rtol)
+        solving = partial(solve, **many, parameters=parameters, rtol=rtol, way=COMPILED)
         costs["library", rtol] = {
             "setup_seconds": processor_seconds(partial(_prepare, many, parameters, rtol)),
             "peak_memory_MB": peak_megabytes(solving),

@@ -83,7 +83,6 @@ rule time_sweeps:
     output:
         omissions="results/accuracy/omissions.csv",
         scaling="results/accuracy/scaling.csv",
-        starts="results/accuracy/starts.csv",
     log:
         "logs/time_sweeps.log",
     benchmark:
@@ -97,9 +96,31 @@ rule time_sweeps:
         budget=ACCURACY,
         parameters=settings["parameters"],
     message:
-        "Timing omissions, sizes, processes and starts"
+        "Timing omissions, sizes and processes"
     script:
         "../scripts/time_sweeps.py"
+
+
+rule time_starts:
+    input:
+        modules=import_closure("workflow/scripts/time_starts.py"),
+    output:
+        table="results/accuracy/starts.csv",
+    log:
+        "logs/time_starts.log",
+    benchmark:
+        "logs/time_starts.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    resources:
+        quiet=100,
+    params:
+        settings=ACCURACY["starts"],
+    message:
+        "Timing processes from their start to their answer"
+    script:
+        "../scripts/time_starts.py"
 
 
 rule time_streaming:
@@ -131,6 +152,7 @@ rule gather_accuracy:
         extremes="results/accuracy/extremes.csv",
         times="results/accuracy/times.csv",
         scaling="results/accuracy/scaling.csv",
+        starts="results/accuracy/starts.csv",
         streaming="results/accuracy/streaming.csv",
         modules=import_closure("workflow/scripts/gather_accuracy.py"),
     output:

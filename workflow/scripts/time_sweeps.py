@@ -1,22 +1,19 @@
-"""Times of the heaviest class: with something left out, in any number, in several processes, and
-until the first solution."""
+"""Times of the heaviest class: with something left out, in any number, and in several processes."""
 
 from benchmarks.omissions import omission_rows
 from benchmarks.scaling import scaling_rows
-from benchmarks.starts import start_rows
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 
 
-def measure(budget, parameters, omissions, scaling, starts):
+def measure(budget, parameters, omissions, scaling):
     """Write the times that ``budget`` asks for as the tables of these names."""
     inputs = Parameters(**parameters)
-    with whole(omissions, scaling, starts) as (omissions_part, scaling_part, starts_part):
+    with whole(omissions, scaling) as (omissions_part, scaling_part):
         write_csv(omissions_part, omission_rows(inputs, budget), TABLES["omissions"])
         write_csv(scaling_part, scaling_rows(inputs, budget), TABLES["scaling"])
-        write_csv(starts_part, start_rows(), TABLES["starts"])
-    print("three tables written")
+    print("two tables written")
 
 
 if __name__ == "__main__":
@@ -26,5 +23,4 @@ if __name__ == "__main__":
             snakemake.params.parameters,
             snakemake.output.omissions,
             snakemake.output.scaling,
-            snakemake.output.starts,
         )

@@ -185,9 +185,12 @@ TABLES = {
         Column("ratio", "number", "1", "time over the least of all sizes; speed over one process"),
     ),
     "starts": (
-        Column("what", "string", "", "what is done before the first solution"),
         Column("points", "number", "1", "points solved"),
-        Column("seconds", "number", "s", "time on the clock of the whole process"),
+        Column("start", "string", "", "cold: nothing is compiled on disk; warm: the loop is"),
+        Column("way", "string", "", "how points are solved first; automatic: what is chosen"),
+        Column("seconds", "number", "s", "time on the clock from the start of the process"),
+        Column("over_best", "number", "1", "this over the time of the fastest way"),
+        Column("remark", "string", "", "why there is no time"),
     ),
     "streaming": (
         Column("what", "string", "", "streaming to a file, or one half of it alone"),
