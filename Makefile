@@ -1,6 +1,7 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
 # make verify      whether the release is whole, and the products are those that it holds
+# make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make accuracy    errors and times of the solver, measured on this machine (10 minutes)
 # make overhead    the time of a clean run against that of the same jobs if they only import
@@ -17,7 +18,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test test-survival verify accuracy overhead lock lowest format clean
+.PHONY: reproduce test test-survival verify sums accuracy overhead lock lowest format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -44,6 +45,9 @@ $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 
 verify: $(VENV)/workflow.done
 	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
+
+sums:
+	@find results/.custody -name '[!.]*.sha256' -exec sha256sum --quiet --check {} +
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy

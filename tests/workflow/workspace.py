@@ -14,6 +14,8 @@ from pathlib import Path
 
 import yaml
 
+from thirdbody.run.custody import RECORDS
+
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
@@ -76,9 +78,9 @@ class Workspace:
         return found
 
     def stamps(self) -> dict[str, int]:
-        """When each file under ``results/`` was written [ns]."""
+        """When each product under ``results/`` was written [ns]."""
         results = self.root / "results"
-        files = (path for path in results.rglob("*") if path.is_file())
+        files = (path for path in results.rglob("*") if is_product(path))
         return {str(path.relative_to(results)): path.stat().st_mtime_ns for path in files}
 
     def pending(self) -> set[str]:
@@ -113,6 +115,11 @@ class Workspace:
             parts = re.split(r"(?m)^rule (\w+):\n", file.read_text(encoding="utf-8"))
             found |= dict(zip(parts[1::2], parts[2::2], strict=True))
         return found
+
+
+def is_product(path: Path) -> bool:
+    """Whether a file under ``results/`` is no mere record of one."""
+    return path.is_file() and RECORDS.name not in path.parts
 
 
 ABSENT = object()

@@ -14,7 +14,7 @@ def fill(place, products, sources, run):
 
     A product is to be as it was made: one without a record of that may be damaged.
     """
-    require_recorded(products, "logs")
+    require_recorded(products)
     with whole_folder(place) as folder:
         stage(folder, products, sources, run, Release.of("pyproject.toml", "CITATION.cff"))
     print(f"{place}: {len(products)} products, {len(sources)} sources")

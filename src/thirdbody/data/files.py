@@ -3,55 +3,93 @@
 from __future__ import annotations
 
 import glob
-import hashlib
 import os
 import sys
+from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from thirdbody.run.custody import PRODUCTS, record_of, record_text
+
 
 @contextmanager
-def whole(*paths, recorded: bool = True):
-    """Names beside ``paths`` to write to; they take their places together once all are written.
+def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Path, ...]]:
+    """Write files that take their places together, once all of them are written.
 
-    Yields one ``Path``, or a tuple for several.  Nothing appears in its place if the block fails;
-    ``OSError`` then names the places if it was for want of room or right.  What was made is, if
-    ``recorded``, printed as ``sha256sum -c`` reads it: in a log, it tells a product that was
-    damaged later.
+    Parameters
+    ----------
+    *paths
+        The places of the files.
+    recorded
+        Whether those in ``results/`` get a record of what was made (`thirdbody.run.custody`).
+
+    Yields
+    ------
+    Path or tuple of Path
+        Names beside the places, to be written to: one, or as many as there are ``paths``.
+
+    Raises
+    ------
+    OSError
+        Naming the places, if a file was not written, or could not be for want of room or right.
+        Whatever the block raises, nothing new appears in any place.
+
+    Examples
+    --------
+    >>> with whole("table.csv") as part:  # doctest: +SKIP
+    ...     part.write_text("load,area")
     """
     places = [Path(path) for path in paths]
-    for place in places:
-        # of a process that was killed, or lives on without the run that started it
-        for left in place.parent.glob(f".{glob.escape(place.stem)}.partial*{place.suffix}"):
-            left.unlink(missing_ok=True)
-    mine = f".partial{os.getpid()}"
-    beside = [place.with_name(f".{place.stem}{mine}{place.suffix}") for place in places]
-    digests = []
+    products = [place for place in places if recorded and place.is_relative_to(PRODUCTS)]
+    # records first: what a process killed between them leaves differs from its record
+    parts = {place: _part_of(place) for place in [*map(record_of, products), *places]}
     try:
-        yield beside[0] if len(beside) == 1 else tuple(beside)
-        for part in beside:
-            with open(part, "rb") as written:
+        yield parts[places[0]] if len(places) == 1 else tuple(parts[place] for place in places)
+        for place in places:
+            with open(parts[place], "rb") as written:
                 os.fsync(written.fileno())
-                if recorded:
-                    digests.append(hashlib.file_digest(written, "sha256").hexdigest())
-        for part, place in zip(beside, places, strict=True):
+        for product in products:
+            _write_record(product, parts)
+        for place, part in parts.items():
             os.replace(part, place)
     except OSError as error:
-        elsewhere = error.filename and str(error.filename) not in map(str, beside)
+        elsewhere = error.filename and Path(error.filename) not in parts.values()
         if elsewhere or error.strerror is None:
             raise
         names = ", ".join(map(str, places))
         raise OSError(f"{names} cannot be written ({error.strerror})") from None
     finally:
-        for part in beside:
+        for part in parts.values():
             part.unlink(missing_ok=True)
-    for digest, place in zip(digests, places if recorded else [], strict=True):
-        print(f"{digest}  {place}")
+
+
+def _part_of(place: Path) -> Path:
+    """Name beside ``place`` for this process, after removal of what others left there.
+
+    Such a process was killed, or lives on without the run that started it.
+    """
+    for left in place.parent.glob(f".{glob.escape(place.stem)}.partial*{place.suffix}"):
+        left.unlink(missing_ok=True)
+    return place.with_name(f".{place.stem}.partial{os.getpid()}{place.suffix}")
+
+
+def _write_record(product: Path, parts: dict[Path, Path]) -> None:
+    record = record_of(product)
+    record.parent.mkdir(parents=True, exist_ok=True)
+    with open(parts[product], "rb") as content:
+        parts[record].write_text(record_text(product, content), encoding="utf-8")
 
 
 @contextmanager
-def logged(log):
-    """Send what a script prints to the file ``log``; a foreseeable failure is one line, exit 1."""
+def logged(log: str | Path) -> Iterator[None]:
+    """Send what a script prints to the file ``log``.
+
+    Raises
+    ------
+    SystemExit
+        With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, whose message is then a
+        line of the log; with a message if the log itself cannot be written.
+    """
     outer = sys.stdout, sys.stderr
     try:
         with open(log, "w", encoding="utf-8", buffering=1) as stream:

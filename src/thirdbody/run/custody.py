@@ -1,81 +1,63 @@
-"""What a run relies on: that it is alone in its folder, and that products are as they were made."""
+"""Custody: a record of what each product was when it was made, by which damage is found later.
+
+The record of ``results/figures/fig03.svg`` is ``results/.custody/figures/fig03.svg.sha256``, one
+line that ``sha256sum --check`` reads.  `thirdbody.data.files.whole` writes it with the product.
+"""
 
 from __future__ import annotations
 
-import fcntl
 import hashlib
 import os
-import re
-from collections import defaultdict
+from collections.abc import Iterable
 from pathlib import Path
+from typing import IO
 
-# a line of a log as ``thirdbody.data.files.whole`` prints it and ``sha256sum -c`` reads it
-RECORD = re.compile(rb"^([0-9a-f]{64})  (results(?:/\w[\w.-]*)+)$", re.MULTILINE)
+PRODUCTS = Path("results")
+RECORDS = PRODUCTS / ".custody"
+SUFFIX = ".sha256"
 
 
-def hold_alone(path):
-    """The file ``path``, open and locked; the kernel frees the lock when this process ends.
+def record_of(product: str | Path) -> Path:
+    """Name of the record of a file in ``results/``."""
+    return RECORDS / f"{Path(product).relative_to(PRODUCTS)}{SUFFIX}"
 
-    However it ends: no lock is ever stale.  Raises ``OSError`` while another process holds it.
+
+def record_text(product: str | Path, content: IO[bytes]) -> str:
+    """The line that says that ``product`` has this ``content``."""
+    return f"{hashlib.file_digest(content, 'sha256').hexdigest()}  {product}\n"
+
+
+def damaged_products() -> list[str]:
+    """Products that are there and are not what their records say, or cannot be read; sorted.
+
+    A product without a record is not among them, nor one that was deleted.
     """
-    Path(path).parent.mkdir(exist_ok=True)
-    held = open(path, "a", encoding="ascii")
-    try:
-        fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        held.close()
-        raise OSError("another run is under way in this folder; wait for its end") from None
-    return held
+    names = (str(path.relative_to(RECORDS)) for path in RECORDS.rglob(f"*{SUFFIX}"))
+    recorded = sorted(str(PRODUCTS / name.removesuffix(SUFFIX)) for name in names)
+    return [each for each in recorded if os.path.lexists(each) and not _is_as_made(each)]
 
 
-def require_writable(folder) -> None:
-    """Raise ``OSError`` naming ``folder``, or a folder in it, that may not be written to."""
-    for path, _, _ in os.walk(folder):
-        if not os.access(path, os.W_OK | os.X_OK):
-            raise OSError(f"{path} may not be written to; allow it, or run in a folder of your own")
+def require_recorded(products: Iterable[str | Path]) -> None:
+    """Require that every one of ``products`` is there and is what its record says.
 
-
-def recorded_digests(logs) -> dict[str, set[str]]:
-    """SHA-256 of each product under ``results/`` that the log files in the folder ``logs`` name.
-
-    There are several where another rule made the product before.
+    Raises
+    ------
+    ValueError
+        Naming one that is not, or has no record, and the command that makes it again.
     """
-    digests = defaultdict(set)
-    for log in Path(logs).rglob("*.log"):
-        for digest, product in RECORD.findall(log.read_bytes()):
-            digests[product.decode()].add(digest.decode())
-    return digests
-
-
-def remove_damaged(logs) -> list[str]:
-    """Remove products that differ from what the log files in ``logs`` record; their names.
-
-    One without a record is left alone.  Raises ``OSError`` naming one that cannot be removed.
-    """
-    recorded = recorded_digests(logs).items()
-    damaged = sorted(product for product, made in recorded if _differs(product, made))
-    for product in damaged:
-        Path(product).unlink()
-    return damaged
-
-
-def require_recorded(products, logs) -> None:
-    """Raise ``ValueError`` naming one of ``products`` that no log file in ``logs`` records."""
-    recorded = recorded_digests(logs)
-    for product in map(str, products):
-        if product not in recorded or _differs(product, recorded[product]):
+    for product in products:
+        if not _is_as_made(product):
             raise ValueError(
-                f"{product} is not known to be whole: no log in {logs}/ records it as it is; "
-                f"remake it: snakemake -c2 --force {product}"
+                f"{product} is not known to be whole: no record in {RECORDS}/ says that it was "
+                f"made as it is; remake it: snakemake -c2 --force {product}"
             )
 
 
-def _differs(product, digests) -> bool:
-    """Whether a file is there and is none of those that were made, or cannot be read."""
+def _is_as_made(product: str | Path) -> bool:
+    """Whether ``product`` can be read and is what its record says."""
     try:
-        with open(product, "rb") as stream:
-            return hashlib.file_digest(stream, "sha256").hexdigest() not in digests
-    except FileNotFoundError:
-        return False
+        with open(product, "rb") as content:
+            made = record_text(product, content)
+        return record_of(product).read_text(encoding="utf-8", errors="replace") == made
     except OSError:
-        return True
+        return False

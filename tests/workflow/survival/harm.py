@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import ctypes
+import hashlib
 import io
 import json
 import os
@@ -14,7 +15,9 @@ import sys
 import time
 from pathlib import Path
 
-from workspace import MINIMAL, Workspace
+from workspace import MINIMAL, Workspace, is_product
+
+from thirdbody.run.custody import RECORDS, SUFFIX
 
 LONG = os.environ.get("SURVIVAL") == "long"  # `make test-survival`
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
@@ -112,7 +115,7 @@ def kill_at(workspace: Workspace, jobs: int, chance: random.Random, whole_group=
 
 def products(root: Path) -> dict[str, bytes]:
     """Content of each product under ``root``, without what the clock wrote into it."""
-    files = (path for path in sorted(root.rglob("*")) if path.is_file())
+    files = (path for path in sorted(root.rglob("*")) if is_product(path))
     return {str(path.relative_to(root)): _lasting(path) for path in files}
 
 
@@ -126,10 +129,20 @@ def _lasting(path: Path) -> bytes:
 
 
 def assert_same(root: Path, undisturbed: dict[str, bytes]) -> None:
-    """Every product under ``root`` is there, byte for byte that of ``undisturbed``; no others."""
+    """Every product under ``root`` is there, byte for byte that of ``undisturbed``; no others.
+
+    Each has a record that says what it is.
+    """
     found = products(root)
     assert set(found) == set(undisturbed)
     assert not [name for name in found if found[name] != undisturbed[name]]
+    assert not [name for name in found if not _is_recorded(root, name)]
+
+
+def _is_recorded(root: Path, name: str) -> bool:
+    digest = hashlib.sha256((root / name).read_bytes()).hexdigest()
+    record = root / RECORDS.name / f"{name}{SUFFIX}"
+    return record.read_text(encoding="utf-8") == f"{digest}  results/{name}\n"
 
 
 def _overwrite(change):

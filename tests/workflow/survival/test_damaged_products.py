@@ -1,5 +1,6 @@
 """A damaged product is found by `make verify`, named and made again by the next run."""
 
+import re
 import shutil
 from pathlib import Path
 
@@ -52,8 +53,10 @@ def test_every_damaged_product_is_named_and_made_again(
         DAMAGE[kind](workspace.root / "results" / product)
     found = found_by_verify(workspace, release_in(released))
     assert set(found) == {f"results/{name}" for name in damaged if not name.startswith(UNRELEASED)}
-    said = complete(workspace, prepare=obey_permissions)
-    assert_noticed(damaged, said)
+    stamps = workspace.stamps()
+    assert_noticed(damaged, complete(workspace, "--dry-run", prepare=obey_permissions))
+    assert workspace.stamps() == stamps
+    assert_noticed(damaged, complete(workspace, prepare=obey_permissions))
     assert_same(workspace.root / "results", undisturbed)
     assert found_by_verify(workspace, release_in(released)) == {}
     tell(
@@ -62,13 +65,21 @@ def test_every_damaged_product_is_named_and_made_again(
     )
 
 
-def test_a_product_replaced_by_a_folder_stops_the_run_with_its_name(workspace):
+def test_a_product_replaced_by_a_folder_is_made_again_unless_somebody_keeps_files_there(
+    workspace, undisturbed
+):
     product = workspace.root / "results/tables/table1.md"
     product.unlink()
     product.mkdir()
-    run = workspace.snakemake()
-    assert run.returncode != 0
-    assert "results/tables/table1.md" in run.stderr.splitlines()[-1]
+    (product / "kept").write_text("somebody's own")
+    code, said = ended(start(workspace))
+    assert code != 0
+    assert "results/tables/table1.md is not as it was made" in said
+    assert re.search(r"results/tables/table1.md, \S+ cannot be written \(Is a directory\)", said)
+    assert (product / "kept").read_text() == "somebody's own"
+    (product / "kept").unlink()
+    complete(workspace)
+    assert_same(workspace.root / "results", undisturbed)
 
 
 @long
@@ -96,7 +107,7 @@ def test_no_damaged_product_is_released(released, tmp_path):
     complete(workspace, "release", prepare=obey_permissions)
     assert products(release_in(workspace)) == whole
 
-    (workspace.root / "logs/render_figure/fig05.log").unlink()
+    (results / ".custody/figures/fig05.svg.sha256").unlink()
     DAMAGE["truncated to half"](results / "figures/fig05.svg")
     code, said = ended(start(workspace, "release"))
     assert code != 0

@@ -18,7 +18,7 @@ from harm import (
 )
 from workspace import MINIMAL
 
-from thirdbody.run.custody import hold_alone
+from thirdbody.run.lock import hold_alone
 
 GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))

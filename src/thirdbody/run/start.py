@@ -1,0 +1,84 @@
+"""What precedes the jobs: whoever asks for products, in a run or a query, learns which are damaged.
+
+A query, such as ``--dry-run``, ``--summary``, ``--dag`` or ``--report``, starts no job.  It changes
+nothing and waits for nobody.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import IO
+
+from thirdbody.run.bytecode import Bytecode
+from thirdbody.run.custody import PRODUCTS, damaged_products
+from thirdbody.run.lock import hold_alone, require_writable
+
+LOCK = ".snakemake/thirdbody.lock"
+
+
+def look_before_planning(workflow, bytecode: Bytecode) -> None:
+    """Have Snakemake, before it decides which jobs to run, learn which products are damaged.
+
+    Damaged products are named on stderr and are to be made again if anything asks for them.  Where
+    jobs are to be started, the process first takes the folder for itself and prepares ``bytecode``;
+    if it cannot, it ends with one line and exit code 1.
+
+    Parameters
+    ----------
+    workflow
+        The ``snakemake.workflow.Workflow`` of the main process, while its Snakefile is read.
+    bytecode
+        The bytecode that jobs load.
+
+    Notes
+    -----
+    While a Snakefile is read Snakemake does not yet know what it is asked for, and ``onstart``
+    comes after its plan, which would be out of date if another run had been under way.  Between
+    the two it always calls ``Workflow._build_dag``, which is replaced here.
+    """
+    plan, held = workflow._build_dag, []
+
+    def look_and_plan() -> None:
+        runs = workflow.execution_settings is not None and not workflow.dryrun
+        if runs:
+            held.append(_take_folder())
+            bytecode.prepare()
+        damaged = damaged_products()
+        for product in damaged:
+            print(f"{product} is not as it was made: to be made again", file=sys.stderr)
+        workflow.dag.forcefiles.update(damaged)  # outputs to make even if they seem up to date
+        if not runs:
+            _show_as_missing(damaged, workflow.iocache)
+        plan()
+        if runs:
+            _permit_replacing(damaged, workflow.dag)
+
+    workflow._build_dag = look_and_plan
+
+
+def _take_folder() -> IO[str]:
+    """The lock of a run: the folder is its own for as long as somebody keeps this file open."""
+    try:
+        held = hold_alone(LOCK)
+        require_writable(PRODUCTS)
+    except OSError as error:
+        sys.exit(str(error))
+    return held
+
+
+def _show_as_missing(damaged: Iterable[str], iocache) -> None:
+    """Have a query plan as if these were not there: it neither refuses them nor calls them ok."""
+    iocache.exists_local.update(dict.fromkeys(damaged, False))
+    iocache.size.update(dict.fromkeys(damaged, 0))
+
+
+def _permit_replacing(damaged: Iterable[str], dag) -> None:
+    """Make writable what jobs will replace: Snakemake refuses to run them otherwise."""
+    planned = {str(output) for job in dag.needrun_jobs() for output in job.output}
+    for product in planned.intersection(damaged):
+        if not os.access(product, os.W_OK):
+            Path(product).chmod(os.stat(product).st_mode | stat.S_IWUSR)
