@@ -1,15 +1,20 @@
-"""Size and read time of datasets under each lossless compression that NetCDF-4 offers.
+"""Size and time to read of datasets under each lossless compression that NetCDF-4 offers.
 
     python benchmarks/measure_compression.py results/datasets/*.nc
 
-Every file is written anew with each setting, one chunk a variable, and then read whole several
-times; the least processor time of all readings counts, so that neither disk nor neighbours do.
+Every file is written anew with each setting, each variable as one chunk, and then read whole several
+times.  The least processor time counts, so that the disk and other programs play no part.
 """
+
+from __future__ import annotations
 
 import argparse
 import tempfile
 import time
+from collections.abc import Mapping, Sequence
+from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import netCDF4
 
@@ -27,8 +32,21 @@ SETTINGS = {
 }
 
 
-def rewrite(source, target, setting):
-    """Copy the NetCDF file ``source`` to ``target``, its gridded variables under ``setting``."""
+def rewrite(source: str | PathLike, target: str | PathLike, setting: Mapping[str, Any]) -> None:
+    """Copy a NetCDF file with another compression.
+
+    Parameters
+    ----------
+    source, target : path
+        File to read and file to write.
+    setting : mapping
+        Arguments of ``netCDF4.Dataset.createVariable`` for variables of several dimensions.
+
+    Raises
+    ------
+    RuntimeError
+        If the installed library does not offer this compression.
+    """
     with netCDF4.Dataset(source) as old, netCDF4.Dataset(target, "w") as new:
         for name, dimension in old.dimensions.items():
             new.createDimension(name, len(dimension))
@@ -50,8 +68,8 @@ def rewrite(source, target, setting):
             copied[:] = variable[:]
 
 
-def reading_time(paths):
-    """Processor seconds to open ``paths`` and read all of them, the least of several times."""
+def reading_time(paths: Sequence[str | PathLike]) -> float:
+    """Processor time [s] to open files and read all that they hold, the least of several times."""
     times = []
     for _ in range(READINGS):
         start = time.process_time()
@@ -63,7 +81,7 @@ def reading_time(paths):
     return min(times)
 
 
-def measure(sources):
+def measure(sources: Sequence[str | PathLike]) -> None:
     """Print a row for each setting: bytes, share of the uncompressed size, times."""
     print(f"{'setting':17} {'bytes':>10} {'share':>6} {'write ms':>9} {'read ms':>8}")
     uncompressed = None

@@ -1,10 +1,10 @@
-"""Time of a clean run, against that of the same jobs if all they do is import what they import.
+"""Time of a clean run of the workflow over that of the same jobs if they did nothing but import.
 
     python benchmarks/measure_overhead.py [--repeats 3] [--configfile FILE] [target ...]
 
-Both are run in turn in copies of the repository.  What else the machine does changes from minute to
-minute: it is the ratio of each run to the one after it that counts, and the median of these.  Exit
-code 1 if it is above the limit.
+The difference is what the jobs really do.  Both kinds of runs take turns, each in a copy of the
+repository.  As other work on the machine changes from minute to minute, each run is compared with
+the one right after it, and the median of these ratios counts.  Exit code 1 if it is above the limit.
 """
 
 from __future__ import annotations
@@ -17,13 +17,14 @@ import sys
 import tempfile
 import time
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
 from workspace import MADE_BY_RUNS, Workspace
 
-LIMIT = 1.3
+LIMIT = 1.3  # of the ratio of elapsed times
 WRITE_NOTHING = """
 if __name__ == "__main__":
     for path in snakemake.output:
@@ -40,7 +41,17 @@ if __name__ == "__main__":
 
 @dataclass(frozen=True)
 class Cost:
-    """A clean run: elapsed and processor time [s], and the latter per rule with its jobs."""
+    """What a clean run took.
+
+    Attributes
+    ----------
+    elapsed, processor : float
+        Time on the clock, and processor time of all processes [s].
+    per_rule : dict
+        Processor time of all jobs of a rule [s], by name of its script.
+    jobs : dict
+        Number of jobs, by the same names.
+    """
 
     elapsed: float
     processor: float
@@ -49,7 +60,18 @@ class Cost:
 
 
 def only_imports(script: str) -> str:
-    """The import statements of ``script``, wherever they stand, and empty outputs."""
+    """A script that imports what another does, and writes empty outputs.
+
+    Parameters
+    ----------
+    script : str
+        Source code; its import statements count wherever they stand.
+
+    Returns
+    -------
+    str
+        Source code.
+    """
     kinds = (ast.Import, ast.ImportFrom)
     statements = [
         ast.unparse(node) for node in ast.walk(ast.parse(script)) if isinstance(node, kinds)
@@ -58,7 +80,15 @@ def only_imports(script: str) -> str:
 
 
 def prepared(root: Path, hollow: bool) -> Workspace:
-    """A copy of the repository whose jobs tell what they cost; ``hollow`` ones only import."""
+    """Copy the repository so that its jobs record what they cost.
+
+    Parameters
+    ----------
+    root : Path
+        Where to.
+    hollow : bool
+        Whether the jobs are to do nothing but import.
+    """
     workspace = Workspace.of_sources(root)
     costs = str(root / "costs.txt")
     for script in (root / "workflow" / "scripts").glob("*.py"):
@@ -68,8 +98,23 @@ def prepared(root: Path, hollow: bool) -> Workspace:
     return workspace
 
 
-def clean_run(workspace: Workspace, targets, config) -> Cost:
-    """Run everything from nothing."""
+def clean_run(workspace: Workspace, targets: Sequence[str], config: Sequence[str]) -> Cost:
+    """Delete all products and run the workflow.
+
+    Parameters
+    ----------
+    workspace : Workspace
+        One of ``prepared``.
+    targets : sequence of str
+        Products to make; if empty, all.
+    config : sequence of str
+        Further arguments of Snakemake.
+
+    Raises
+    ------
+    SystemExit
+        If the run fails; its output is the message.
+    """
     costs = workspace.root / "costs.txt"
     costs.unlink(missing_ok=True)
     for name in MADE_BY_RUNS:
@@ -88,7 +133,7 @@ def clean_run(workspace: Workspace, targets, config) -> Cost:
 
 
 def processor_time() -> float:
-    """User and system time [s] of all processes started here that have ended."""
+    """User and system time [s] of all processes that were started here and have ended."""
     usage = resource.getrusage(resource.RUSAGE_CHILDREN)
     return usage.ru_utime + usage.ru_stime
 
@@ -105,13 +150,16 @@ def middle(costs: list[Cost]) -> Cost:
 
 
 def middle_ratio(full: list[Cost], hollow: list[Cost], time: str) -> float:
-    """Median of the ratios of a ``time`` of runs to that of the runs after them."""
+    """Median of the ratios [1] of each full run to the hollow one after it.
+
+    ``time`` is the attribute of ``Cost`` that is meant.
+    """
     pairs = zip(full, hollow, strict=True)
     return median(getattr(run, time) / getattr(imports, time) for run, imports in pairs)
 
 
 def report(runs: list[Cost], imports_only: list[Cost]) -> str:
-    """Both times and their ratio, then what each rule adds to its imports."""
+    """Text: times of both kinds of runs and their ratio, then what each rule adds to its imports."""
     full, hollow = middle(runs), middle(imports_only)
     ratio = middle_ratio(runs, imports_only, "elapsed")
     lines = [
@@ -137,6 +185,7 @@ def report(runs: list[Cost], imports_only: list[Cost]) -> str:
 
 
 def main() -> None:
+    """Measure what the command line asks for, print it, and exit with 1 above the limit."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--repeats", type=int, default=3, help="runs of each kind")
     parser.add_argument("--configfile", help="settings on top of config/config.yaml")

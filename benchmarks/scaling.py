@@ -1,12 +1,14 @@
-"""How the time of the heaviest class grows with the number of points, and falls with processes."""
+"""How the time of the heaviest class depends on the number of points and of processes."""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache, partial
 from operator import call
 from statistics import median
+from typing import Any
 
 from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import (
@@ -19,19 +21,32 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 
-WAKING = 0.5  # seconds: while one process waits, the pool starts the next
+WAKING = 0.5  # [s] for which each process waits, so that the pool starts all of them
 
 
-def scaling_rows(parameters: Parameters, budget) -> list[dict]:
-    """Rows of the table ``scaling``; ``budget`` as in ``config/accuracy.yaml``."""
+def scaling_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Measure the cost of a point for few and many points, and the gain of several processes.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    budget : mapping
+        Content of ``config/accuracy.yaml``: ``sizes``, ``processes`` and ``rounds`` are used.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``scaling``.
+    """
     return [*_size_rows(parameters, budget), *_process_rows(parameters, budget)]
 
 
 def _size_rows(parameters, budget):
-    """Processor time of a point for each number of points, over that of the cheapest.
+    """Rows with the processor time of a point for each number of points.
 
-    More than a block are solved block by block and their results dropped, as when they are
-    streamed; of fewer, a block of points is solved in arrays of that size.  The sizes take turns, so
+    More points than a block are solved block by block and their results dropped, as when they are
+    streamed.  Of fewer, a whole block is solved in arrays of that size.  The sizes take turns, so
     that what else the machine does falls on all of them.
     """
     settings = budget["sizes"]
@@ -62,7 +77,7 @@ def _solve_arrays(given, count, parameters, rtol):
 
 
 def _process_rows(parameters, budget):
-    """Least time on the clock for the same blocks in one process and in several; speed over one."""
+    """Rows with the time on the clock for the same blocks in one process and in several."""
     settings = budget["processes"]
     rtol, block, blocks = settings["rtol"], settings["block"], settings["blocks"]
     points = block * blocks
@@ -78,7 +93,7 @@ def _process_rows(parameters, budget):
 
 
 def _wall_seconds_of(blocks, block, parameters, rtol, workers):
-    """Time on the clock [s] of ``blocks`` in a pool of ``workers`` that are up and prepared."""
+    """Time on the clock [s] of ``blocks`` in a pool whose ``workers`` have started and solved once."""
     task = parameters, block, rtol
     with ProcessPoolExecutor(workers, initializer=_solve_block, initargs=task) as pool:
         list(pool.map(time.sleep, [WAKING] * workers))
@@ -90,7 +105,7 @@ def _submitted(pool, blocks, task):
 
 
 def _solve_block(parameters, block, rtol):
-    """Solve the points that this process has drawn once and keeps."""
+    """Solve points that this process draws once and keeps."""
     solve(**_points_of_block(parameters, block), parameters=parameters, rtol=rtol, way=COMPILED)
 
 

@@ -1,10 +1,13 @@
-"""What streaming a grid to a file costs, against solving alone and writing alone."""
+"""Time of streaming a grid to a file, beside solving it and writing it alone."""
 
 from __future__ import annotations
 
 import math
 import resource
 import shutil
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -27,21 +30,54 @@ from thirdbody.solver.solve import solve
 POINT_BYTES = 8 * len(QUANTITIES) + len(FLAGS)
 
 
-def stream_rows(parameters: Parameters, settings, directory) -> list[dict]:
-    """Rows of the table ``streaming`` for the grid of ``settings``, numbers of values by axis.
+def stream_rows(
+    parameters: Parameters, settings: Mapping[str, Any], directory: Path
+) -> list[dict[str, Any]]:
+    """Measure streaming, solving alone and writing alone of the same grid.
 
-    Of each the quickest of some rounds.  The files are written to ``directory`` and removed;
-    ``OSError`` if it has no room for one.
+    Each is done several times in turn, and the quickest counts.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    settings : mapping
+        The entry ``streaming`` of ``config/accuracy.yaml``: the number of ``values`` on each axis,
+        ``rtol`` and the number of ``rounds``.
+    directory : Path
+        Where the files are written; they are removed afterwards.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``streaming``.
+
+    Raises
+    ------
+    OSError
+        If the directory has no room for a file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from thirdbody import load_parameters
+    >>> values = {"load": 3, "viscosity": 1, "particle_diameter": 2, "particle_density": 1}
+    >>> settings = {"values": values, "rtol": 1e-6, "rounds": 1}
+    >>> with tempfile.TemporaryDirectory() as place:
+    ...     rows = stream_rows(load_parameters(), settings, Path(place))
+    >>> [row["what"] for row in rows], rows[0]["points"]
+    (['streaming', 'solving', 'writing'], 6)
     """
     axes, rtol = _axes(parameters, settings["values"]), settings["rtol"]
     points = math.prod(axis.size for axis in axes.values())
     _require_room(directory, points)
     expect_points(points, parameters)
-    solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)  # prepares
+    # What is prepared once for a surface is no part of what is measured.
+    solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)
     path = directory / "streamed.nc"
 
     def record(what, function):
-        # the file system takes memory for a file: the first time is slower
+        # The first file is slower than those after it, as the system sets memory aside for it.
         _write_alone(path, axes, parameters, rtol)
         path.unlink()
         seconds = wall_seconds(function)
@@ -69,7 +105,7 @@ def stream_rows(parameters: Parameters, settings, directory) -> list[dict]:
 
 
 def _axes(parameters, values) -> dict:
-    """Axes over the usual span, with so many values each, on one roughness."""
+    """Axes of the grid: the usual span with the number of ``values`` of each, one roughness."""
     spans = {
         name: np.geomspace(*ends, values.get(name, 0)) for name, ends in SPANS["usual"].items()
     }
@@ -84,7 +120,7 @@ def _solve_blocks(axes, parameters, rtol):
 
 
 def _write_alone(path, axes, parameters, rtol):
-    """The same file with the solution of the first block in every block of its shape."""
+    """Write a file of the same size: all blocks of one shape hold the solution of the first."""
     known = {}
 
     def solved(*given):

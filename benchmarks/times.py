@@ -1,9 +1,12 @@
-"""What a point costs in the library and in the baselines, class by class."""
+"""Time of a point in the library and in the baselines, class by class."""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping
 from functools import partial
+from types import ModuleType
+from typing import Any
 
 import numpy as np
 
@@ -22,17 +25,30 @@ from thirdbody.solver.solve import solve
 from thirdbody.solver.surfaces import prepare_surface
 
 
-def time_rows(parameters: Parameters, budget, plain) -> list[dict]:
-    """Rows of the table ``times``: cost of a point of each class, method and ``rtol``.
+def time_rows(
+    parameters: Parameters, budget: Mapping[str, Any], plain: ModuleType
+) -> list[dict[str, Any]]:
+    """Measure the cost of a point of each class for each method and ``rtol``.
 
-    ``budget`` holds the numbers of points, of rounds and the tolerances of
-    ``config/accuracy.yaml``; ``plain`` is the module of plain equations.
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    budget : mapping
+        Content of ``config/accuracy.yaml``: ``points``, ``rtol`` and ``rounds`` are used.
+    plain : module
+        The plain equations, as ``benchmarks.baselines.load_plain_model`` returns them.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``times``.
     """
     return [row for kind in CLASSES for row in _rows_of(kind, parameters, budget, plain)]
 
 
 def _rows_of(kind: PointClass, parameters, budget, plain):
-    """Rows of one class, the baseline that knows no ``rtol`` last."""
+    """Rows of one class; that of the baseline which is not asked for an ``rtol`` comes last."""
     sizes = budget["points"]
     library = sizes["heaviest"] if kind == HEAVIEST else sizes["others"]
     many, some, few = (
@@ -51,7 +67,8 @@ def _rows_of(kind: PointClass, parameters, budget, plain):
     runs["nested_roots", None] = partial(NestedRoots(plain, parameters).solve, **few)
     counts = {"library": many, "elementwise_roots": some, "nested_roots": few}
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
+        # quad warns where rounding keeps it from the error of 1e-11 that it is asked for.
+        warnings.simplefilter("ignore")
         seconds = least_seconds(runs, budget["rounds"])
     for (method, rtol), time in seconds.items():
         points = counts[method]["load"].size
@@ -66,7 +83,7 @@ def _rows_of(kind: PointClass, parameters, budget, plain):
 
 
 def _prepare(given, parameters, rtol):
-    """All that is prepared once for the points of a surface."""
+    """Prepare a surface anew: everything that is done once for all of its points."""
     prepare_surface.cache_clear()
     roughness = float(given["roughness"][0])
     rough = prepare_surface(roughness, parameters, rtol)
@@ -75,7 +92,7 @@ def _prepare(given, parameters, rtol):
 
 
 def _elementwise(given, parameters, rtol):
-    """Function that solves the points of each surface in turn by ``find_root`` on its nodes."""
+    """A function that solves the points of all surfaces, one after the other, by ``find_root``."""
     parts = []
     for sigma in np.unique(given["roughness"]):
         chosen = given["roughness"] == sigma

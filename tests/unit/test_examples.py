@@ -1,4 +1,4 @@
-"""The examples in the docstrings of the library say what really comes out."""
+"""The examples in docstrings, of the library and its benchmarks, say what really comes out."""
 
 import doctest
 from importlib import import_module
@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-SOURCE = Path(__file__).parents[2] / "src"
+ROOT = Path(__file__).parents[2]
 MODULES = [
-    ".".join(path.relative_to(SOURCE).with_suffix("").parts)
-    for path in sorted((SOURCE / "thirdbody").rglob("*.py"))
+    ".".join(path.relative_to(folder.parent).with_suffix("").parts)
+    for folder in (ROOT / "src" / "thirdbody", ROOT / "benchmarks")
+    for path in sorted(folder.rglob("*.py"))
     if ">>> " in path.read_text(encoding="utf-8")
 ]
 
