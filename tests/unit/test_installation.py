@@ -40,6 +40,7 @@ READING = (
     "referencing",
     "rpds",
     "jsonschema_specifications",
+    "typing_extensions",
 )
 # what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
 LACKING = {
@@ -83,7 +84,8 @@ def installed(tmp_path_factory):
 
 def link_module(name, folder):
     """Have an installed module in ``folder`` as well, with the libraries that its wheel brought."""
-    source = Path(find_spec(name).origin).parent
+    origin = Path(find_spec(name).origin)
+    source = origin.parent if origin.name == "__init__.py" else origin
     for path in (source, source.with_name(f"{name}.libs")):
         link = folder / path.name
         if path.exists() and not link.exists():

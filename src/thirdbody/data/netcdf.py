@@ -51,7 +51,7 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     encoding |= {
         name: compressed | {"chunksizes": dataset[name].shape} for name in dataset.data_vars
     }
-    save(dataset, path, encoding)
+    write_netcdf(dataset, path, encoding)
 
 
 def read_dataset(path: str | PathLike) -> xr.Dataset:
@@ -89,7 +89,7 @@ def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
     return np.isfinite(dataset["solution_status"].values).any(axis=0)
 
 
-def save(dataset: xr.Dataset, path: str | PathLike, encoding: Mapping) -> None:
+def write_netcdf(dataset: xr.Dataset, path: str | PathLike, encoding: Mapping) -> None:
     """Write any ``dataset`` with the ``encoding`` of each variable; ``OSError`` if that fails."""
     try:
         dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=encoding)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
-from thirdbody.data.netcdf import load, save
+from thirdbody.data.netcdf import load, write_netcdf
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.regimes import CONTACT_MODES
 
@@ -131,7 +131,7 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     variables |= _particle_variables([section.particles for section in sections])
     position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
     dataset = xr.Dataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
-    save(dataset, path, {name: {"_FillValue": None} for name in dataset.variables})
+    write_netcdf(dataset, path, {name: {"_FillValue": None} for name in dataset.variables})
 
 
 def _particle_variables(of_panels) -> dict:
