@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
@@ -17,13 +20,41 @@ LIMITS = (
 )
 
 
-def transitions(load, values, conditions, parameters: Parameters, rtol: float, limits=LIMITS):
-    """Loads F_t* [1] at which quantities cross ``limits``, pairs of a quantity and its level.
+def transitions(
+    load: NDArray,
+    values: Mapping[str, NDArray],
+    conditions: NDArray,
+    parameters: Parameters,
+    rtol: float,
+    limits: Sequence[tuple[str, float]] = LIMITS,
+) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
+    """Find the loads at which quantities cross given levels.
 
-    ``load`` has shape (loads,), ``values`` of each quantity (loads, curves), ``conditions``
-    (4, curves): viscosity, diameter, roughness, density (SI).  Returns arrays of one length: the
-    index of the limit and of the curve, the load, a bound on its error, and whether the quantity
-    rises there.
+    Parameters
+    ----------
+    load : array, shape (loads,)
+        Increasing loads F_t* [1] at which the curves are known.
+    values : mapping
+        The quantities that ``limits`` name, arrays of shape (loads, curves).
+    conditions : array, shape (4, curves)
+        Viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2].
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Relative error asked for.
+    limits : sequence of pairs
+        A quantity and the level that it crosses; by default those between regimes and modes.
+
+    Returns
+    -------
+    limit, curve : array of int, shape (crossings,)
+        Index of the limit and of the curve.
+    load : array
+        F_t* there [1].
+    error : array
+        Bound on the error of this load [1].
+    rises : array of bool
+        Whether the quantity rises with the load there.
     """
     quantities, levels = zip(*limits, strict=True)
     excess = np.stack([values[quantity] - level for quantity, level in limits])

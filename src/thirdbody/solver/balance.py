@@ -1,7 +1,9 @@
-"""Balance of forces on the interface: Eqs. 1, 2 and 4, dry and lubricated.
+"""The balance of forces F_t = F_s(d) + F_f(d) (Eq. 1), solved for the separation d.
 
-All loads are dimensionless, F* = F/(A_n E_ss), and enter as logarithms, so that neither a tail of
-the summits nor a vanishing share of the fluid loses digits.
+There are three cases: no film; a film that depends on its own share of the load; and a film that
+depends on the total load (the printed reading of Eq. 8).  All loads are dimensionless,
+F* = F/(A_n E_ss), and enter as logarithms, so that neither a tail of the summits nor a vanishing
+share of the fluid loses digits.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import log_expit
 
 from thirdbody.model.particles import separation_bearing
@@ -20,10 +23,11 @@ LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
 ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
 
 
-def first_separation(points: Points):
+def first_separation(points: Points) -> NDArray:
     """About the separation d [m] at which the solids alone bear the load.
 
-    The larger of those that summits or particles alone would have: off by a factor of 2 in load.
+    It is the larger of those that summits alone and particles alone would have, where the solids
+    bear between one and two times the load.
     """
     surfaces, contact = points.surfaces, points.contact
     guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
@@ -35,24 +39,47 @@ def first_separation(points: Points):
 
 @dataclass(frozen=True)
 class Balance:
-    """Where the forces of 1-D points balance.
+    """Where the forces balance, at each of some points.
 
-    ``width`` [m] bounds the error that solving and rounding leave in the separation, ``error`` the
-    relative one in any variable, and ``condition`` is how much a relative error of the solids'
-    load is magnified there.
+    Parameters
+    ----------
+    logit : array
+        ln(L_s/L_f) [1], infinite without a film.
+    separation : array
+        d [m]; nan where nothing balances.
+    width : array
+        Bound on the error [m] that solving and rounding leave in d.
+    error : array
+        Bound on the relative error that they leave in any variable [1].
+    condition : array
+        By how much a relative error of the solids' load is magnified in any variable [1].
     """
 
-    logit: np.ndarray  # ln(L_s/L_f) [1], infinite without a film
-    separation: np.ndarray  # d [m], nan where nothing balances
-    width: np.ndarray
-    error: np.ndarray
-    condition: np.ndarray
+    logit: NDArray
+    separation: NDArray
+    width: NDArray
+    error: NDArray
+    condition: NDArray
 
 
 def dry_balance(points: Points, tolerance: float) -> Balance:
-    """The solids alone bear the load: F_s(d) = F_t, no solution if d < 0.
+    """Solve F_s(d) = F_t, where the solids bear the load alone.
 
-    Solved for d/sigma; a load that the solids cannot bear at d = 0 has no solution.
+    Parameters
+    ----------
+    points : Points
+        Points without a film, or whose film bears nothing.
+    tolerance : float
+        Relative error that the iteration may leave in any variable.
+
+    Returns
+    -------
+    Balance
+        A load that the solids cannot bear at d = 0 has no solution.
+
+    Notes
+    -----
+    The unknown is x = d/sigma, the function ln(F_s/F_t), which decreases with it.
     """
 
     def residual(x, some):
@@ -71,19 +98,33 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
 
 
 def shared_balance(points: Points, tolerance: float) -> Balance:
-    """Film and solids share the load (Eqs. 1, 2, 7).
+    """Solve Eq. 1 where the thickness of the film follows from the load that the film bears.
 
-    The film bears the fluid load alone: d = R_x H_c(W(F_f)).  With y = ln(L_s/L_f), both L_f and
-    d are explicit and ln(F_s(d)/F_t) - ln L_s falls with y, so the root is unique and no digits
-    cancel however small L_s or L_f is.
+    Parameters
+    ----------
+    points : Points
+        Points with a film.
+    tolerance : float
+        Relative error that the iteration may leave in any variable.
+
+    Returns
+    -------
+    Balance
+
+    Notes
+    -----
+    The unknown is y = ln(L_s/L_f), the logit of the solids' share.  From it follow both shares,
+    from the film's share d = R_x H_c(W(F_f)) (Eqs. 7 and 8), and from d the load F_s of the solids
+    (Eqs. 2 and 4).  The function ln(F_s(d)/F_t) - ln L_s decreases with y, so that there is one
+    root; and no digits cancel, however small L_s or L_f is.
     """
 
     def residual(y, some):
         odds = np.exp(-np.abs(y))
         less = -np.log1p(odds)  # ln of the larger share
         log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
-        separation, widening = some.film_separation(log_fluid)
-        value, slope, steepest = some.contact.log_solid_load(separation)
+        separation, widening = some.film_separation(log_fluid)  # Eqs. 7 and 8
+        value, slope, steepest = some.contact.log_solid_load(separation)  # Eqs. 2 and 4
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
         shares = y > -LOGIT_LIMIT  # else L_s is zero in float64
@@ -106,10 +147,11 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
 
 
 def _first_logit(points: Points):
-    """Logit of L_s at the larger of the separations that solids and film alone would have.
+    """About the logit of L_s: that at the larger of the separations which the solids alone and the
+    film alone would have.
 
-    From the film's load there where that is the smaller share, so that the separation stays on
-    its side of the largest particle; else from the loads of both.
+    Where the film's share there is the smaller one, the logit follows from it, so that the
+    separation stays on the same side of the largest particle; else from the loads of both.
     """
     alone, _ = points.film_separation(0.0)
     separation = np.maximum(alone, first_separation(points))
@@ -125,10 +167,23 @@ def _first_logit(points: Points):
 
 
 def total_load_balance(points: Points, tolerance: float) -> Balance:
-    """The printed reading of Eq. 8: the film's W is that of the total load, d = R_x H_c(W(F_t)).
+    """Solve Eq. 1 where the thickness of the film follows from the total load (Eq. 8 as printed).
 
-    Where the film would be thinner than the dry separation, L_s would exceed 1: the solids then
-    bear everything at the dry separation.
+    Parameters
+    ----------
+    points : Points
+        Points with a film.
+    tolerance : float
+        Relative error that an iteration may leave in any variable.
+
+    Returns
+    -------
+    Balance
+
+    Notes
+    -----
+    d = R_x H_c(W(F_t)) is known, and L_s = F_s(d)/F_t with it.  Where the film would be thinner than
+    the dry separation, L_s would exceed 1: there the solids bear everything at the dry separation.
     """
     separation, _ = points.film_separation(0.0)
     log_solid, _, steepest = points.contact.log_solid_load(separation)
@@ -147,4 +202,5 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     return found
 
 
+# by the reading of Eq. 8
 BALANCES = {LoadOfTheFluid: shared_balance, TotalLoad: total_load_balance}

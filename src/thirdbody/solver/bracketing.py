@@ -2,19 +2,50 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
+from numpy.typing import NDArray
 
 MAX_ITERATIONS = 100
 SPACING = 4.0 * np.finfo(float).eps  # of neighbouring numbers, relative: no bracket gets narrower
 
 
-def bracketed_roots(function, low, high, tolerance):
-    """Where ``function`` of a 1-D array, element by element, changes its sign.
+def bracketed_roots(
+    function: Callable[[NDArray], NDArray],
+    low: NDArray,
+    high: NDArray,
+    tolerance: NDArray | float,
+) -> tuple[NDArray, NDArray]:
+    """Find where a function changes its sign, element by element.
 
-    Either at ``low`` or at ``high`` it is positive, at the other it is not.  Chandrupatla's method
-    (1997, Adv. Eng. Software 28:145): inverse quadratic interpolation where three points promise
-    that it converges, else bisection.  Returns the roots and the widths of the brackets around
-    them, which are at most ``tolerance`` where float64 allows it.
+    Parameters
+    ----------
+    function : callable
+        Maps a 1-D array to one of its shape, element by element.
+    low, high : array, shape (n,)
+        Ends of the brackets: the function is positive at one of them and not at the other.
+    tolerance : array or float
+        How narrow a bracket is to be.
+
+    Returns
+    -------
+    roots : array, shape (n,)
+        The end of the last bracket at which the function is smaller.
+    widths : array, shape (n,)
+        Widths of the last brackets, at most ``tolerance`` where float64 allows it.
+
+    References
+    ----------
+    Chandrupatla (1997), Adv. Eng. Software 28:145: inverse quadratic interpolation where the last
+    three points promise that it converges, bisection elsewhere.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> roots, _ = bracketed_roots(lambda x: x**2 - 2.0, numpy.zeros(1), numpy.full(1, 2.0), 1e-12)
+    >>> roots.round(9)
+    array([1.41421356])
     """
     newest, other, last = low, high, high
     f_newest, f_other = function(low), function(high)
@@ -41,7 +72,8 @@ def bracketed_roots(function, low, high, tolerance):
 
 
 def _interpolated(newest, other, last, f_newest, f_other, f_last):
-    """Share of the way from ``newest`` to ``other``; nan where the three points are no guide."""
+    """How far on the way from ``newest`` to ``other`` inverse quadratic interpolation puts the root,
+    from 0 to 1; nan where the three points do not promise that it is near there."""
     place, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
     guide = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
     share = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)

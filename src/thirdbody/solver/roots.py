@@ -1,8 +1,15 @@
-"""Roots of many decreasing functions at once: Newton's method held by a bracket."""
+"""Roots of many decreasing functions at once: Newton's method held by a bracket.
+
+``decreasing_roots`` solves the balance of forces of all points together.  Elements that are
+finished drop out, so that a few difficult points do not hold up the others.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
+from numpy.typing import NDArray
 
 MAX_ITERATIONS = 200
 CAUTION = 30.0  # the next step may be this much larger than the last two make it
@@ -12,20 +19,58 @@ ROUNDING = 4.0 * EPSILON  # a bracket this narrow holds a jump, or nothing
 NOISE = 1e-14  # of a residual that is a difference of logarithms
 
 
-def decreasing_roots(residual, guess, lower, upper, tolerance, points):
-    """Elementwise root of a decreasing ``residual`` between ``lower`` and ``upper``.
+def decreasing_roots(
+    residual: Callable,
+    guess: NDArray,
+    lower: NDArray,
+    upper: NDArray,
+    tolerance: float,
+    points,
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    """Find where a decreasing function is zero, element by element.
 
-    ``residual(x, points)`` returns (value, slope, gain, rounding) for a 1-D array x and the points
-    it belongs to: ``gain`` is by how much, relative to itself, what is wanted of x changes with x
-    at the most, ``rounding`` what its evaluation adds to its relative error.  ``points`` has
-    ``take(chosen)``; a nan value counts as one beyond the root.  ``guess`` and the finite bounds
-    have one shape.  An element is finished once its next Newton step, and what the residual and
-    the wanted change over it, would be below ``tolerance``, or its steps are rounding: steps
-    shrink quadratically, and how fast shows in the last two.  Finished elements drop out.
+    Parameters
+    ----------
+    residual : callable
+        ``residual(x, points)`` for a 1-D array x returns four arrays of its shape, or scalars:
 
-    Returns the roots, nan where the residual does not vanish between the bounds; how far off they
-    may be for the steps left out and for rounding; a bound on the relative error of what is
-    wanted; and how much a relative error of the residual is magnified in it.
+        value
+            The function.  It decreases with x; nan counts as beyond the root.
+        slope
+            Its slope.
+        gain
+            What the caller computes from the root x are several variables v.  This is a bound on
+            the size of d ln v/dx: by it an error of x becomes a relative error of what is wanted.
+        rounding
+            Relative error that rounding adds when these variables are evaluated.
+    guess : array, shape (n,)
+        Where to begin.
+    lower, upper : array, shape (n,)
+        Finite bounds between which the roots are sought.
+    tolerance : float
+        Relative error that the last step may leave in the function's arguments and in what is
+        wanted of the root.
+    points : object
+        What ``residual`` needs to know of each element; ``points.take(index)`` picks some.
+
+    Returns
+    -------
+    roots : array, shape (n,)
+        nan where the function does not vanish between the bounds.
+    widths : array
+        How far off a root may be because of the steps that were left out and of rounding.
+    errors : array
+        Bound on the relative error of what is wanted of the root.
+    conditions : array
+        By how much a relative error of the function's terms is magnified in what is wanted.
+
+    Notes
+    -----
+    Each iteration takes Newton's step if it stays within the bracket and at least halves either
+    the step or the function, and else the middle of the bracket.  Newton's steps shrink
+    quadratically near a root: the next one is estimated from the last two, with ``CAUTION``.  An
+    element is finished once that next step is too small to matter to the function or to what is
+    wanted, or its steps are rounding, or its bracket is as narrow as float64 allows.
     """
     roots, widths, errors, conditions = np.full((4, guess.size), np.nan)
     active = np.arange(guess.size)

@@ -1,4 +1,4 @@
-"""What is known of solved points: every variable on demand, so that none costs unless asked for."""
+"""What is known of solved points; a variable that nobody asks for costs nothing."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.special import expit, log_expit
 
 from thirdbody.model.contact import TINY
@@ -22,27 +23,41 @@ CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SO
 
 @dataclass(frozen=True)
 class Solution:
-    """Solved points; every attribute has the broadcast shape of the five arguments of ``solve``.
+    """Solved points: what ``solve`` returns.
 
-    Lengths in m, all else dimensionless; the ``FLAGS`` are indices into the tuples of
-    ``thirdbody.model.regimes``.  Unsolved points hold nan, or ``NO_FLAG`` for
-    regime and mode, and ``solution_status`` says why.  ``error_bound`` is what the relative error
-    of every variable stays below; where rounding in float64 keeps it above the ``rtol`` asked for,
-    the status is that of a point that did not converge, but its values stand.  A variable that
-    was not asked for is None.
+    Every attribute is an array of the broadcast shape of the arguments of ``solve``, or None if it
+    was not asked for.  Points without solution hold nan, or -1 where a flag has no meaning.
+
+    Attributes
+    ----------
+    total_contact_area : array
+        A_t* = (A_sa + A_ss-sa)/A_n [1] (Eq. 5).
+    particle_contact_area_ratio, surface_contact_area_ratio : array
+        A_sa,t* and A_ss,t* [1] (Eq. 10).
+    solid_load_fraction, fluid_load_fraction : array
+        L_s and L_f [1] (Eq. 9).
+    separation : array
+        Mean separation d [m].
+    film_thickness : array
+        H_c = d/R_x [1] (Eq. 7).
+    lubrication_regime, contact_mode, solution_status : array of int8
+        Indices into the tuples of ``thirdbody.model.regimes``.
+    error_bound : array
+        What the relative error of every quantity stays below [1].  Where rounding keeps it above
+        the ``rtol`` that was asked for, the status is ``not_converged``, but the values stand.
     """
 
-    total_contact_area: np.ndarray | None = None
-    particle_contact_area_ratio: np.ndarray | None = None
-    surface_contact_area_ratio: np.ndarray | None = None
-    solid_load_fraction: np.ndarray | None = None
-    fluid_load_fraction: np.ndarray | None = None
-    separation: np.ndarray | None = None
-    film_thickness: np.ndarray | None = None
-    lubrication_regime: np.ndarray | None = None
-    contact_mode: np.ndarray | None = None
-    solution_status: np.ndarray | None = None
-    error_bound: np.ndarray | None = None
+    total_contact_area: NDArray | None = None
+    particle_contact_area_ratio: NDArray | None = None
+    surface_contact_area_ratio: NDArray | None = None
+    solid_load_fraction: NDArray | None = None
+    fluid_load_fraction: NDArray | None = None
+    separation: NDArray | None = None
+    film_thickness: NDArray | None = None
+    lubrication_regime: NDArray | None = None
+    contact_mode: NDArray | None = None
+    solution_status: NDArray | None = None
+    error_bound: NDArray | None = None
 
 
 VARIABLES = tuple(field.name for field in fields(Solution))
@@ -52,17 +67,29 @@ QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bou
 
 
 def type_of(variable: str) -> type:
-    """Of the values of a variable of ``Solution``."""
+    """Type of the values of a ``variable`` of ``Solution``."""
     return np.int8 if variable in FLAGS else float
 
 
 class SolvedPoints:
-    """``points`` of one kind with the balance of their forces solved to ``rtol``.
+    """Points whose forces are balanced, by quadrature or by tables as their surfaces say.
 
-    Has the variables of ``Solution`` as attributes, each a 1-D array that is evaluated when read;
-    ``left`` marks the points that magnify the errors of tables and roots beyond ``rtol``, which
-    are to be solved by quadrature.  Without tables the roots are as good as float64 allows, and
-    nothing is left.
+    Parameters
+    ----------
+    points : Points
+        All with or without particles, all with or without a film.
+    rtol : float
+        Relative error asked for.  By quadrature the roots are as good as float64 allows.
+
+    Attributes
+    ----------
+    left : array of bool
+        Points that magnify the errors of tables beyond ``rtol`` and are to be solved by
+        quadrature; by quadrature none is left.
+
+    Notes
+    -----
+    The variables of ``Solution`` are attributes too, 1-D arrays that are evaluated when read.
     """
 
     def __init__(self, points: Points, rtol: float):
@@ -88,15 +115,18 @@ class SolvedPoints:
         return self.points.contact.particles.contact(self._balance.separation)
 
     def _onset_error(self):
-        """Relative error of the particles' area: where the largest begin to touch it rises so
-        steeply that its slope before the last step says little."""
+        """Relative error of the particles' area from that of d.
+
+        Where the largest particles begin to touch, the area changes too steeply for the bound that
+        the iteration takes from the slope before its last step.
+        """
         if self.points.contact.particles is None:
             return 0.0
         area, slope, *_ = self._touching
         return np.where(area > TINY, -slope / area * self._balance.width, 0.0)
 
     def _status(self, rtol):
-        """Index into ``SOLUTION_STATUSES``; what voids a point outranks a warning."""
+        """Indices into ``SOLUTION_STATUSES``; of several the gravest, which is stored last."""
         points, balance = self.points, self._balance
         status = np.full(balance.separation.shape, CONVERGED, dtype=np.int8)
         if points.film is not None:
@@ -132,7 +162,7 @@ class SolvedPoints:
     @property
     def total_contact_area(self):
         particles, log_summits = self._areas
-        return particles + np.exp(log_summits)
+        return particles + np.exp(log_summits)  # Eq. 3
 
     @cached_property
     def particle_contact_area_ratio(self):

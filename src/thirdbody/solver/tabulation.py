@@ -8,13 +8,34 @@ import numpy as np
 
 
 class PiecewisePolynomial:
-    """Value and slope of ``function`` from its interpolant on equal pieces of ``[start, end]``.
+    """A smooth function and its slope, interpolated on equal pieces of an interval.
 
-    ``function(x)`` returns (value, slope) for a 1-D array; so does an instance, for arrays of any
-    shape.  Each piece interpolates at Chebyshev points.  Outside the interval, and for nan, the
-    function itself is evaluated, so that an instance is as widely valid as what it tabulates.
-    ``error`` is the largest in the middle of a piece, which for an odd degree is about the largest
-    there is.  ``values`` are those at ``sample_points``, if they are known.
+    Parameters
+    ----------
+    function : callable
+        Maps a 1-D array to a pair of arrays: the function and its slope.
+    start, end : float
+        The interval.  Beyond it, and for nan, the function itself is evaluated, so that an
+        instance holds wherever the function does.
+    pieces : int
+        Number of polynomials, each on a piece of the same width.
+    degree : int
+        Their degree; each goes through the function at ``degree`` + 1 Chebyshev points.
+    values : array, optional
+        The function at ``sample_points``, if it is known there already.
+
+    Attributes
+    ----------
+    error : float
+        Largest error in the middle of a piece, about the largest anywhere if the degree is odd.
+
+    Examples
+    --------
+    >>> import numpy
+    >>> sine = PiecewisePolynomial(lambda x: (numpy.sin(x), numpy.cos(x)), 0.0, 3.0, 30, 5)
+    >>> value, slope = sine(numpy.array([0.5, 40.0]))
+    >>> bool(numpy.abs(value - numpy.sin([0.5, 40.0])).max() < 1e-9)
+    True
     """
 
     def __init__(self, function, start: float, end: float, pieces: int, degree: int, values=None):
@@ -34,14 +55,25 @@ class PiecewisePolynomial:
         self.error = float(np.abs(self(self.centres)[0] - middle).max())
 
     def __call__(self, x):
-        """(value, slope) at ``x``, each of its shape."""
+        """Value and slope at ``x``, each of its shape."""
         return self.evaluated(x, 0, lambda beyond, _: self.function(beyond))
 
     def evaluated(self, x, member, function):
-        """(value, slope) at ``x``, of joined polynomials those of the ``member`` of each element.
+        """Value and slope at ``x`` of joined polynomials.
 
-        ``member`` is an index, or one for each element of the last axes of ``x``.  Outside the
-        interval it is ``function(x, member)`` of these elements.
+        Parameters
+        ----------
+        x : array
+            Of any shape.
+        member : int or array of int
+            Which of the joined functions, for all or for each element of the last axes of ``x``.
+        function : callable
+            ``function(x, member)`` is evaluated for the elements beyond the interval.
+
+        Returns
+        -------
+        value, slope : array
+            Of the shape of ``x``.
         """
         position, inside = self.located(x)
         if inside.all():
@@ -60,18 +92,18 @@ class PiecewisePolynomial:
 
     @classmethod
     def joined(cls, members) -> PiecewisePolynomial:
-        """The polynomials of ``members``, all on the same pieces, side by side: for ``evaluated``."""
+        """The polynomials of several functions on the same pieces, side by side for ``evaluated``."""
         together = copy(members[0])
         together.coefficients = np.hstack([member.coefficients for member in members])
         return together
 
     def located(self, x):
-        """Where ``x`` is, in pieces from the start, and whether it is in the interval."""
+        """How many pieces ``x`` is from the start, and whether it is in the interval."""
         position = (x - self.start) * self.scale
         return position, (position >= 0.0) & (position < self.pieces)
 
     def interpolate(self, position, member=0):
-        """(value, slope) at a ``position`` in the interval; of several, those of a ``member``."""
+        """Value and slope at a ``position`` of ``located``, within the interval, of a ``member``."""
         piece = position.astype(np.intp)
         local = 2.0 * (position - piece) - 1.0
         piece = piece + member * self.pieces
@@ -87,23 +119,30 @@ class PiecewisePolynomial:
 
 
 def chebyshev_points(degree: int):
-    """The ``degree`` + 1 places within [-1, 1] at which a polynomial interpolates best."""
+    """The ``degree`` + 1 places in [-1, 1] at which a polynomial of this degree interpolates best."""
     return np.cos(np.pi * (np.arange(degree + 1) + 0.5) / (degree + 1))
 
 
 def interpolants(at_nodes):
-    """Coefficients of the polynomials that go through values at ``chebyshev_points``.
+    """Coefficients of the polynomials that go through given values at ``chebyshev_points``.
 
-    ``at_nodes`` has a row for each of those and a column for each piece; row k of the result holds
-    the coefficients of the k-th power.
+    Parameters
+    ----------
+    at_nodes : array, shape (degree + 1, pieces)
+        Values at these points, a column for each piece.
+
+    Returns
+    -------
+    array, shape (degree + 1, pieces)
+        Row k holds the coefficients of the k-th power.
     """
     nodes = chebyshev_points(len(at_nodes) - 1)
     return np.ascontiguousarray(np.linalg.solve(np.vander(nodes, increasing=True), at_nodes))
 
 
 def sample_points(start: float, end: float, pieces: int, degree: int):
-    """Where a ``PiecewisePolynomial`` needs the values of its function, 1-D: the Chebyshev points
-    of each piece, and then its middle."""
+    """Where a ``PiecewisePolynomial`` takes its function, 1-D: piece by piece at the Chebyshev points
+    and then in the middle, which tells the error."""
     scale = pieces / (end - start)
     centres = start + (np.arange(pieces) + 0.5) / scale
     return (centres[:, None] + 0.5 * np.append(chebyshev_points(degree), 0.0) / scale).ravel()
