@@ -1,8 +1,13 @@
-"""What the solver is to achieve, beside what was measured in the same run."""
+"""What the solver is to achieve, beside what was measured in the same run.
+
+Each such demand is called a *bar*.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from benchmarks.classes import HEAVIEST
 from benchmarks.points import CLASS
@@ -13,14 +18,30 @@ USUAL_RTOL, LOOSE_RTOL = 1e-9, 1e-3
 
 @dataclass(frozen=True)
 class Bar:
-    """A number that is to be at least or at most ``limit``."""
+    """A demand on a measured number.
+
+    Attributes
+    ----------
+    what : str
+        What is measured, and in which unit.
+    limit : float
+        What it is to be, in that unit.
+    least : bool
+        Whether it is to be at least so much; if not, at most.
+    """
 
     what: str
     limit: float
     least: bool
 
-    def row(self, value: float) -> dict:
-        """Row of the table ``bars`` for a measured ``value``."""
+    def row(self, value: float) -> dict[str, Any]:
+        """Row of the table ``bars`` for a measured ``value`` in the unit of the bar.
+
+        Examples
+        --------
+        >>> Bar("seconds to prepare a surface", 0.2, least=False).row(0.1)["verdict"]
+        'holds'
+        """
         holds = value >= self.limit if self.least else value <= self.limit
         return {
             "what": self.what,
@@ -46,8 +67,20 @@ BARS = {
 }
 
 
-def bar_rows(tables) -> list[dict]:
-    """Rows of the table ``bars`` from the rows of the other tables of the run, by name."""
+def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str, Any]]:
+    """Compare what was measured with all bars.
+
+    Parameters
+    ----------
+    tables : mapping
+        Rows of the tables ``errors``, ``extremes``, ``times``, ``scaling``, ``starts`` and
+        ``streaming``, by these names.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``bars``.
+    """
     measured = {
         **_of_times(tables["times"]),
         **_of_scaling(tables["scaling"]),

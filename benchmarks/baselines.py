@@ -1,8 +1,9 @@
-"""What the library is measured against: how such models are first written, done with care.
+"""Two simpler ways to solve the model, which the library is compared with.
 
-``NestedRoots`` takes one ``quad`` an integral and one ``brentq`` an unknown, point by point.
-``ElementwiseRoots`` solves arrays with ``scipy.optimize.elementwise.find_root`` on Gauss-Legendre
-nodes.  Both give the variables of ``points.VARIABLES`` and nan where they find no solution.
+They are how such models are usually written, done with care.  ``NestedRoots`` solves point by point:
+each integral by ``scipy.integrate.quad``, each unknown by ``scipy.optimize.brentq``.
+``ElementwiseRoots`` solves arrays of points by ``scipy.optimize.elementwise.find_root``, with integrals
+over Gauss-Legendre nodes.  Both give ``points.VARIABLES``, nan where they find no solution.
 """
 
 from __future__ import annotations
@@ -10,10 +11,13 @@ from __future__ import annotations
 import importlib.util
 import json
 import math
-from types import SimpleNamespace
+from collections.abc import Sequence
+from os import PathLike
+from types import ModuleType, SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq, elementwise
 from scipy.special import expit, log_expit
 
@@ -22,18 +26,25 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters, Surface
 from thirdbody.model.particles import ParticleLayer
 from thirdbody.solver.points import Points
 
-LOGIT_ENDS = -50.0, 50.0  # of L_s: shares of the load down to 2e-22
+LOGIT_ENDS = -50.0, 50.0  # of ln(L_s/(1 - L_s)): shares of the load down to 2e-22
 GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch
-ROUNDING = 1e-15  # no bracket gets narrower, relatively
-CHUNK = 4096  # points solved together: what is fastest
-TAIL = 9.0  # summits rarer than exp(-TAIL^2/2) of the densest do not matter
+ROUNDING = 1e-15  # least relative width of a bracket
+CHUNK = 4096  # points solved together; other numbers take more time
+TAIL = 9.0  # summits higher than so many standard deviations are left out
 
 
-def load_plain_model(path):
-    """The module of plain equations at ``path``: integrals by ``quad``, nothing vectorised."""
+def load_plain_model(path: str | PathLike) -> ModuleType:
+    """Import the plain equations: integrals by ``quad``, nothing vectorised.
+
+    Parameters
+    ----------
+    path : path
+        The file ``verification/plain_model.py``, which belongs to no package.
+    """
     specification = importlib.util.spec_from_file_location("plain_model", path)
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
@@ -41,20 +52,54 @@ def load_plain_model(path):
 
 
 class NestedRoots:
-    """The plain equations, solved for the separation and, within, for the load of the film.
+    """The plain equations, solved by a root within a root.
 
-    Its integrals are good to 1e-11; relative tolerances of the roots cannot be looser, as the
-    tails multiply the error of d by (d/sigma)^2.
+    The outer unknown is the separation d; for each d that is tried, the load of the film is found
+    by another root.  Integrals are good to 1e-11.  The tolerance of the roots has to be as tight as
+    it is, because an error of d makes one in the loads that is up to (d/sigma)^2 times as large.
+
+    Parameters
+    ----------
+    plain : module
+        The equations, as ``load_plain_model`` returns them.
+    parameters : Parameters
+        Inputs of the model.
+
+    Examples
+    --------
+    In the root of the repository:
+
+    >>> from thirdbody import load_parameters, solve
+    >>> inputs = load_parameters()
+    >>> points = {"load": [1e-5], "viscosity": 0.0, "particle_diameter": 300e-9}
+    >>> points |= {"roughness": 300e-9, "particle_density": 1e11}
+    >>> plain = load_plain_model("verification/plain_model.py")
+    >>> found = NestedRoots(plain, inputs).solve(**points)
+    >>> library = solve(**points, parameters=inputs)
+    >>> np.allclose(found.total_contact_area, library.total_contact_area, rtol=1e-9, atol=0.0)
+    True
     """
 
     TOLERANCE = {"xtol": 1e-300, "rtol": 1e-14, "maxiter": 500}
 
-    def __init__(self, plain, parameters):
+    def __init__(self, plain: ModuleType, parameters: Parameters):
         self.plain = plain
         self.parameters = parameters
 
-    def solve(self, **conditions):
-        """The variables at points of 1-D arrays of ``conditions``, as attributes."""
+    def solve(self, **conditions: ArrayLike) -> SimpleNamespace:
+        """Solve points.
+
+        Parameters
+        ----------
+        **conditions : array_like
+            The five conditions of ``thirdbody.solve`` by name, in its units; together they
+            broadcast to shape (n,).
+
+        Returns
+        -------
+        SimpleNamespace
+            ``VARIABLES`` as attributes, shape (n,); nan for points without a solution.
+        """
         columns = np.broadcast_arrays(*(conditions[name] for name in DIMENSIONS))
         solved = [self._solve_one(*map(float, point)) for point in zip(*columns, strict=True)]
         return SimpleNamespace(**dict(zip(VARIABLES, np.array(solved).T, strict=True)))
@@ -107,12 +152,12 @@ class NestedRoots:
         return d, solid(d) / load, fluid / load
 
     def _farthest(self, model, point):
-        """Where solids bear next to nothing [m]: no summit and no particle reaches so far."""
+        """A separation [m] at which neither summits nor particles bear a load worth counting."""
         mean, spread = self.plain.size_distribution(model, point)
         return max(10.0 * point.roughness, mean + model["truncation"] * spread)
 
     def _film_load(self, separation, model, point):
-        """F_f* of a film as thick as ``separation`` d [m]: the inner root, in its logarithm."""
+        """Load F_f* [1] under which the film is as thick as ``separation`` d [m]: the inner root."""
 
         def excess(log_load):
             return math.log(self.plain.film_separation(log_load, model, point) / separation)
@@ -121,28 +166,51 @@ class NestedRoots:
 
 
 class NodeSum:
-    """ln of a load or an area of the summits as a sum over nodes ``w`` [1] of fixed interference.
+    """ln of a load or an area of the summits, as a sum over summits of fixed interferences.
 
-    exp(-(t+w)^2/2) is exp(-t^2/2) exp(-w(t+w/2)), so that a node costs one exponential.
+    With t = (d - y_s)/sigma_s and the interference w sigma_s of a summit, the density of its height
+    is exp(-(t + w)^2/2) = exp(-t^2/2) exp(-w t) exp(-w^2/2), so that each node costs one exponential.
+
+    Parameters
+    ----------
+    w : array, shape (nodes,)
+        Interferences over sigma_s [1].
+    weights : array, shape (nodes,)
+        Load or area of the summits of each interference [1].
     """
 
-    def __init__(self, w, weights):
+    def __init__(self, w: NDArray[np.float64], weights: NDArray[np.float64]):
         self.w, self.weights = w, weights * np.exp(-0.5 * w**2)
 
-    def __call__(self, t):
-        """Value and, which no bracketed root needs, a slope of zero, at ``t`` [1]."""
+    def __call__(self, t: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+        """The logarithm [1] at t [1], and zero in the place of its slope, which is not needed."""
         total = np.exp(np.multiply.outer(-t, self.w)) @ self.weights
         return np.log(total) - 0.5 * t * t, 0.0
 
 
-def node_sums(surface, parameters, counts=(8, 22, 16)):
-    """``NodeSum`` of ln(F_ss/(A_n E_ss)) and of ln(A_ss/A_n) for the summits of ``surface``.
+def node_sums(
+    surface: Surface, parameters: Parameters, counts: Sequence[int] = (8, 22, 16)
+) -> tuple[NodeSum, NodeSum]:
+    """Sums over Gauss-Legendre nodes for the summits of a surface.
 
-    ``counts`` of nodes over elastic, elastoplastic and plastic summits: 1e-10 for t from -1 to 6.
+    Parameters
+    ----------
+    surface : Surface
+        The surface.
+    parameters : Parameters
+        Inputs of the model.
+    counts : sequence of int
+        Numbers of nodes for elastic, elastoplastic and plastic summits; those of the default are
+        good to 1e-10 for t from -1 to 6.
+
+    Returns
+    -------
+    log_load, log_area : NodeSum
+        ln(F_ss/(A_n E_ss)) and ln(A_ss/A_n).
     """
     first = SummitPopulation.of(surface, parameters).yield_interference
     last = first * parameters.plastic_interference_ratio
-    # w = r^2 makes the 3/2 power of first contact and the logarithm smooth
+    # In r, w = r^2, the 3/2 power of elastic summits and the elastoplastic logarithm are smooth.
     edges = np.sqrt(np.minimum([0.0, first, last, last + TAIL], TAIL))
     w, weights = [], []
     for low, high, count in zip(edges, edges[1:], counts, strict=False):
@@ -166,26 +234,54 @@ def node_sums(surface, parameters, counts=(8, 22, 16)):
 
 
 class NodeSummits(NamedTuple):
-    """Summits of one surface by node sums, as ``thirdbody.model.contact`` asks for them."""
+    """Summits of one surface, with what ``thirdbody.model.contact.Contact`` asks of summits.
 
-    offset: float  # y_s [m]
-    deviation: float  # sigma_s [m]
+    Attributes
+    ----------
+    offset, deviation : float
+        y_s and sigma_s [m].
+    log_load, log_area : NodeSum
+        ln(F_ss/(A_n E_ss)) and ln(A_ss/A_n).
+    """
+
+    offset: float
+    deviation: float
     log_load: NodeSum
     log_area: NodeSum
 
-    def take(self, chosen):
-        """The same surface under any of the points."""
+    def take(self, chosen: object) -> NodeSummits:
+        """The summits under some of the points: the same, as all points are on one surface."""
         return self
 
 
 class ElementwiseRoots:
-    """Arrays of points of one kind on one surface: ``find_root`` for the logit of L_s, or d/sigma
-    where there is no film.
+    """Arrays of points on one surface, solved by ``scipy.optimize.elementwise.find_root``.
 
-    Films in the reading that W in Eq. 7 is of the total load have no root to find: nan.
+    The unknown is ln(L_s/(1 - L_s)), or d/sigma where there is no film.  All points must be of one
+    kind: with or without a film, with or without particles.  In the reading in which the load in
+    W (Eq. 8) is the total load, lubricated points have no root to find; they give nan.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    roughness : float
+        sigma [m] of the surface.
+    rtol : float
+        Relative error asked for [1].
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> loads = np.array([1e-6, 1e-5])
+    >>> held = {"viscosity": 0.0, "particle_diameter": 300e-9}
+    >>> held |= {"roughness": 300e-9, "particle_density": 1e11}
+    >>> solved = ElementwiseRoots(load_parameters(), 300e-9, 1e-6).solve(load=loads, **held)
+    >>> bool(solved.separation[0] > solved.separation[1])
+    True
     """
 
-    def __init__(self, parameters, roughness, rtol):
+    def __init__(self, parameters: Parameters, roughness: float, rtol: float):
         surface = parameters.surface(roughness)
         self.parameters = parameters
         self.roughness = roughness
@@ -194,8 +290,20 @@ class ElementwiseRoots:
         )
         self.tolerances = {"xatol": 0.1 * rtol, "xrtol": ROUNDING, "fatol": 0.0, "frtol": 0.0}
 
-    def solve(self, **conditions):
-        """The variables at points of 1-D arrays of ``conditions``, as attributes."""
+    def solve(self, **conditions: ArrayLike) -> SimpleNamespace:
+        """Solve points.
+
+        Parameters
+        ----------
+        **conditions : array_like
+            The five conditions of ``thirdbody.solve`` by name, in its units; together they
+            broadcast to shape (n,).
+
+        Returns
+        -------
+        SimpleNamespace
+            ``VARIABLES`` as attributes, shape (n,); nan for points without a solution.
+        """
         columns = np.broadcast_arrays(*(conditions[name] for name in DIMENSIONS))
         with np.errstate(all="ignore"):
             parts = [
@@ -216,11 +324,11 @@ class ElementwiseRoots:
         return Points(Contact(self.summits, layer, self.parameters), film, np.log(load))
 
     def _solve_some(self, points):
-        """Values of the variables in order."""
+        """Values of ``VARIABLES``, in their order."""
         scale = self.roughness
 
         def shares(points, x):
-            """d [m] and ln L_s for the unknown ``x``."""
+            """Separation d [m] and ln L_s at the unknown ``x``."""
             if points.film is None:
                 return scale * x, np.zeros_like(x)
             return points.film_separation(log_expit(-x))[0], log_expit(x)
@@ -249,7 +357,7 @@ class ElementwiseRoots:
         return total, expit(odds), expit(-odds), np.exp(log_solid), fluid, separation, film
 
     def _ends(self, points):
-        """Ends between which the unknown lies."""
+        """Least and greatest value that the unknown may have."""
         if points.film is not None:
             return LOGIT_ENDS
         low, high = GAP_ENDS

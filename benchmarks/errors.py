@@ -1,10 +1,12 @@
-"""The errors that the library and the baselines make at points known in multiple precision."""
+"""Errors of the library and of the baselines at points known in multiple precision."""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable, Sequence
 from functools import partial
-from types import SimpleNamespace
+from types import ModuleType, SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -14,11 +16,26 @@ from benchmarks.library import solutions
 from benchmarks.points import CLASS, VARIABLES, grouped, relative_errors
 
 
-def error_rows(rows, rtols, plain) -> list[dict]:
-    """Rows of the table ``errors``: largest and 99th-percentile error of each variable, method,
-    ``rtol`` and class at the golden ``rows``; ``plain`` is the module of plain equations.
+def error_rows(
+    rows: Iterable[dict[str, str]], rtols: Sequence[float], plain: ModuleType
+) -> list[dict[str, Any]]:
+    """Measure the errors of every variable, by method, relative error asked for, and class.
 
-    Of the library's errors, which differ from way to way, the largest counts.
+    The library solves each point by all of its ways, and the way with the largest error counts.
+
+    Parameters
+    ----------
+    rows : iterable of dict
+        Golden points, as ``benchmarks.points.read_rows`` returns them.
+    rtols : sequence of float
+        Relative errors to ask for [1].
+    plain : module
+        The plain equations, as ``benchmarks.baselines.load_plain_model`` returns them.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``errors``.
     """
     groups = [kind for group in grouped(rows) for kind in _of_one_kind(group)]
     table = []
@@ -29,14 +46,14 @@ def error_rows(rows, rtols, plain) -> list[dict]:
 
 
 def _of_one_kind(group):
-    """Pairs of a class and the part of ``group`` that belongs to it."""
+    """Pairs of a class and the points of ``group`` that belong to it."""
     kinds = [PointClass(*(row[name] for name in CLASS)) for row in group.rows]
     for kind in dict.fromkeys(kinds):
         yield kind, group.take([index for index, other in enumerate(kinds) if other == kind])
 
 
 def _library(group, rtol):
-    """Solutions without the points of which the library says that they miss ``rtol``."""
+    """Solutions by all ways; nan where the library itself says that a point misses ``rtol``."""
     solved = []
     for each in solutions(group, rtol):
         claimed = each.error_bound <= rtol
@@ -52,12 +69,13 @@ def _elementwise(group, rtol):
 
 def _nested(group, plain):
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # quad's, where 1e-11 is more than rounding allows
+        # quad warns where rounding keeps it from the error of 1e-11 that it is asked for.
+        warnings.simplefilter("ignore")
         return [NestedRoots(plain, group.parameters).solve(**group.conditions)]
 
 
 def _rows_of(method, rtol, groups, solutions_of):
-    """Rows of one method and tolerance; ``solutions_of`` a group are one or several."""
+    """Rows of one method and ``rtol``; ``solutions_of(group)`` are one or several solutions."""
     found = {kind: [] for kind in CLASSES}
     for kind, group in groups:
         errors = [relative_errors(each, group.expected) for each in solutions_of(group)]
@@ -77,8 +95,11 @@ def _rows_of(method, rtol, groups, solutions_of):
 
 
 def _summary(errors, rtol):
-    """Number of points, of those without a solution to ``rtol`` by the method's own word, of those
-    beyond it nevertheless, and errors of the solved."""
+    """Counts of points and measures of their errors.
+
+    ``unsolved`` are points for which the method says that it has no solution to ``rtol``;
+    ``beyond_rtol`` are points that it takes for solved and whose error is larger.
+    """
     solved = errors[np.isfinite(errors)]
     return {
         "points": errors.size,

@@ -1,8 +1,10 @@
-"""The verdict on each extreme: the right number, a status that says why not, or wrong."""
+"""The verdict on points at extremes: right, refused with a reason, or wrong."""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 
@@ -12,17 +14,29 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 
 VERDICTS = ("right", "refused", "wrong")
 UNSOLVED = ("coverage_exceeded", "not_converged")
-# relative errors that rounding leaves in a load of summits and particles, a few of each logarithm,
-# and in a separation
+# Relative errors that rounding leaves in a load, through the logarithms of its parts, and in a
+# separation.
 LOAD_ROUNDING = 1e-14
 GAP_ROUNDING = 2.3e-16
 
 
-def judge_extremes(rows, rtol) -> list[dict]:
-    """Verdict on each of ``rows``, the lines of ``extremes.csv``, solved with ``rtol``, in order.
+def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
+    """Judge what the library gives at extremes.
 
-    Points of one surface are solved together and none may harm another; what each way gives must be
-    right.  A warning or an exception makes all of them wrong.
+    Points of one surface are solved together, by each way, and every way must be right.  A warning or
+    an exception makes all of them wrong.
+
+    Parameters
+    ----------
+    rows : sequence of dict
+        Lines of ``tests/golden/extremes.csv``, as ``benchmarks.points.read_rows`` returns them.
+    rtol : float
+        Relative error asked for [1].
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``extremes``, in the order of ``rows``; of several ways the worst counts.
     """
     verdicts = {}
     accepted = []
@@ -56,12 +70,12 @@ def _judge_group(group, rtol):
 
 
 def _badness(found):
-    """The less right a verdict, the larger; of equals, the larger error."""
+    """Sorts rows of the table from right to wrong, those of one verdict by their error."""
     return VERDICTS.index(found["verdict"].partition(":")[0]), found["largest_error"]
 
 
 def _judge_point(row, index, solution, errors, rtol):
-    """Verdict on the point ``index`` of a group."""
+    """Row of the table for the point ``index`` of a group in one solution."""
     status = SOLUTION_STATUSES[solution.solution_status[index]]
     worst = max(VARIABLES, key=lambda name: errors[name][index])
     error = float(errors[worst][index])
@@ -85,9 +99,35 @@ def _found(row, rtol, status, error, worst, text):
     }
 
 
-def verdict(row, status, error, bound, rtol) -> str:
-    """``right``, ``refused: why`` or ``wrong`` for a ``status``, the largest relative ``error`` and
-    the ``bound`` that the library gives for it."""
+def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rtol: float) -> str:
+    """Judge one point.
+
+    Parameters
+    ----------
+    row : mapping
+        Its line of ``extremes.csv``, of which the expected ``status`` is used.
+    status : str
+        Status that the library gives.
+    error : float
+        Largest relative error of all variables [1].
+    bound : float
+        Bound that the library gives for this error [1].
+    rtol : float
+        Relative error asked for [1].
+
+    Returns
+    -------
+    str
+        ``right``; ``refused: ...`` if the library says truly that its error is above ``rtol``; or
+        ``wrong``.
+
+    Examples
+    --------
+    >>> verdict({"status": "converged"}, "converged", error=1e-10, bound=1e-9, rtol=1e-9)
+    'right'
+    >>> verdict({"status": "converged"}, "not_converged", error=1e-8, bound=1e-7, rtol=1e-9)
+    'refused: the error is below 1.0e-07 only'
+    """
     if status == row["status"] and error <= rtol:
         return "right"
     if status == "not_converged" and error <= bound and bound > rtol:
@@ -95,9 +135,12 @@ def verdict(row, status, error, bound, rtol) -> str:
     return "wrong"
 
 
-def beyond_float64(row, rtol) -> bool:
-    """Whether rounding of the loads moves the gap, or rounding of the gap the loads and areas, by
-    more than ``rtol``: such a point is to be refused."""
+def beyond_float64(row: Mapping[str, str], rtol: float) -> bool:
+    """Whether a point cannot be solved to ``rtol`` [1] in float64, and is to be refused.
+
+    So it is if rounding of the loads changes the separation, or rounding of the separation changes
+    the loads and areas, by more than ``rtol``.  ``row`` is its line of ``extremes.csv``.
+    """
     conditioning = float(row["gap_conditioning"] or 0.0)
     if conditioning == 0.0:
         return False

@@ -9,6 +9,19 @@ from thirdbody.solver.solve import solve
 
 
 def solutions(group: Group, rtol: float) -> list[Solution]:
-    """Solutions of the points of ``group``, all together, by each way."""
+    """Solve golden points, all in one call, by each way of solving.
+
+    Parameters
+    ----------
+    group : Group
+        Golden points.
+    rtol : float
+        Relative error asked for [1].
+
+    Returns
+    -------
+    list of Solution
+        One for each of ``thirdbody.solver.plan.WAYS``; its variables have the shape (points,).
+    """
     given = group.conditions | {"parameters": group.parameters, "rtol": rtol}
     return [solve(**given, way=way) for way in WAYS]

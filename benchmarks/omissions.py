@@ -1,8 +1,10 @@
-"""What it saves that nothing is computed which a scene does not require."""
+"""Time that is saved because nothing is computed which is not asked for."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
+from typing import Any
 
 from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import MICROSECONDS, least_seconds
@@ -10,23 +12,35 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 
-# what is left out: the class of points that remains
+# What is left out, and the class of points that is solved then.
 BODIES = {
     "nothing": HEAVIEST,
     "film": HEAVIEST._replace(medium="dry"),
     "particles": HEAVIEST._replace(bodies="two_body"),
     "film and particles": HEAVIEST._replace(medium="dry", bodies="two_body"),
 }
-# what is left out: the variables that remain
+# What is left out, and the variables that are asked for then.
 VARIABLES = {
     "all variables but L_s": ("solid_load_fraction",),
     "all variables but A_t*": ("total_contact_area",),
 }
 
 
-def omission_rows(parameters: Parameters, budget) -> list[dict]:
-    """Rows of the table ``omissions``: time of a point where something is left out, and its share
-    of the time of a point with everything; ``budget`` as in ``config/accuracy.yaml``."""
+def omission_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Measure the time of a point with everything, and where something is left out.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    budget : mapping
+        Content of ``config/accuracy.yaml``: ``omissions`` and ``rounds`` are used.
+
+    Returns
+    -------
+    list of dict
+        Rows of the table ``omissions``.
+    """
     settings = budget["omissions"]
     count = settings["points"]
 

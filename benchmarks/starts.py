@@ -1,7 +1,10 @@
-"""From the start of a process to its answer: what a person waits for, by each way of solving.
+"""Time from the start of a process to its answer, by each way of solving: what a person waits.
 
 ``python -m benchmarks.starts`` prints the numbers of points from which one way takes less time
-than the next, which ``thirdbody.solver.plan`` keeps as its constants.
+than the next; they are the constants of ``thirdbody.solver.plan``.
+
+A *run* is described by ``(points, start, way)``: how many points a new process solves, whether it
+finds the loop compiled on disk, and by which way it solves.
 """
 
 from __future__ import annotations
@@ -9,23 +12,28 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from itertools import count
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 
 from benchmarks.measuring import least_seconds, wall_seconds
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import COMPILED, LOOP_WORTH, QUADRATURE, TABLE_WORTH, TABLES, WAYS
 from thirdbody.solver.solve import solve
 
 ACCURACY = Path(__file__).parents[1] / "config" / "accuracy.yaml"
-COLD, WARM = "cold", "warm"  # nothing compiled on disk; the loop that an earlier process compiled
-AUTOMATIC = "automatic"
-ROUNDS = 15  # of what takes some milliseconds
+# Starts: with nothing compiled on disk, or with the loop that an earlier process compiled.
+COLD, WARM = "cold", "warm"
+AUTOMATIC = "automatic"  # the way that the library chooses
+ROUNDS = 15  # of calls that take some milliseconds each
+Run = tuple[int, str, str]  # points, start, way
 PROGRAM = """
 import sys
 import numpy as np
@@ -39,13 +47,13 @@ thirdbody.solve(
 """
 
 
-def start_rows(budget) -> list[dict]:
-    """Time from the start of a process to the solution of lubricated three-body points.
+def start_rows(budget: Mapping[str, Any]) -> list[dict[str, Any]]:
+    """Measure the time from the start of a process to the solution of lubricated three-body points.
 
     Parameters
     ----------
-    budget : dict
-        What ``config/accuracy.yaml`` says under ``starts``.
+    budget : mapping
+        The entry ``starts`` of ``config/accuracy.yaml``.
 
     Returns
     -------
@@ -53,7 +61,7 @@ def start_rows(budget) -> list[dict]:
         Rows of the table ``starts``: least time of each number of points, start and way.
     """
     with TemporaryDirectory() as kept:
-        run_process(kept, budget["rtol"], (1, WARM, COMPILED))  # fills the folder
+        run_process(kept, budget["rtol"], (1, WARM, COMPILED))  # leaves the compiled loop there
         times = least_times(partial(process_seconds, kept, budget["rtol"]), budget)
     return [
         {
@@ -70,23 +78,50 @@ def start_rows(budget) -> list[dict]:
     ]
 
 
-def run_of(points, start, way) -> tuple:
-    """The run that a row tells of: what is compiled on disk matters to two ways alone."""
+def run_of(points: int, start: str, way: str) -> Run:
+    """The run that a row of the table is about.
+
+    What is compiled on disk makes no difference to tables and quadrature: rows that differ in the
+    start alone are about the same run of these.
+    """
     return points, start if way in (COMPILED, AUTOMATIC) else WARM, way
 
 
-def over_best(times, points, start, way):
-    """The time of a way over that of the fastest of all; None where it was left out."""
+def over_best(times: Mapping[Run, float | None], points: int, start: str, way: str) -> float | None:
+    """Time of a way over that of the fastest way [1], for so many points and this start.
+
+    None if the run was left out.
+
+    Examples
+    --------
+    >>> times = {(1, WARM, QUADRATURE): 0.5, (1, WARM, TABLES): 1.0, (1, WARM, COMPILED): None}
+    >>> over_best(times, 1, WARM, TABLES)
+    2.0
+    """
     seconds = times[run_of(points, start, way)]
     ways = (times[run_of(points, start, each)] for each in WAYS)
     return seconds and seconds / min(each for each in ways if each)
 
 
-def least_times(timed, budget) -> dict:
-    """Least time of each run, or None where it is expected to take too long.
+def least_times(
+    timed: Callable[[Run], float], budget: Mapping[str, Any]
+) -> dict[Run, float | None]:
+    """Least time of each run.
 
-    All runs take turns, so that what else the machine does falls on all of them; a run is
-    repeated until it has had its ``rounds``, or so many seconds that noise matters little.
+    All runs take turns, so that what else the machine does falls on all of them.  A run is repeated
+    as often as ``rounds`` says, or until it has taken ``enough_seconds`` in all.
+
+    Parameters
+    ----------
+    timed : callable
+        Makes a run and returns its time [s].
+    budget : mapping
+        The entry ``starts`` of ``config/accuracy.yaml``.
+
+    Returns
+    -------
+    dict
+        Times [s] by run; None where it is expected to take longer than ``limit_seconds``.
     """
     runs = {
         run_of(points, start, way): []
@@ -102,8 +137,26 @@ def least_times(timed, budget) -> dict:
     return {run: min(times, default=None) for run, times in runs.items()}
 
 
-def expected_seconds(run, runs) -> float:
-    """What a run will take if each point takes as long as in those with fewer points."""
+def expected_seconds(run: Run, runs: Mapping[Run, Sequence[float]]) -> float:
+    """Time [s] that a run will take, if a point costs as much as in the runs with fewer points.
+
+    Parameters
+    ----------
+    run : tuple
+        The run.
+    runs : mapping
+        Times [s] of all runs so far.
+
+    Returns
+    -------
+    float
+        0 if no run with fewer points is known.
+
+    Examples
+    --------
+    >>> expected_seconds((100, WARM, TABLES), {(1, WARM, TABLES): [1.0], (10, WARM, TABLES): [2.0]})
+    11.0
+    """
     points, *same = run
     fewer = [(other[0], min(t)) for other, t in runs.items() if t and list(other[1:]) == same]
     fewer = [(number, seconds) for number, seconds in fewer if number < points]
@@ -113,8 +166,8 @@ def expected_seconds(run, runs) -> float:
     return start + max(seconds - start, 0.0) * points / number
 
 
-def process_seconds(kept, rtol, run) -> float:
-    """Time on the clock [s] of a process; ``kept`` is the folder of what is compiled."""
+def process_seconds(kept: str, rtol: float, run: Run) -> float:
+    """Time on the clock [s] of a run; ``kept`` is the folder that holds the compiled loop."""
     _, start, _ = run
     if start == WARM:
         return wall_seconds(partial(run_process, kept, rtol, run))
@@ -122,15 +175,29 @@ def process_seconds(kept, rtol, run) -> float:
         return wall_seconds(partial(run_process, empty, rtol, run))
 
 
-def run_process(kept, rtol, run) -> None:
-    """Solve in a process of its own."""
+def run_process(kept: str, rtol: float, run: Run) -> None:
+    """Solve in a new process, which keeps what it compiles in the folder ``kept``.
+
+    Raises
+    ------
+    subprocess.CalledProcessError
+        If the process fails.
+    """
     points, _, way = run
     command = [sys.executable, "-c", PROGRAM, str(points), repr(rtol), way]
     subprocess.run(command, env=os.environ | {"NUMBA_CACHE_DIR": kept}, check=True)
 
 
-def loading_break_even(rows, start) -> float:
-    """Number of points from which the compiled loop is faster than tables after this ``start``."""
+def loading_break_even(rows: Sequence[Mapping[str, Any]], start: str) -> float:
+    """Number of points from which the compiled loop is faster than tables.
+
+    Parameters
+    ----------
+    rows : sequence of mapping
+        Rows of the table ``starts``.
+    start : str
+        ``COLD`` or ``WARM``.
+    """
     seconds = {
         way: {
             row["points"]: row["seconds"]
@@ -143,9 +210,24 @@ def loading_break_even(rows, start) -> float:
     return break_even(sizes, *([each[size] for size in sizes] for each in seconds.values()))
 
 
-def surface_break_even(parameters, rtol, ways, points) -> float:
-    """Number of points on a new roughness from which the second of two ways is faster than the
-    first, in a process that has used both; sought from a quarter of ``points`` to four times."""
+def surface_break_even(
+    parameters: Parameters, rtol: float, ways: Sequence[str], points: int
+) -> float:
+    """Number of points on a new roughness from which one way is faster than another.
+
+    The process has used both ways before.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Relative error asked for [1].
+    ways : sequence of str
+        Two ways; the second is the one that is faster for many points.
+    points : int
+        The number is sought from a quarter of this to four times as many.
+    """
     roughness = (3e-7 * (1.0 + 1e-6 * number) for number in count())
 
     def run(way, size):
@@ -158,8 +240,26 @@ def surface_break_even(parameters, rtol, ways, points) -> float:
     return break_even(sizes, *([times[way, size] for size in sizes] for way in ways))
 
 
-def break_even(sizes, first, second) -> float:
-    """Size from which ``second`` takes less time than ``first``, between two of ``sizes``."""
+def break_even(sizes: Sequence[float], first: Sequence[float], second: Sequence[float]) -> float:
+    """Size from which a way takes less time than another.
+
+    Parameters
+    ----------
+    sizes : sequence of float
+        Numbers of points, increasing.
+    first, second : sequence of float
+        Times of the two ways for these sizes [s].
+
+    Returns
+    -------
+    float
+        Where the second way becomes the faster one, interpolated between the sizes.
+
+    Examples
+    --------
+    >>> break_even([10, 20, 30], first=[1.0, 2.0, 3.0], second=[2.0, 2.0, 2.0])
+    20.0
+    """
     saved = np.subtract(first, second)
     return float(np.interp(0.0, np.maximum.accumulate(saved), sizes))
 

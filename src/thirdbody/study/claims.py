@@ -1,8 +1,9 @@
-"""Statements of the paper as data: what they say, where, of what, and to which tolerance.
+"""Statements of the paper as data, each called a *claim*.
 
-A claim names a quantity, the conditions under which the paper speaks of it, and what it says.  The
-fields of each kind are explained at the head of ``config/claims.yaml`` and kept to by
-``config/claims.schema.yaml``, whose words for quantities and states are those of this module.
+A claim names a quantity, the conditions under which the paper speaks of it, what the paper says of
+it, and the tolerance to which that is to hold.  The kinds of claims and the fields of each are
+explained at the head of ``config/claims.yaml``.  ``config/claims.schema.yaml`` says which words a
+claim may have; those for quantities and states are the ones of this module.
 """
 
 from __future__ import annotations
@@ -11,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,7 +20,7 @@ from thirdbody.configuration.schema import read_valid
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
-VALIDATION_STRIDE = 3  # every third published value is kept from the calibration
+VALIDATION_STRIDE = 3  # every third published value is kept out of the calibration
 
 CURVE_QUANTITIES = (
     *("load", "solid_load", "solid_load_fraction", "particle_contact_area_ratio"),
@@ -33,12 +35,14 @@ TURNING_POINT_QUANTITIES = {
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
 REVERSAL_LOAD = "total_contact_area_reversal_load"
 QUANTITIES = (*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES, REVERSAL_LOAD)
+# Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
+# the bound makes sign * (bound - value) positive.
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
-KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions of a curve
+KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions that tell curves apart
 
-# states of sections 3.1 and 3.2: the quantity that decides, and the interval it must lie in
+# Regimes and modes of sections 3.1 and 3.2: the quantity that decides, and the interval it is in.
 STATES = {
     "boundary": ("solid_load_fraction", BOUNDARY_LIMIT, np.inf),
     "mixed": ("solid_load_fraction", FULL_FILM_LIMIT, BOUNDARY_LIMIT),
@@ -53,16 +57,52 @@ VALUE_KINDS = ("value", "range", "window")
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement of the paper; the keys of ``conditions`` and ``reference`` carry units.
+    """One statement of the paper.
 
-    ``tolerance`` is a fraction of the quantity if ``relative``, else in its unit.
+    Attributes
+    ----------
+    id : str
+        Its name.
+    where : str
+        Place in the paper.
+    statement : str
+        What it says, in our words.
+    kind : str
+        Kind of statement; it decides how the claim is checked.
+    conditions : mapping
+        Conditions of the curves and bounds of the loads, by keys that name their units.
+    tolerance : float
+        How far off it may be: a fraction of the quantity [1] if ``relative``, else in its unit.
+    relative : bool
+        Whether the tolerance is a fraction.
+    reason : str
+        Why the tolerance is what it is.
+    quantity : str
+        What the statement is about: one of ``QUANTITIES``; empty where the kind says it.
+    published : float, sequence or None
+        What the paper says: a number, two ends or a sequence of states; None if it keeps the value
+        back, or makes a statement of another kind.
+    direction : str
+        Of an ordering or a trend: ``increasing``, ``decreasing``, ...
+    along : str
+        Whether a trend runs along ``load`` or from curve to curve (``curves``).
+    extreme : str
+        Whether a value is the ``minimum`` or the ``maximum`` over the load.
+    against : str
+        Quantity over which curves are compared.
+    open_end : bool
+        Whether the last state of a sequence may lie beyond the loads that are computed.
+    reference : mapping or None
+        Conditions that differ on the curves which those of the claim are held against.
+    contradicts : sequence of str
+        Ids of statements in which the paper says the opposite.
     """
 
     id: str
     where: str
     statement: str
     kind: str
-    conditions: Mapping
+    conditions: Mapping[str, Any]
     tolerance: float
     relative: bool
     reason: str
@@ -73,19 +113,23 @@ class Claim:
     extreme: str = ""
     against: str = "load"
     open_end: bool = False
-    reference: Mapping | None = None
+    reference: Mapping[str, float] | None = None
     contradicts: Sequence[str] = ()
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
-        """The conditions compared, SI: lists run together, single values hold for all."""
+        """Conditions of the curves that are compared, SI.
+
+        Where ``conditions`` has lists, the first values of all lists belong to the first curve, and
+        so on; a single value belongs to every curve.
+        """
         given = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in KEYS]
         rows = zip(*np.broadcast_arrays(*given), strict=True)
         return tuple(Condition.of(dict(zip(KEYS, row, strict=True))) for row in rows)
 
     @cached_property
     def references(self) -> tuple[Condition, ...]:
-        """For each curve, the one that the paper holds it against."""
+        """Conditions of the curve that each curve is held against, SI; empty without reference."""
         if not self.reference:
             return ()
         changes = {
@@ -97,19 +141,22 @@ class Claim:
 
     @property
     def source(self) -> str:
-        """The method of ``Evidence`` that the claim rests on."""
+        """Method of ``thirdbody.study.checks.Evidence`` that gives what the claim speaks of."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
 
     @property
     def step(self) -> float:
-        """The tolerance on the scale on which values are compared: logarithmic if relative."""
+        """The tolerance where values are compared [unit of the quantity].
+
+        If it is relative, logarithms are compared, and it is ln(1 + tolerance) [1].
+        """
         return np.log1p(self.tolerance) if self.relative else self.tolerance
 
     @property
     def is_withheld(self) -> bool:
-        """Whether this is the slot of a number that the text keeps back."""
+        """Whether the paper speaks of a number here but keeps its value back."""
         return self.kind in VALUE_KINDS and self.published is None
 
 
@@ -142,19 +189,50 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def assign_roles(claims: Sequence[Claim]) -> dict[str, str]:
-    """Role of each claim by id, by the rule at the head of ``config/claims.yaml``."""
+    """Say what each claim is used for.
+
+    Parameters
+    ----------
+    claims : sequence of Claim
+        All statements of the paper, in the order of ``config/claims.yaml``.
+
+    Returns
+    -------
+    dict
+        By id: ``calibration`` for claims that inputs are fitted to; ``validation`` for every third
+        of the published numbers, ranges and windows, which are not; ``withheld`` for claims whose
+        value the paper keeps back.
+    """
     roles = {c.id: "withheld" if c.is_withheld else "calibration" for c in claims}
     values = [c.id for c in claims if c.kind in VALUE_KINDS and not c.is_withheld]
     return roles | dict.fromkeys(values[VALIDATION_STRIDE - 1 :: VALIDATION_STRIDE], "validation")
 
 
-def state_names(published):
-    """Names of all states that the steps ``published`` speak of."""
+def state_names(published: Sequence[str]) -> list[str]:
+    """Names of all states in the steps of a sequence.
+
+    Examples
+    --------
+    >>> state_names(["mixed hybrid or full_film", "boundary"])
+    ['mixed', 'hybrid', 'full_film', 'boundary']
+    """
     return [name for step in published for name in step.replace(" or ", " ").split()]
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """All that judging ``claims`` asks for: per method of ``Evidence``, its arguments in SI."""
+    """Collect what must be solved to judge claims.
+
+    Parameters
+    ----------
+    claims : sequence of Claim
+        The claims.
+
+    Returns
+    -------
+    dict of set
+        For each method of ``thirdbody.study.checks.Evidence`` its arguments: a ``Condition`` for
+        ``curve`` and ``turning_point``, sigma [m] for ``window``.
+    """
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
         for condition in claim.curves + claim.references:

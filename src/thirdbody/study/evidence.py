@@ -1,4 +1,4 @@
-"""What claims are judged on: curves, turning points and windows solved for one set of inputs."""
+"""What claims are judged on: curves, turning points and windows, solved for one set of inputs."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
@@ -15,16 +16,25 @@ from thirdbody.solver.solution import COVERAGE_EXCEEDED, VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
 
-# variables of ``Solution`` that a ``Curve`` has, and what else must be solved
+# Variables of ``Solution`` that a ``Curve`` has, and those that must be solved to make one.
 SHOWN = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
 NEEDED = (*SHOWN, "solution_status")
-WINDOW_DENSITY = 1e11  # eta_a [m-2] of the paper's windows
+WINDOW_DENSITY = 1e11  # eta_a [m-2] for which the paper gives its windows
 
 
 @dataclass(frozen=True)
 class Effort:
-    """How finely evidence is gathered: loads a curve, the relative error of what is solved, and
-    the search for the windows."""
+    """How finely curves and windows are solved.
+
+    Attributes
+    ----------
+    loads : int
+        Number of loads on a curve.
+    rtol : float
+        Relative error asked for [1].
+    window : WindowSearch
+        How the ends of windows are sought.
+    """
 
     loads: int
     rtol: float
@@ -32,27 +42,56 @@ class Effort:
 
 
 FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
-# for the many evaluations of a calibration: its errors stay far below every tolerance
+# For the many evaluations of a calibration; its errors are far below the tolerances of all claims.
 QUICK_EFFORT = Effort(
     60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
 
 
 class SolvedEvidence:
-    """Evidence for claims (``thirdbody.study.checks.Evidence``) from the solved model.
+    """Curves, turning points and windows of the model: the ``Evidence`` that claims are judged on.
 
-    ``asked`` is what ``thirdbody.study.claims.referenced_conditions`` returns; all its curves are
-    solved together over ``newtons``, the first and last normal load [N]; ``places`` are those of
-    the loads that are looked at, by default all.
+    Nothing is solved before it is asked for; then everything of its kind is solved together.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    asked : dict of set
+        What can be asked for, as ``thirdbody.study.claims.referenced_conditions`` returns it.
+    newtons : tuple of float
+        First and last normal load of every curve [N].
+    effort : Effort
+        How finely everything is solved.
+    places : slice or array of int
+        Which of the loads are solved; all by default.
+
+    Attributes
+    ----------
+    load_range : tuple of float
+        First and last load F_t* [1].
+    loads : array
+        F_t* [1] of the points of every curve, increasing.
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
+    >>> asked = {"curve": {dry}, "turning_point": {dry}, "window": set()}
+    >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
+    >>> evidence.curve(*dry).total_contact_area.shape
+    (60,)
+    >>> evidence.turning_point(*dry).exists
+    True
     """
 
     def __init__(
         self,
         parameters: Parameters,
-        asked: dict,
-        newtons,
+        asked: dict[str, set],
+        newtons: tuple[float, float],
         effort: Effort = FULL_EFFORT,
-        places=slice(None),
+        places: slice | NDArray[np.intp] = slice(None),
     ):
         self.parameters = parameters
         self.effort = effort
@@ -60,16 +99,39 @@ class SolvedEvidence:
         self.loads = np.geomspace(*self.load_range, effort.loads)[places]
         self._asked = asked
 
-    def curve(self, *condition) -> Curve:
-        """The curve over the whole load range at a ``Condition`` (SI)."""
+    def curve(self, *condition: float) -> Curve:
+        """The curve over all loads at the four numbers of a ``Condition``, SI.
+
+        Raises
+        ------
+        KeyError
+            If it was not among what can be asked for.
+        """
         return self._curves[Condition(*condition)]
 
-    def turning_point(self, *condition) -> TurningPoint:
-        """The turning point of that curve."""
+    def turning_point(self, *condition: float) -> TurningPoint:
+        """The turning point of the curve at the four numbers of a ``Condition``, SI.
+
+        Raises
+        ------
+        KeyError
+            If it was not among what can be asked for.
+        """
         return self._turning_points[Condition(*condition)]
 
-    def window(self, roughness) -> tuple[float, float]:
-        """Ends of the range of x_a/sigma [1] with a turning point, dry, at ``roughness`` [m]."""
+    def window(self, roughness: float) -> tuple[float, float]:
+        """Ends of the range of x_a/sigma [1] within which dry curves have a turning point.
+
+        Parameters
+        ----------
+        roughness : float
+            sigma [m].
+
+        Raises
+        ------
+        KeyError
+            If it was not among what can be asked for.
+        """
         return self._windows[roughness]
 
     @cached_property

@@ -1,17 +1,19 @@
-"""How results respond to the inputs that the paper does not print: elasticities at the default.
+"""Elasticities: how results respond to the inputs that the paper does not print.
 
-Outputs are turning points, ends of the windows of x_a/sigma, and loads at which the regime or mode
-changes.  An output that does not occur, such as the load of a turning point where the ratio has no
-maximum, is nan, and so is all that would need it.
+The elasticity of an output in an input is d ln(output)/d ln(input): by how many per cent the output
+changes if the input changes by one.  Outputs are loads and ratios of turning points, ends of the
+windows of x_a/sigma, and loads at which the regime or mode changes.  An output that does not occur,
+such as the load of a turning point where the ratio has no maximum, is nan.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import BarycentricInterpolator
 from scipy.special import logit
 
@@ -22,12 +24,15 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Curve
 from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
 
-# of an input, up and down: the truncation error of a central difference grows with the square of
-# the step, the solver's part with its inverse, and together they are least about here
+# Relative change of an input to either side.  The error of a central difference has a part that
+# grows with the square of the step, and one from the solver that falls with the step; their sum is
+# least about here.
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
-REACH = 0.01  # of a window's end, to either side: where its shift is interpolated
-SIDE = 2  # points on each side of a crossing that locate it
-AROUND = 6  # loads on each side of a result within which a small change of an input leaves it
+# Share of a window's end, to either side, within which it is sought again for changed inputs.
+REACH = 0.01
+SIDE = 2  # points on each side of a crossing between which it is interpolated
+# Loads on each side of a result that are solved again for changed inputs: it stays among them.
+AROUND = 6
 
 
 class Output(NamedTuple):
@@ -52,16 +57,25 @@ class Output(NamedTuple):
 
     @property
     def columns(self) -> dict:
-        """All of it by the names of the columns of the table ``sensitivity``."""
+        """Columns of the table ``sensitivity`` that tell which output a row is about."""
         same = {"output": self.output, "quantity": self.quantity, "level": self.level}
         return same | self.condition.columns
 
 
 @dataclass(frozen=True)
 class Subject:
-    """What is asked about: curves with turning points, curves with transitions, windows.
+    """Which outputs are asked about.
 
-    ``window_roughness`` is sigma [m]; ``newtons`` the first and last normal load [N].
+    Attributes
+    ----------
+    turning_points : tuple of Condition
+        Curves whose turning points are asked about.
+    transitions : tuple of Condition
+        Curves whose loads of transition are asked about.
+    window_roughness : tuple of float
+        sigma [m] of the surfaces whose windows are asked about.
+    newtons : tuple of float
+        First and last normal load [N].
     """
 
     turning_points: tuple[Condition, ...]
@@ -70,8 +84,8 @@ class Subject:
     newtons: tuple[float, float]
 
     @classmethod
-    def of(cls, settings: Mapping) -> Subject:
-        """The subject that ``config/sensitivity.yaml`` describes."""
+    def of(cls, settings: Mapping[str, Any]) -> Subject:
+        """The subject that ``settings``, the content of ``config/sensitivity.yaml``, describe."""
         return cls(
             tuple(map(Condition.of, settings["turning_points"])),
             tuple(map(Condition.of, settings["transitions"])),
@@ -81,7 +95,7 @@ class Subject:
 
     @property
     def outputs(self) -> list[Output]:
-        """What ``values`` returns, in its order."""
+        """What each number that ``values`` returns is, in the same order."""
         names = "turning_point_load", "turning_point_ratio"
         return [
             *(Output(name, curve) for curve in self.turning_points for name in names),
@@ -98,12 +112,29 @@ class Subject:
         ]
 
     def values(
-        self, parameters: Parameters, effort: Effort, searches=None, places=slice(None)
-    ) -> np.ndarray:
-        """The outputs with these ``parameters``; nan where one does not occur.
+        self,
+        parameters: Parameters,
+        effort: Effort,
+        searches: Sequence[WindowSearch] | None = None,
+        places: slice | NDArray[np.intp] = slice(None),
+    ) -> NDArray[np.float64]:
+        """Solve for all outputs.
 
-        ``searches`` are those for the window of each roughness, if not that of ``effort``;
-        ``places`` are those of the loads that are looked at, by default all.
+        Parameters
+        ----------
+        parameters : Parameters
+            Inputs of the model.
+        effort : Effort
+            How finely everything is solved.
+        searches : sequence of WindowSearch, optional
+            How the window of each roughness is sought, if not as ``effort`` says.
+        places : slice or array of int
+            Which of the loads of ``effort`` are solved; all by default.
+
+        Returns
+        -------
+        array, shape (outputs,)
+            Loads F_t* and ratios [1]; nan for an output that does not occur.
         """
         searches = searches or [effort.window] * len(self.window_roughness)
         asked = {
@@ -120,11 +151,21 @@ class Subject:
         ends = [(window.low, window.high) for window in windows]
         return np.concatenate([*points, *ends, *map(last_crossings, curves)])
 
-    def local_searches(self, values: np.ndarray) -> list[WindowSearch]:
-        """Searches for windows whose ends are about those among the outputs ``values``.
+    def local_searches(self, values: NDArray[np.float64]) -> list[WindowSearch]:
+        """Searches for windows close to known ones, for inputs that have changed a little.
 
-        The ends lie in the middle between two ratios, so that what interpolation adds to them is
-        the same on either side and cancels in a central difference.
+        Each end is in the middle between two values of x_a/sigma that are tried, so that the error
+        of interpolating between them cancels in a central difference.
+
+        Parameters
+        ----------
+        values : array, shape (outputs,)
+            The outputs for inputs nearby, as ``values`` returns them.
+
+        Returns
+        -------
+        list of WindowSearch
+            One for each roughness; the whole range is searched if its window is not known.
         """
         first = 2 * len(self.turning_points)
         searches = []
@@ -136,9 +177,16 @@ class Subject:
             searches.append(local if known else FULL_EFFORT.window)
         return searches
 
-    def local_places(self, values: np.ndarray, parameters: Parameters) -> np.ndarray:
-        """Places of the loads of a full effort that are about those among the outputs ``values``
-        with these ``parameters``."""
+    def local_places(self, values: NDArray[np.float64], parameters: Parameters) -> NDArray[np.intp]:
+        """Indices of the loads of a full effort that are close to the loads among the outputs.
+
+        Parameters
+        ----------
+        values : array, shape (outputs,)
+            The outputs for ``parameters``, as ``values`` returns them.
+        parameters : Parameters
+            Inputs of the model.
+        """
         is_load = [output.output.endswith("_load") for output in self.outputs]
         found = values[is_load] * parameters.newtons_per_load
         grid = np.geomspace(*self.newtons, FULL_EFFORT.loads)
@@ -148,9 +196,9 @@ class Subject:
 
 
 def last_crossings(curve: Curve) -> list[float]:
-    """Last load F_t* [1] at which ``curve`` crosses each of the limits of regimes and modes.
+    """Last load F_t* [1] at which a curve crosses each of ``LIMITS``, those of regimes and modes.
 
-    Interpolated among the four loads around it; nan where a limit is not crossed.
+    It is interpolated among the four loads around it; nan where a limit is not crossed.
     """
     found = []
     for quantity, level in LIMITS:
@@ -160,7 +208,7 @@ def last_crossings(curve: Curve) -> list[float]:
         around = slice(steps[-1] + 1 - SIDE, steps[-1] + 1 + SIDE) if steps.size else slice(0)
         known = excess[around]
         usable = known.size == 2 * SIDE and np.isfinite(known).all() and _is_monotonic(known)
-        # its order of summation is drawn at random: the seed makes every run give the same bits
+        # The interpolator draws its order of summation at random: the seed makes all runs equal.
         found.append(
             np.exp(BarycentricInterpolator(known, np.log(curve.load[around]), rng=0)(0.0))
             if usable
@@ -174,16 +222,57 @@ def _is_monotonic(values) -> bool:
 
 
 def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
-    """Values of those of ``names`` that have a relative change: an input of 0 plays no part."""
+    """Inputs that can be varied relatively: those of ``names`` whose value is not 0.
+
+    Returns
+    -------
+    dict
+        Their values, SI, by name.
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> inputs = replace(load_parameters(), size_distribution="centred", gap_ratio=0.0)
+    >>> varied_inputs(inputs, ["gap_ratio", "ball_radius"])
+    {'ball_radius': 0.00635}
+    """
     values = {name: getattr(parameters, name) for name in names}
     return {name: value for name, value in values.items() if value != 0.0}
 
 
-def elasticities(values, base: np.ndarray, inputs: Mapping[str, float], step: float = STEP):
-    """d ln(output)/d ln(input) by central differences, and by how much twice the step differs.
+def elasticities(
+    values: Callable[[dict[str, float]], NDArray[np.float64]],
+    base: NDArray[np.float64],
+    inputs: Mapping[str, float],
+    step: float = STEP,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Elasticities d ln(output)/d ln(input) by central differences.
 
-    ``values(changes)`` gives the outputs with ``changes`` in the place of some ``inputs``; ``base``
-    are the outputs without.  Both results have shape (outputs, inputs).
+    Parameters
+    ----------
+    values : callable
+        Gives the outputs, shape (outputs,), for a mapping of changed inputs.
+    base : array, shape (outputs,)
+        The outputs for unchanged inputs.
+    inputs : mapping
+        Values of the inputs, by name.
+    step : float
+        Relative change of an input to either side [1].
+
+    Returns
+    -------
+    found : array, shape (outputs, inputs)
+        Elasticities [1].
+    error : array, shape (outputs, inputs)
+        By how much they differ with twice the step [1].
+
+    Examples
+    --------
+    >>> found, error = elasticities(
+    ...     lambda changes: np.array([changes["radius"] ** 3]), np.array([8.0]), {"radius": 2.0}
+    ... )
+    >>> found.round(4)
+    array([[3.]])
     """
 
     def slopes(width):
@@ -198,21 +287,59 @@ def elasticities(values, base: np.ndarray, inputs: Mapping[str, float], step: fl
 
 
 class Found(NamedTuple):
-    """One measure of sensitivity of every output to every input.
+    """How sensitive every output is to every input, by one measure.
 
-    ``value`` and ``error`` have shape (outputs, inputs); ``occurs`` is the share of the solved sets
-    of inputs in which an output occurs, ``unexplained`` the share of its variance that is lost.
+    Attributes
+    ----------
+    measure : str
+        ``elasticity`` or ``sobol_total``.
+    value, error : array, shape (outputs, inputs)
+        The measure and how uncertain it is [1].
+    occurs : array, shape (outputs,)
+        Share of the solved sets of inputs in which the output occurs [1].
+    unexplained : array, shape (outputs,)
+        Share of the output's variance that the measure misses [1]; nan for elasticities.
     """
 
     measure: str
-    value: np.ndarray
-    error: np.ndarray
-    occurs: np.ndarray
-    unexplained: np.ndarray
+    value: NDArray[np.float64]
+    error: NDArray[np.float64]
+    occurs: NDArray[np.float64]
+    unexplained: NDArray[np.float64]
 
 
-def default_elasticities(subject: Subject, parameters: Parameters, inputs: Mapping[str, float]):
-    """Outputs at ``parameters``, and their elasticities there with respect to ``inputs``."""
+def default_elasticities(
+    subject: Subject, parameters: Parameters, inputs: Mapping[str, float]
+) -> tuple[NDArray[np.float64], Found]:
+    """Elasticities of the outputs at given inputs.
+
+    Parameters
+    ----------
+    subject : Subject
+        Which outputs are asked about.
+    parameters : Parameters
+        All inputs of the model.
+    inputs : mapping
+        Which of them vary, with their values, SI: those of ``varied_inputs``.
+
+    Returns
+    -------
+    base : array, shape (outputs,)
+        The outputs at ``parameters`` [1], in the order of ``subject.outputs``.
+    found : Found
+        Their elasticities.
+
+    Examples
+    --------
+    >>> from thirdbody import load_parameters
+    >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
+    >>> subject = Subject((dry,), (), (), newtons=(0.04, 80.0))
+    >>> inputs = load_parameters()
+    >>> varied = varied_inputs(inputs, ["apparent_area"])
+    >>> base, found = default_elasticities(subject, inputs, varied)
+    >>> [output.output for output in subject.outputs], found.value.shape
+    (['turning_point_load', 'turning_point_ratio'], (2, 1))
+    """
     base = subject.values(parameters, FULL_EFFORT)
     local = subject.local_searches(base), subject.local_places(base, parameters)
     solved = []
@@ -227,9 +354,26 @@ def default_elasticities(subject: Subject, parameters: Parameters, inputs: Mappi
 
 
 def sensitivity_rows(
-    subject: Subject, base: np.ndarray, inputs: Mapping[str, float], found: Found
-) -> list[dict]:
-    """Rows of the table ``sensitivity``: one an output and input; one an output that is missing."""
+    subject: Subject, base: NDArray[np.float64], inputs: Mapping[str, float], found: Found
+) -> list[dict[str, Any]]:
+    """Rows of the table ``sensitivity``.
+
+    Parameters
+    ----------
+    subject : Subject
+        Which outputs were asked about.
+    base : array, shape (outputs,)
+        The outputs at the default inputs [1].
+    inputs : mapping
+        Values of the varied inputs, SI, by name.
+    found : Found
+        The measure of sensitivity.
+
+    Returns
+    -------
+    list of dict
+        A row for each output and input, and a single one for an output that does not occur.
+    """
     rows = []
     for index, output in enumerate(subject.outputs):
         same = {"measure": found.measure, **output.columns, "value": base[index]}
@@ -246,5 +390,5 @@ def sensitivity_rows(
 
 
 def _blank(value):
-    """None for what has no value, which tables leave empty."""
+    """None instead of nan: tables leave it empty."""
     return None if isinstance(value, float) and np.isnan(value) else value
