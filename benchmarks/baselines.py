@@ -1,9 +1,9 @@
 """Two simpler ways to solve the model, which the library is compared with.
 
-They are how such models are usually written, done with care.  ``NestedRoots`` solves point by point:
-each integral by ``scipy.integrate.quad``, each unknown by ``scipy.optimize.brentq``.
-``ElementwiseRoots`` solves arrays of points by ``scipy.optimize.elementwise.find_root``, with integrals
-over Gauss-Legendre nodes.  Both give ``points.VARIABLES``, nan where they find no solution.
+They are how such models are usually written, done with care.  ``NestedRoots`` solves point by
+point: each integral by ``scipy.integrate.quad``, each unknown by ``scipy.optimize.brentq``.
+``ElementwiseRoots`` solves arrays of points by ``scipy.optimize.elementwise.find_root``, with
+integrals over Gauss-Legendre nodes.  Both give ``points.VARIABLES``, nan where they find no solution.
 """
 
 from __future__ import annotations
@@ -157,7 +157,7 @@ class NestedRoots:
         return max(10.0 * point.roughness, mean + model["truncation"] * spread)
 
     def _film_load(self, separation, model, point):
-        """Load F_f* [1] under which the film is as thick as ``separation`` d [m]: the inner root."""
+        """F_f* [1] under which the film is as thick as ``separation`` d [m]: the inner root."""
 
         def excess(log_load):
             return math.log(self.plain.film_separation(log_load, model, point) / separation)
@@ -169,7 +169,7 @@ class NodeSum:
     """ln of a load or an area of the summits, as a sum over summits of fixed interferences.
 
     With t = (d - y_s)/sigma_s and the interference w sigma_s of a summit, the density of its height
-    is exp(-(t + w)^2/2) = exp(-t^2/2) exp(-w t) exp(-w^2/2), so that each node costs one exponential.
+    is exp(-(t + w)^2/2) = exp(-t^2/2) exp(-w t) exp(-w^2/2): each node costs one exponential.
 
     Parameters
     ----------

@@ -23,8 +23,8 @@ GAP_ROUNDING = 2.3e-16
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
     """Judge what the library gives at extremes.
 
-    Points of one surface are solved together, by each way, and every way must be right.  A warning or
-    an exception makes all of them wrong.
+    Points of one surface are solved together, by each way, and every way must be right.  A warning
+    or an exception makes all of them wrong.
 
     Parameters
     ----------

@@ -2,8 +2,8 @@
 
     python benchmarks/measure_compression.py results/datasets/*.nc
 
-Every file is written anew with each setting, each variable as one chunk, and then read whole several
-times.  The least processor time counts, so that the disk and other programs play no part.
+Every file is written anew with each setting, each variable as one chunk, and then read whole
+several times.  The least processor time counts, so that the disk and other programs play no part.
 """
 
 from __future__ import annotations

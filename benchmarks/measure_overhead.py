@@ -4,7 +4,7 @@
 
 The difference is what the jobs really do.  Both kinds of runs take turns, each in a copy of the
 repository.  As other work on the machine changes from minute to minute, each run is compared with
-the one right after it, and the median of these ratios counts.  Exit code 1 if it is above the limit.
+the one right after it, and the median of these ratios counts.  Exit code 1 if it is above ``LIMIT``.
 """
 
 from __future__ import annotations
@@ -159,7 +159,7 @@ def middle_ratio(full: list[Cost], hollow: list[Cost], time: str) -> float:
 
 
 def report(runs: list[Cost], imports_only: list[Cost]) -> str:
-    """Text: times of both kinds of runs and their ratio, then what each rule adds to its imports."""
+    """Text: times of both kinds of runs, their ratio, and what each rule adds to its imports."""
     full, hollow = middle(runs), middle(imports_only)
     ratio = middle_ratio(runs, imports_only, "elapsed")
     lines = [

@@ -93,7 +93,7 @@ def _process_rows(parameters, budget):
 
 
 def _wall_seconds_of(blocks, block, parameters, rtol, workers):
-    """Time on the clock [s] of ``blocks`` in a pool whose ``workers`` have started and solved once."""
+    """Time on the clock [s] of ``blocks`` in a pool whose ``workers`` have all solved once."""
     task = parameters, block, rtol
     with ProcessPoolExecutor(workers, initializer=_solve_block, initargs=task) as pool:
         list(pool.map(time.sleep, [WAKING] * workers))

@@ -1,7 +1,7 @@
 """BagIt 1.0 (RFC 8493): a folder with the sums of all its files.
 
-In such a folder, a *bag*, the *payload* lies in ``data/``, and everything beside it are *tag files*;
-manifests list the sums of both.
+In such a folder, a *bag*, the *payload* lies in ``data/``; all files beside it are *tag files*.
+Manifests list the sums of both.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Name, version, date and citation of a release, in the vocabularies that archives ask for.
 
-``pyproject.toml`` gives the name and version, ``CITATION.cff`` everything else.  The date is written
-there too and not taken from a clock: so the same sources give the same archive whenever it is made.
+``pyproject.toml`` gives the name and version, ``CITATION.cff`` everything else.  The date too is
+written there and not taken from a clock: the same sources give the same archive at any time.
 """
 
 from __future__ import annotations
@@ -183,8 +183,8 @@ def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
 def zenodo(release: Release) -> dict[str, Any]:
     """Describe the archive as Zenodo asks for it when one is deposited.
 
-    The description is part of the archive only: a file ``.zenodo.json`` in the repository would make
-    Zenodo ignore its ``CITATION.cff``.
+    The description is part of the archive only: a file ``.zenodo.json`` in the repository would
+    make Zenodo ignore its ``CITATION.cff``.
 
     Returns
     -------

@@ -1,8 +1,8 @@
 """ro-crate-metadata.json: what each file of an archive is, and which was made from which.
 
 The description is an RO-Crate 1.1 with the profile Workflow Run Crate 0.5: a graph of entities that
-refer to each other by ``@id``.  The run of the workflow is one ``CreateAction``; each of its jobs is
-another, with the script of its rule as the instrument.
+refer to each other by ``@id``.  The run of the workflow is one ``CreateAction``; each of its jobs
+is another, with the script of its rule as the instrument.
 """
 
 from __future__ import annotations

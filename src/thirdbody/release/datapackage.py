@@ -1,4 +1,4 @@
-"""datapackage.json: products with their sizes and sums, tables with their columns (Frictionless)."""
+"""datapackage.json (Frictionless): products with sizes and sums, tables with their columns."""
 
 from __future__ import annotations
 

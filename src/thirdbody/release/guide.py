@@ -197,7 +197,7 @@ _CHAPTERS = {"datasets": _datasets, "tables": _tables, "figures": _figures, "cla
 
 
 def _meaning(folder: Path) -> str:
-    """Tables of coordinates, variables and inputs with their units, as the first dataset has them."""
+    """Tables of coordinates, variables and inputs with units, as the first dataset has them."""
     first = next(name for name in files_in(folder, folder) if name.endswith(".nc"))
     dataset = read_dataset(folder / first)
     variables = [

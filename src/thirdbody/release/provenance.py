@@ -57,7 +57,7 @@ def user() -> str:
 
 
 def commit() -> str:
-    """Git commit of the current folder, with ``-dirty`` if it was changed, or that there is none."""
+    """Git commit of the current folder, or that there is none; ``-dirty`` if it was changed."""
     command = ["git", "describe", "--always", "--dirty", "--abbrev=40"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=True)

@@ -19,7 +19,8 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 
 BAND_RTOL = 1e-4  # asked for each member: an error far below the width of a drawn line
-# suffix of a variable: the word for it in its long name, and what finds it (nan gives way to numbers)
+# Suffix of a variable: the word for it in its long name, and the function that finds it, for which
+# nan gives way to numbers.
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
 SUMMARY = (
     "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "

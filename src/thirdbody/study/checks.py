@@ -577,7 +577,7 @@ def _excursion(curve, step):
 
 
 def _visited(claim, curve):
-    """Text of the states that a curve passes, of the kinds (regimes, modes) that the claim names."""
+    """Text of the states that a curve passes: regimes, modes or both, as the claim names them."""
     families = {STATES[name][0] for name in state_names(claim.published)}
     inside = {
         name: (getattr(curve, quantity) > low) & (getattr(curve, quantity) <= high)
