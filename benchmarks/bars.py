@@ -85,7 +85,9 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
         **_of_times(tables["times"]),
         **_of_scaling(tables["scaling"]),
         **_of_streaming(tables["streaming"]),
-        "starts": max(row["over_best"] for row in tables["starts"] if row["way"] == AUTOMATIC),
+        "starts": max(
+            row["over_best"] or 0.0 for row in tables["starts"] if row["way"] == AUTOMATIC
+        ),
         "errors": max(
             row["largest_error"] / row["rtol"]
             for row in tables["errors"]

@@ -33,6 +33,7 @@ ACCURACY = Path(__file__).parents[1] / "config" / "accuracy.yaml"
 COLD, WARM = "cold", "warm"
 AUTOMATIC = "automatic"  # the way that the library chooses
 ROUNDS = 15  # of calls that take some milliseconds each
+NOISE = 0.5  # of the time of a process, at most
 Run = tuple[int, str, str]  # points, start, way
 PROGRAM = """
 import sys
@@ -90,7 +91,7 @@ def run_of(points: int, start: str, way: str) -> Run:
 def over_best(times: Mapping[Run, float | None], points: int, start: str, way: str) -> float | None:
     """Time of a way over that of the fastest way [1], for so many points and this start.
 
-    None if the run was left out.
+    None if the run, or each way, was left out.
 
     Examples
     --------
@@ -99,8 +100,9 @@ def over_best(times: Mapping[Run, float | None], points: int, start: str, way: s
     2.0
     """
     seconds = times[run_of(points, start, way)]
-    ways = (times[run_of(points, start, each)] for each in WAYS)
-    return seconds and seconds / min(each for each in ways if each)
+    timed = [times[run_of(points, start, each)] for each in WAYS]
+    best = min((each for each in timed if each), default=None)
+    return seconds and best and seconds / best
 
 
 def least_times(
@@ -132,13 +134,16 @@ def least_times(
     for _ in range(budget["rounds"]):
         for run, times in runs.items():
             enough = sum(times) >= budget["enough_seconds"]
-            if not enough and expected_seconds(run, runs) <= budget["limit_seconds"]:
+            chosen = run[-1] == AUTOMATIC  # is as fast as the best way, whatever fewer points took
+            if not enough and (chosen or expected_seconds(run, runs) <= budget["limit_seconds"]):
                 times.append(timed(run))
     return {run: min(times, default=None) for run, times in runs.items()}
 
 
 def expected_seconds(run: Run, runs: Mapping[Run, Sequence[float]]) -> float:
     """Time [s] that a run will take, if a point costs as much as in the runs with fewer points.
+
+    Where that cannot be told from noise, it is the time of the last run with fewer points.
 
     Parameters
     ----------
@@ -163,7 +168,9 @@ def expected_seconds(run: Run, runs: Mapping[Run, Sequence[float]]) -> float:
     if not fewer:
         return 0.0
     (_, start), (number, seconds) = fewer[0], fewer[-1]
-    return start + max(seconds - start, 0.0) * points / number
+    if seconds < (1.0 + NOISE) * start:
+        return seconds
+    return start + (seconds - start) * points / number
 
 
 def process_seconds(kept: str, rtol: float, run: Run) -> float:
