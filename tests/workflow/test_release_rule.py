@@ -59,6 +59,18 @@ def test_release_is_one_folder_its_archive_and_the_record(released, tell):
     tell(f"archive: {line.strip()}")
 
 
+def test_sums_of_all_products_hold_after_a_release(released):
+    root = Workspace(released.parents[2])
+    told = root.execute("make", "sums")
+    assert (told.returncode, told.stdout) == (0, ""), told.stderr
+    archive = released.with_name(f"{NAME}.zip")
+    archive.write_bytes(content := archive.read_bytes() + b"harmed")
+    told = root.execute("make", "sums")
+    archive.write_bytes(content.removesuffix(b"harmed"))
+    assert told.returncode != 0
+    assert told.stdout == f"results/release/{NAME}.zip: FAILED\n"
+
+
 def test_every_target_of_the_workflow_is_in_the_release(released):
     listed = {name.removeprefix("results/") for name in targets(ROOT / "workflow/Snakefile")}
     archived = set(files_in(released / "data", released / "data"))

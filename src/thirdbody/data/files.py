@@ -36,8 +36,15 @@ def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Pa
 
     Examples
     --------
-    >>> with whole("table.csv") as part:  # doctest: +SKIP
-    ...     part.write_text("load,area")
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     place = Path(folder) / "table.csv"
+    ...     with whole(place) as part:
+    ...         size = part.write_text("load,area")
+    ...         print(place.exists())
+    ...     print(place.exists())
+    False
+    True
     """
     places = [Path(path) for path in paths]
     products = [place for place in places if recorded and place.is_relative_to(PRODUCTS)]
