@@ -24,11 +24,10 @@ def is_kept() -> bool:
     """Whether an earlier process left the loop on disk, where numba will look for it.
 
     That is ``NUMBA_CACHE_DIR``, or else ``__pycache__``: an index named after the module, the
-    function and the version of Python, newer than all sources.  A wrong answer only costs time.
+    function and the version of Python.  It may be of an earlier version of the loop, which is then
+    compiled once more: a wrong answer only costs time.
     """
     given = os.environ.get("NUMBA_CACHE_DIR")
     folder, folders = (Path(given), "*/") if given else (SOURCES / "__pycache__", "")
     version = "".join(map(str, sys.version_info[:2]))
-    written = max(source.stat().st_mtime for source in SOURCES.glob("*.py"))
-    indices = folder.glob(f"{folders}loop.solve_points-*.py{version}*.nbi")
-    return any(index.stat().st_mtime >= written for index in indices)
+    return any(folder.glob(f"{folders}loop.solve_points-*.py{version}*.nbi"))
