@@ -5,6 +5,7 @@ import os
 import runpy
 import subprocess
 import sys
+import sysconfig
 import tomllib
 import venv
 import zipfile
@@ -31,17 +32,6 @@ parameters, point = json.loads(sys.argv[1])
 solution = tb.solve(**point, parameters=tb.Parameters(**parameters))
 print(json.dumps([solution.separation.item(), solution.total_contact_area.item()]))
 """
-# what reading configuration imports, with what jsonschema imports
-READING = (
-    "yaml",
-    "jsonschema",
-    "attr",
-    "attrs",
-    "referencing",
-    "rpds",
-    "jsonschema_specifications",
-    "typing_extensions",
-)
 # what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
 LACKING = {
     "from thirdbody import load_parameters": ("yaml, jsonschema", "data"),
@@ -57,7 +47,7 @@ LACKING = {
 
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Function that runs a program where the wheel, numpy, scipy and some modules are installed."""
+    """Function that runs a program where the wheel, numpy and scipy are installed."""
     folder = tmp_path_factory.mktemp("installed")
     built = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
     subprocess.run(built, cwd=ROOT, check=True, capture_output=True)
@@ -66,30 +56,18 @@ def installed(tmp_path_factory):
     (wheel,) = folder.glob("*.whl")
     zipfile.ZipFile(wheel).extractall(packages)
     for name in ("numpy", "scipy"):
-        link_module(name, packages)
+        source = Path(find_spec(name).origin).parent
+        for path in (source, source.with_name(f"{name}.libs")):  # which its wheel brought along
+            if path.exists():
+                (packages / path.name).symlink_to(path)
 
-    def run(code, *arguments, modules=()):
-        beside = folder.joinpath("_".join(["beside", *modules]))
-        beside.mkdir(exist_ok=True)
-        for name in modules:
-            link_module(name, beside)
+    def run(code, *arguments, beside=folder):
+        """``beside`` is one more folder of packages."""
         command = [folder / "venv" / "bin" / "python", "-c", code, *arguments]
-        paths = {"PYTHONPATH": str(beside)}
-        return subprocess.run(
-            command, cwd=beside, env=os.environ | paths, capture_output=True, text=True
-        )
+        environment = os.environ | {"PYTHONPATH": str(beside)}
+        return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
 
     return run
-
-
-def link_module(name, folder):
-    """Have an installed module in ``folder`` as well, with the libraries that its wheel brought."""
-    origin = Path(find_spec(name).origin)
-    source = origin.parent if origin.name == "__init__.py" else origin
-    for path in (source, source.with_name(f"{name}.libs")):
-        link = folder / path.name
-        if path.exists() and not link.exists():
-            link.symlink_to(path)
 
 
 def test_numpy_and_scipy_are_enough_to_solve(installed, parameters):
@@ -97,6 +75,15 @@ def test_numpy_and_scipy_are_enough_to_solve(installed, parameters):
     assert done.stderr == ""
     expected = thirdbody.solve(**POINT, parameters=parameters)
     assert json.loads(done.stdout) == [expected.separation, expected.total_contact_area]
+
+
+def test_without_numba_no_number_of_points_is_compiled(installed, parameters):
+    worth = "LOOP_WORTH = plan.LOADING_WORTH = plan.COMPILING_WORTH = 1"
+    given = [asdict(parameters), POINT | {"load": [1e-6, 1e-5, 1e-4]}]
+    code = SOLVE.replace(".item()", ".size")
+    done = installed(f"from thirdbody.solver import plan; plan.{worth}\n{code}", json.dumps(given))
+    assert done.stderr == ""
+    assert json.loads(done.stdout) == [3, 3]
 
 
 @pytest.mark.parametrize("code", LACKING)
@@ -112,7 +99,7 @@ def test_a_missing_extra_is_named_in_one_line(installed, code):
 
 def test_the_wheel_brings_the_calibrated_inputs(installed):
     code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
-    done = installed(code, modules=READING)
+    done = installed(code, beside=sysconfig.get_path("platlib"))
     assert done.stderr == ""
     assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
 
