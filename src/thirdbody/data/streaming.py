@@ -73,7 +73,6 @@ def stream(
     >>> written["separation"].squeeze().shape
     (2,)
     """
-
     names = with_status(variables)
 
     def solved(*sides):
