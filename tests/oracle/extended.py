@@ -1,0 +1,151 @@
+"""The model in extended precision: compiles ``contact.c`` and hands arrays to it.
+
+``Oracle(folder).solve(conditions, models)`` finds every separation that balances the forces, in
+x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
+``why_not()`` says in a line why it cannot run here, or gives None.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import shutil
+import subprocess
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+SOURCE = Path(__file__).with_name("contact.c")
+CONDITIONS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
+SURFACE = ("eta_s", "R", "sigma_s", "y_s")
+NUMBERS = (  # in the order of ``Numbers`` in contact.c
+    *CONDITIONS,
+    *SURFACE,
+    *("E_ss", "E_sa", "H_s1", "H_s2", "k", "omega_ratio"),
+    *("R_x", "G", "V", "kappa", "U_per_viscosity", "A_n"),
+    *("mean_ratio", "sigma_a_ratio", "gap_ratio", "truncation", "participation", "h_e_ratio"),
+)
+READINGS = {  # in the order of ``Readings`` in contact.c, the first name is 0
+    "phi_a": ("uncentred", "centred", "gap_convolved"),
+    "particle_plane": ("surface", "summit"),
+    "elastic_limits": ("printed", "physical"),
+    "coverage_limits": ("printed", "contacting"),
+    "film_load": ("fluid", "total"),
+}
+QUANTITIES = (  # in the order of ``Root`` in contact.c
+    *("separation", "solid_load_fraction", "fluid_load_fraction", "total_contact_area"),
+    *("particle_contact_area_ratio", "surface_contact_area_ratio", "film_thickness"),
+)
+MOST_ROOTS = 8
+CHUNK = 256  # points a thread takes at a time: some cost a hundred times as much as others
+
+
+class Solved(NamedTuple):
+    """What the oracle found at n points.
+
+    ``roots``: for each of ``QUANTITIES`` an array of longdouble (n, MOST_ROOTS), one column a
+    separation, the largest first, nan behind the last.  ``count``: how many there are, or -1 where
+    particles would cover more than all of the surface.
+    """
+
+    roots: dict
+    count: np.ndarray
+
+    def first(self, name):
+        """The quantity ``name`` at the largest separation, nan where there is none."""
+        return self.roots[name][:, 0]
+
+
+def why_not():
+    """Why the oracle cannot run on this machine, in a line; None where it can."""
+    if np.finfo(np.longdouble).nmant != 63:
+        return "long double has no 64 bits on this processor"
+    return None if compiler() else "there is no C compiler"
+
+
+def compiler():
+    """The C compiler that the environment names, or that is there."""
+    return shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
+
+
+class Oracle:
+    """``contact.c``, compiled into ``folder``."""
+
+    def __init__(self, folder):
+        library = Path(folder) / "contact.so"
+        command = [compiler(), "-std=c11", "-O2", "-shared", "-fPIC", "-o", library, SOURCE, "-lm"]
+        subprocess.run(command, check=True, capture_output=True, text=True)
+        self._library = ctypes.CDLL(str(library))
+        self._library.prepare()
+
+    def solve(self, model, *, everywhere=False, threads=2, **conditions):
+        """Every separation that balances the forces, at each of n points.
+
+        Parameters
+        ----------
+        model : mapping
+            Keys of the attribute ``model_parameters``; numbers and readings may be arrays of n.
+        load, viscosity, particle_diameter, roughness, particle_density : array_like
+            F_t* [1], the rest in SI units; all broadcast, also against the numbers of ``model``.
+        everywhere : bool
+            Look for several roots also where F_s is known to fall everywhere: slow, for tests.
+        threads : int
+            Cores to use.
+
+        Returns
+        -------
+        Solved
+        """
+        numbers, readings = arrays_of({**model, **conditions})
+        n = len(numbers)
+        roots = np.full((n, MOST_ROOTS, len(QUANTITIES)), np.nan, np.longdouble)
+        count = np.zeros(n, np.int32)
+
+        def solve_some(start):
+            here = slice(start, start + CHUNK)
+            self._library.solve(
+                ctypes.c_long(len(count[here])),
+                address(numbers[here]),
+                address(readings[here]),
+                ctypes.c_int(everywhere),
+                address(roots[here]),
+                address(count[here]),
+            )
+
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(solve_some, range(0, n, CHUNK)))
+        return Solved({name: roots[..., i] for i, name in enumerate(QUANTITIES)}, count)
+
+    def evaluate(self, model, separation, **conditions):
+        """F_s*, A_ss* (were there no particles) and A_sa* at given separations h [m]."""
+        numbers, readings = arrays_of({**model, **conditions, "load": 1.0}, np.size(separation))
+        separation = np.broadcast_to(np.longdouble(separation), len(numbers)).copy()
+        forces = np.empty((len(numbers), 3), np.longdouble)
+        self._library.evaluate(
+            ctypes.c_long(len(numbers)), *map(address, (numbers, readings, separation, forces))
+        )
+        return forces.T
+
+
+def arrays_of(given, at_least=1):
+    """Numbers (n, 27) and readings (n, 5) in the order that ``contact.c`` wants."""
+    given = {"particle_plane": "surface", **given}
+    columns = np.broadcast_arrays(
+        *(np.ravel(np.asarray(given[name], np.float64)) for name in NUMBERS),
+        *(np.ravel(indices(given[name], names)) for name, names in READINGS.items()),
+        np.empty(at_least),
+    )
+    numbers = np.stack(columns[: len(NUMBERS)], axis=1)
+    readings = np.stack(columns[len(NUMBERS) : -1], axis=1).astype(np.int32)
+    return np.ascontiguousarray(numbers), np.ascontiguousarray(readings)
+
+
+def indices(given, names):
+    """Where each of ``given`` stands among ``names``."""
+    return np.vectorize(names.index, otypes=[np.int32])(given)
+
+
+def address(array):
+    return ctypes.c_void_p(array.ctypes.data)

@@ -1,0 +1,123 @@
+"""Random points over the whole domain of the model and all its readings, for tests."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+
+from tests.oracle.extended import READINGS, SURFACE
+from thirdbody.model.parameters import Parameters
+
+PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
+    **{"E_ss": 112e9, "E_sa": 112e9, "H_s1": 5e9, "H_s2": 5e9, "k": 0.4, "omega_ratio": 54.0},
+    **{"R_x": 6.35e-3, "G": 2038.0, "V": 0.04, "kappa": 1.0, "U_per_viscosity": 7.3e-10 / 150e-6},
+    **{"A_n": 2e-6, "mean_ratio": 0.9, "sigma_a_ratio": 1.0, "gap_ratio": 1.0, "truncation": 3.0},
+    **{"participation": 0.02, "h_e_ratio": 0.33},
+    **{"eta_s": 0.04 / (2e-5 * 3e-7), "R": 2e-5, "sigma_s": 3e-7, "y_s": 0.0},
+    **{name: names[0] for name, names in READINGS.items()},
+}
+
+
+def draw(n, seed):
+    """A model whose numbers and readings are arrays of n, and conditions to go with them.
+
+    Conditions reach from one decade below Table 2 to one above, and loads to 1e-300; a quarter of
+    the materials is soft, where several separations are possible; a part of the surfaces and sizes
+    is extreme; coverage by all particles stays below 2.
+    """
+    rng = np.random.default_rng(seed)
+
+    def logarithmic(low, high):
+        return 10.0 ** rng.uniform(np.log10(low), np.log10(high), n)
+
+    def mostly(share, usual, other):
+        return np.where(rng.random(n) < share, usual, other)
+
+    model = {name: rng.choice(names, n) for name, names in READINGS.items()}
+    model["E_ss"] = mostly(0.75, 112e9, logarithmic(1e8, 2e10))
+    model["E_sa"] = mostly(0.5, model["E_ss"], logarithmic(1e9, 1e12))
+    model["H_s1"] = mostly(0.5, 5e9, logarithmic(1e8, 2e10))
+    model["H_s2"] = mostly(0.5, model["H_s1"], logarithmic(1e8, 2e10))
+    model["k"] = rng.uniform(0.1, 1.0, n)
+    model["omega_ratio"] = mostly(0.5, 54.0, logarithmic(1.0, 1e4))
+    model |= {"R_x": logarithmic(1e-4, 1e-1), "G": logarithmic(100.0, 1e4)}
+    model |= {"V": logarithmic(1e-3, 1.0), "kappa": logarithmic(0.1, 10.0)}
+    model |= {"U_per_viscosity": logarithmic(1e-7, 1e-4), "A_n": logarithmic(1e-8, 1e-4)}
+    model |= {"mean_ratio": rng.uniform(0.0, 2.0, n), "gap_ratio": rng.uniform(0.0, 3.0, n)}
+    model["sigma_a_ratio"] = mostly(0.8, rng.uniform(0.1, 2.0, n), logarithmic(1e-5, 3.0))
+    model["truncation"] = rng.uniform(0.5, 10.0, n)
+    model["participation"] = logarithmic(1e-4, 1.0)
+    model["h_e_ratio"] = mostly(0.9, logarithmic(1e-3, 3.0), 0.0)
+
+    roughness = mostly(0.7, logarithmic(1e-7, 1e-6), logarithmic(1e-9, 1e-5))
+    model["R"] = logarithmic(1e-7, 1e-2)
+    model["eta_s"] = logarithmic(0.02, 5.0) / (model["R"] * roughness)
+    reach = 1.0 / (model["eta_s"] * model["R"])
+    model["y_s"] = mostly(0.5, 0.045944 * reach, 0.0)
+    less = np.sqrt(np.maximum(roughness**2 - 3.717e-4 * reach**2, (0.05 * roughness) ** 2))
+    model["sigma_s"] = np.where((model["y_s"] > 0.0) & (rng.random(n) < 0.5), less, roughness)
+
+    diameter = mostly(0.95, roughness * logarithmic(0.03, 30.0), 0.0)
+    density = logarithmic(1e-4, 0.3) / covered_by_one(diameter, model)
+    return model, {
+        "load": mostly(0.8, logarithmic(1e-8, 1e-2), logarithmic(1e-300, 1.0)),
+        "viscosity": mostly(0.7, logarithmic(1e-6, 1e-3), 0.0),
+        "particle_diameter": diameter,
+        "roughness": roughness,
+        "particle_density": density,
+    }
+
+
+def covered_by_one(diameter, model):
+    """About the area [m2] that a particle covers, times the share of particles that take part."""
+    widest = np.maximum(diameter * np.maximum(model["mean_ratio"], 1.0), 1e-9)
+    return widest**2 * model["participation"]
+
+
+def draw_for_library(surfaces, points, seed):
+    """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
+    library knows, of which any 24 in turn have all readings; and the surfaces' ``Parameters``.
+    """
+    drawn, conditions = draw(surfaces * points, seed)
+    shared = np.repeat(np.arange(surfaces) * points, points)
+    model = {name: values[shared] for name, values in drawn.items()}
+    names = [name for name in READINGS if name != "particle_plane"]
+    every = itertools.cycle(itertools.product(*(READINGS[name] for name in names)))
+    for index, words in zip(range(surfaces), every):
+        here = slice(index * points, (index + 1) * points)
+        for name, word in zip(names, words, strict=True):
+            model[name][here] = word
+    model["particle_plane"][:] = "surface"
+    roughness = conditions["roughness"][shared]
+    diameter = conditions["particle_diameter"] * roughness / conditions["roughness"]
+    covered = conditions["particle_density"] * covered_by_one(
+        conditions["particle_diameter"], drawn
+    )
+    conditions |= {"roughness": roughness, "particle_diameter": diameter}
+    conditions["particle_density"] = covered / covered_by_one(diameter, model)
+    inputs = [surface_of_library(i * points, points, model, roughness) for i in range(surfaces)]
+    return model, conditions, inputs
+
+
+def surface_of_library(first, points, model, roughness):
+    """``Parameters`` of the points from ``first`` on, whose summits ``model`` then has: those that
+    the library gives a surface of this roughness."""
+    given = {name: values[first].item() for name, values in model.items()}
+    sigma = float(roughness[first])
+    try:
+        inputs = Parameters.on_one_surface(given, sigma)
+        surface = inputs.surface(sigma)
+    except ValueError:  # no variance is left to summits so far above the surface
+        inputs = Parameters.on_one_surface(given | {"y_s": 0.0}, sigma)
+        surface = inputs.surface(sigma)
+    summits = surface.summit_density, surface.summit_radius
+    summits += surface.summit_deviation, surface.summit_offset
+    for name, value in zip(SURFACE, summits, strict=True):
+        model[name][first : first + points] = value
+    return inputs
+
+
+def one(index, model, conditions):
+    """The numbers and readings of one point, of those that ``draw`` gives."""
+    return {name: values[index].item() for name, values in {**model, **conditions}.items()}
