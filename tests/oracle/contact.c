@@ -5,7 +5,8 @@
  * Lengths in m, forces over A_n E_ss, areas over A_n.  Long double has 64 bits and exponents of
  * +-16383 (x86), so that tails of 40 standard deviations, exp(-800), need no logarithms.
  *
- * Where the print leaves a choice.  The sentences of the paper are in quotation marks; names in backticks are keys of the attribute `model_parameters` of a dataset.
+ * Where the print leaves a choice.  The sentences of the paper are in quotation marks; names in
+ * backticks are keys of the attribute `model_parameters` of a dataset.
  *
  * 1.  Which separation.  "d is mean separation between two surfaces", and Section 2.3 takes it from
  *     the film, h = R_x H_c; but the two-body model of Zhao et al. (2000) measures d from the plane
