@@ -1,8 +1,10 @@
 """The compiled loop gives what the other ways give, and leaves to them what it cannot promise."""
 
+import os
+import sys
 from dataclasses import replace
+from subprocess import run
 
-import numba
 import numpy as np
 import pytest
 
@@ -10,8 +12,10 @@ import thirdbody as tb
 from benchmarks.points import relative_errors
 from thirdbody.model.film import Film
 from thirdbody.model.particles import unit_moment
-from thirdbody.solver.compiled.loop import ROOT
-from thirdbody.solver.compiled.points import CompiledPoints, _loop
+from thirdbody.solver.compiled import machine_code
+from thirdbody.solver.compiled.layout import ROOT
+from thirdbody.solver.compiled.loop import solve_points
+from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.plan import LOOP_WORTH, TABLE_WORTH
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
@@ -159,22 +163,23 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
     random = np.random.default_rng(1)
     t = random.uniform(-5.0, 40.0, 3000)
     terms = model.degree + 1
+    summits, film, particles = model.summits, model.film, model.particles
     for start, curve in ((0, exact.population.log_load), (terms, exact.population.log_area)):
-        table = model.summits._replace(rows=model.summits.rows[:, start : start + terms])
+        table = summits.table._replace(rows=summits.table.rows[:, start : start + terms])
         error = ROOT * np.log(looked_up(table, t)) - curve(t)[0]
-        assert np.abs(error).max() <= 1.5 * model.summit_error + 1e-12  # of curves e^-800 high
+        assert np.abs(error).max() <= 1.5 * summits.error + 1e-12  # of curves e^-800 high
     like = Film.of(np.ones(1), np.ones(1), reading)
     thickness = np.exp(random.uniform(-6.0, 14.0, 3000))
     alone = replace(like, smooth=0.0, rough=0.0)
-    error = ROOT * np.log(looked_up(model.film, thickness)) - alone.load_parameter(thickness)
-    assert np.abs(error).max() <= 1.5 * model.film_error
+    error = ROOT * np.log(looked_up(film.table, thickness)) - alone.load_parameter(thickness)
+    assert np.abs(error).max() <= 1.5 * film.error
     alpha = random.uniform(-9.0, reading.truncation, 3000)
     moment = unit_moment(reading)
     above = moment(alpha)[0] - moment(reading.truncation)[0]
     slope = np.abs(moment(alpha)[1])
-    error = looked_up(model.moment, alpha) - above
-    moved = 10.0 * model.rounding * slope  # the start of the table is rounded
-    assert (np.abs(error) <= 2.0 * model.moment_error * (above + slope) + moved).all()
+    error = looked_up(particles.table, alpha) - above
+    moved = 10.0 * model.limits.rounding * slope  # the start of the table is rounded
+    assert (np.abs(error) <= 2.0 * particles.error * (above + slope) + moved).all()
 
 
 @pytest.mark.parametrize("given", [{}, {"viscosity": 0.0}, {"particle_density": 0.0}])
@@ -229,14 +234,51 @@ def test_areas_that_nobody_asks_for_change_nothing_else(parameters):
     ]
 
 
+RESULTS = [name for name in VARIABLES if name in (*QUANTITIES, "error_bound")]
+# solves points in one precision after the other and says how many were compiled before
+SOLVE_IN = """
+import sys
+import numpy as np
+from tests.unit.test_compiled import RESULTS, compiled, conditions
+from thirdbody import load_parameters
+from thirdbody.solver.compiled.loop import solve_points
+from thirdbody.solver.compiled import machine_code
+for name in sys.argv[2:]:
+    found = compiled(load_parameters(), 1e-3, getattr(np, name), **conditions(2000))
+    np.save(f"{sys.argv[1]}/{name}", [getattr(found, result) for result in RESULTS])
+print(sum(machine_code.compiled(solve_points).stats.cache_hits.values()))
+"""
+
+
+def test_precisions_compiled_by_different_processes_are_told_apart(tmp_path, defaults):
+    """numba names the machine code of a record after a number that only one process knows."""
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path), "PYTHONPATH": ":".join(sys.path)}
+    for names, kept in ((["float32"], 0), (["float64"], 0), (["float32", "float64"], 2)):
+        command = [sys.executable, "-c", SOLVE_IN, str(tmp_path), *names]
+        ran = run(command, capture_output=True, text=True, check=True, env=environment)
+        assert int(ran.stdout) == kept
+    for real in (SINGLE, DOUBLE):
+        found = compiled(defaults, 1e-3, real, **conditions(2000))
+        expected = [getattr(found, name) for name in RESULTS]
+        np.testing.assert_array_equal(np.load(tmp_path / f"{real.__name__}.npy"), expected)
+
+
+@pytest.mark.parametrize(("real", "rtol"), [(SINGLE, 1e-3), (DOUBLE, 1e-6)])
+def test_a_point_is_solved_alike_wherever_it_stands(reading, real, rtol):
+    given = conditions(3000)
+    later = {name: values[123:] for name, values in given.items()}
+    every, some = (compiled(reading, rtol, real, **points) for points in (given, later))
+    for name in QUANTITIES:
+        np.testing.assert_array_equal(getattr(every, name)[123:], getattr(some, name))
+
+
 def test_it_compiles_where_nothing_can_be_kept(monkeypatch, parameters):
-    def refusing(cache=False, **options):
-        if cache:
-            raise RuntimeError("cannot cache function: no locator available")
-        return numba.njit(**options)
+    def refusing(function):
+        raise RuntimeError("cannot cache function: no locator available")
 
     found = compiled(parameters, 1e-6, **conditions(10))
-    monkeypatch.setattr("thirdbody.solver.compiled.points.njit", refusing)
-    monkeypatch.setattr("thirdbody.solver.compiled.points._loop", _loop.__wrapped__)
+    monkeypatch.setattr(machine_code, "KeptCode", refusing)
+    again = machine_code.compiled.__wrapped__(solve_points)
+    monkeypatch.setattr("thirdbody.solver.compiled.points.compiled", lambda function: again)
     again = compiled(parameters, 1e-6, **conditions(10))
     np.testing.assert_array_equal(again.separation, found.separation)

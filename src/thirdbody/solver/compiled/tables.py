@@ -1,17 +1,33 @@
-"""What the compiled loop knows of a surface: tables of everything that depends on one variable."""
+"""What the compiled loop knows of a surface: a table of whatever depends on one variable.
+
+These are the summits' load and area, functions of t = (d - y_s)/sigma_s; the second moment M of the
+sizes of particles, a function of alpha = (d - m)/S; and the load of a film, a function of its
+thickness.  Further tables hold the first guess of the separation.
+"""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import sampled_contact, unit_moment
-from thirdbody.solver.compiled.loop import ROOT, Model, OctaveTable, Table
+from thirdbody.solver.compiled.layout import (
+    ROOT,
+    FilmModel,
+    Limits,
+    Model,
+    OctaveTable,
+    ParticleModel,
+    SummitModel,
+    Table,
+)
 from thirdbody.solver.roots import NOISE
 from thirdbody.solver.solution import ROOT_SHARE
 from thirdbody.solver.surfaces import RoughSurface
@@ -19,106 +35,153 @@ from thirdbody.solver.tabulation import chebyshev_points, interpolants
 
 SINGLE, DOUBLE = np.float32, np.float64
 INTEGERS = {SINGLE: np.int32, DOUBLE: np.int64}  # of the same size
-SINGLE_RTOL = 1e-3  # from which numbers of half the size have digits enough for most points
-# by degree: pieces a unit of t, pieces a unit of alpha, pieces an octave of a film's thickness
+SINGLE_RTOL = 1e-3  # from which single precision has digits enough for most points
+
+# Pieces of tables by their degree: in a unit of t, in a unit of alpha, in an octave of thickness.
 PIECES = {3: (16, 48, 32), 5: (32, 16, 64), 7: (16, 16, 32)}
-MOMENT_START = -9.0  # alpha where all particles are larger
-FILM_OCTAVES = -9, 21  # of H_c over that where the terms of Eq. 7 are equal
-LOAD_OCTAVES = -110, 2  # first guesses: of F_t*,
-ROOT_OCTAVES = -12, 12  # of the root of W, where the terms are equal, over that of all loads,
-AREA_OCTAVES = -24, 2  # and of the particles' area over that of M = 1
-GUESS_PIECES = 8
-LEVEL_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of small differences
-# what rounding does to a number, and which are so small that they have lost digits, or will; single
-# precision holds the summits' area 2^96-fold
-LIMITS = {
-    SINGLE: {
-        "rounding": np.finfo(SINGLE).eps,
-        "least": 1e-36,
-        "least_bare": 0.05,
-        "least_area": 1e-30,
-        "area_root": 64.0,
-    },
-    DOUBLE: {
-        "rounding": np.finfo(DOUBLE).eps,
-        "least": 0.0,
-        "least_bare": 1e-6,
-        "least_area": 1e-290,
-        "area_root": 1.0,
-    },
+MOMENT_START = -9.0  # alpha below which all particles are larger
+# Tables over octaves reach from one power of two to another:
+FILM_OCTAVES = -9, 21  # of h_c over that where both terms of Eq. 7 are equal,
+LOAD_OCTAVES = -110, 2  # of F_t*,
+ROOT_OCTAVES = -12, 12  # of the root of W where both terms are equal, over W of F_t,
+AREA_OCTAVES = -24, 2  # and of the area of particles over that where M = 1.
+GUESS_PIECES = 8  # of an octave
+
+CROSSING_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of small differences
+
+# Numbers smaller than these have lost digits, or will.  Single precision holds areas 2^96-fold.
+SMALLEST = {
+    SINGLE: {"least": 1e-36, "least_bare": 0.05, "least_area": 1e-30},
+    DOUBLE: {"least": 0.0, "least_bare": 1e-6, "least_area": 1e-290},
 }
+AREA_ROOT = {SINGLE: 64.0, DOUBLE: 1.0}
 
 
-def precisions(rtol: float) -> tuple:
-    """Types of number to try in turn for a relative error ``rtol``."""
+def precisions(rtol: float) -> tuple[type, ...]:
+    """Types of number that are worth trying, the fastest first.
+
+    Parameters
+    ----------
+    rtol : float
+        Relative error asked for.
+
+    Returns
+    -------
+    tuple of type
+        ``SINGLE`` or ``DOUBLE`` or both; points that need more digits are left by the first.
+    """
     return (SINGLE, DOUBLE) if rtol >= SINGLE_RTOL else (DOUBLE,)
 
 
 @lru_cache(maxsize=64)
 def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real: type) -> Model:
-    """Tables of everything on one surface, for errors of ``rtol``, in numbers of type ``real``."""
+    """What all points on one surface share, prepared once.
+
+    Parameters
+    ----------
+    rough : RoughSurface
+        The surface, with tables that are good for ``rtol``.
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Relative error asked for.
+    real : type
+        Type of number that points are solved in, ``SINGLE`` or ``DOUBLE``.
+
+    Returns
+    -------
+    Model
+        Tables and numbers for the loop.
+    """
     degree = 3 if real is SINGLE else rough.tables.log_load.degree
-    summit_pieces, moment_pieces, film_pieces = PIECES[degree]
-    rounding = float(LIMITS[real]["rounding"])
-    first, last = rough.tables.log_load.start, rough.tables.log_load.end
-    summits = first, last, summit_pieces, degree, real
-    load, load_error = _table(_root(lambda t: rough.tables.log_load(t)[0]), *summits)
-    area, area_error = _table(_root(lambda t: rough.tables.log_area(t)[0]), *summits)
-    table_error = rough.tables.error + ROOT * max(load_error, area_error)
-    # rounding at the largest t, which the loop counts by itself where a point is
-    rounded = 3.0 * np.finfo(float).eps * abs(rough.tables.log_load(np.full(1, last))[0][0])
-    end = parameters.truncation
-    moment, moment_error = _table(
-        _moment_above(unit_moment(parameters), end),
-        *(end, end - math.ceil(end - MOMENT_START), -moment_pieces, degree, real),
-        outside=0.0,
+    return Model(
+        degree=degree,
+        summits=_summits(rough, degree, real),
+        particles=_particles(parameters, degree, real),
+        film=_film(parameters, degree, real),
+        limits=Limits(
+            allowed=real(ROOT_SHARE * rtol),
+            noise=real(max(NOISE, 8.0 * _rounding(real))),
+            rounding=real(_rounding(real)),
+            **{name: real(number) for name, number in SMALLEST[real].items()},
+        ),
     )
-    moment_error += rounding
-    unit_film = _unit_film(parameters)
-    film, film_error = _octave_table(_root(unit_film.load_parameter), film_pieces, degree, real)
-    surface = rough.surface
+
+
+def _summits(rough, degree, real) -> SummitModel:
+    """The summits of a surface."""
+    tables, surface, rounding = rough.tables, rough.surface, _rounding(real)
+    first, last = tables.log_load.start, tables.log_load.end
+    size = first, last, PIECES[degree][0], degree, real
+    load, load_error = _table(_root_of(lambda t: tables.log_load(t)[0]), *size)
+    area, area_error = _table(_root_of(lambda t: tables.log_area(t)[0]), *size)
+    error = tables.error + ROOT * max(load_error, area_error)
+    # rounding of t: this is at the largest, but the loop counts it where a point is
+    rounded = 3.0 * np.finfo(float).eps * abs(tables.log_load(np.full(1, last))[0][0])
     deviation = surface.summit_deviation / surface.roughness
     offset = surface.summit_offset / surface.roughness
     t = np.linspace(last, first, 1000)
-    loads, separations = rough.tables.log_load(t)[0], offset + deviation * t
-    areas, alpha = sampled_contact(parameters)
-    areas = areas / parameters.hardness_surface_2
-    numbers = {
-        "summit_error": max(table_error - rounded, 0.0) + 2.0 * ROOT * rounding,
-        "film_error": ROOT * (film_error + 6.0 * rounding),  # with those of powers of viscosity
-        "level_error": max(4.0 * rounding, LEVEL_ERROR),
-        "moment_error": moment_error,
-        "slope_error": 2.0 * degree**2 * moment_error,
-        "per_deviation": 1.0 / deviation,
-        "offset": offset,
-        "elastic": -parameters.readings.elastic_limits.side * parameters.elastic_factor,
-        "pressure": parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces,
-        "coverage": parameters.hardness_surface_1 / parameters.hardness_surface_2,
-        "contacting": parameters.readings.coverage_limits.contacting,
-        "allowed": ROOT_SHARE * rtol,
-        "noise": max(NOISE, 8.0 * rounding),
-        **LIMITS[real],
-    }
-    return Model(
-        degree=degree,
-        summits=load._replace(rows=np.hstack([load.rows, area.rows])),
-        moment=moment,
-        film=film,
-        summits_alone=_guesses(
+    loads, separations = tables.log_load(t)[0], offset + deviation * t
+    return SummitModel(
+        table=load._replace(rows=np.hstack([load.rows, area.rows])),
+        alone=_guesses(
             lambda load: np.interp(np.log(load), loads, separations), LOAD_OCTAVES, real
         ),
-        film_alone=_guesses(
-            lambda root: unit_film.thickness(-ROOT * np.log(root))[0], ROOT_OCTAVES, real
-        ),
-        particles_alone=_guesses(lambda area: np.interp(area, areas, alpha), AREA_OCTAVES, real),
-        area_unit=LIMITS[real]["area_root"] ** -ROOT,
-        **{name: real(number) for name, number in numbers.items()},
+        error=real(max(error - rounded, 0.0) + 2.0 * ROOT * rounding),
+        per_deviation=real(1.0 / deviation),
+        offset=real(offset),
+        area_root=real(AREA_ROOT[real]),
+        area_unit=AREA_ROOT[real] ** -ROOT,
     )
 
 
+def _particles(parameters, degree, real) -> ParticleModel:
+    """Particles of any size and density."""
+    end = parameters.truncation
+    table, error = _table(
+        _moment_above(unit_moment(parameters), end),
+        *(end, end - math.ceil(end - MOMENT_START), -PIECES[degree][1], degree, real),
+        outside=0.0,
+    )
+    error += _rounding(real)
+    areas, alpha = sampled_contact(parameters)
+    areas = areas / parameters.hardness_surface_2
+    readings = parameters.readings
+    return ParticleModel(
+        table=table,
+        alone=_guesses(lambda area: np.interp(area, areas, alpha), AREA_OCTAVES, real),
+        error=real(error),
+        slope_error=real(2.0 * degree**2 * error),
+        elastic=real(-readings.elastic_limits.side * parameters.elastic_factor),
+        pressure=real(parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces),
+        coverage=real(parameters.hardness_surface_1 / parameters.hardness_surface_2),
+        contacting=real(readings.coverage_limits.contacting),
+    )
+
+
+def _film(parameters, degree, real) -> FilmModel:
+    """Films of any viscosity: seen from where both terms of Eq. 7 are equal, all are one curve."""
+    rounding, one = _rounding(real), np.ones(1)
+    unit = replace(Film.of(one, one, parameters), smooth=0.0, rough=0.0)  # both are 1 at W = 1
+    table, error = _octave_table(_root_of(unit.load_parameter), PIECES[degree][2], degree, real)
+    return FilmModel(
+        table=table,
+        alone=_guesses(lambda root: unit.thickness(-ROOT * np.log(root))[0], ROOT_OCTAVES, real),
+        error=real(ROOT * (error + 6.0 * rounding)),  # with those of powers of viscosity
+        crossing_error=real(max(4.0 * rounding, CROSSING_ERROR)),
+    )
+
+
+def _rounding(real):
+    """Relative rounding error of a number."""
+    return float(np.finfo(real).eps)
+
+
 def _moment_above(moment_of, end):
-    """The function of alpha that M is, less M at the ``end``: next to that an integral of its slope,
-    because a difference would lose its digits."""
+    """The function of alpha that is M less M at the ``end``.
+
+    Next to that it is an integral of the slope of M, since a difference would lose its digits.
+    """
     nodes, weights = np.polynomial.legendre.leggauss(16)
 
     def above(alpha):
@@ -130,29 +193,27 @@ def _moment_above(moment_of, end):
     return above
 
 
-def _root(logarithm):
+def _root_of(logarithm):
     """The function that is the root, as tables hold it, of what has this ``logarithm``."""
     return lambda x: np.exp(logarithm(x) / ROOT)
 
 
-def _unit_film(parameters):
-    """The film whose terms are equal at W = 1, and 1 there: all films of one ellipticity, seen from
-    where their terms are equal."""
-    one = np.ones(1)
-    return replace(Film.of(one, one, parameters), smooth=0.0, rough=0.0)
+def _table(function, start, end, pieces, degree, real, outside=np.nan) -> tuple[Table, float]:
+    """Table of a function, and its largest relative error in the middle of a piece.
 
-
-def _table(function, start, end, pieces, degree, real, outside=np.nan):
-    """``Table`` with so many pieces a unit, negative if they are counted downwards, and its largest
-    relative error in the middle of one."""
+    It has so many ``pieces`` a unit, negative if they are counted downwards from ``start``.
+    """
     centres = start + (np.arange(round((end - start) * pieces)) + 0.5) / pieces
     halves = np.full(centres.size, 0.5 / pieces)
     rows, error = _rows_and_error(function, centres, halves, degree, real, outside)
     return Table(rows, real(start), real(pieces)), error
 
 
-def _octave_table(function, pieces, degree, real):
-    """``OctaveTable`` with so many pieces an octave, and its largest relative error."""
+def _octave_table(function, pieces, degree, real) -> tuple[OctaveTable, float]:
+    """Table of a function of thickness, and its largest relative error in the middle of a piece.
+
+    It has so many ``pieces`` an octave, a power of two.
+    """
     edges = _octave_edges(*FILM_OCTAVES, pieces)
     halves = 0.5 * np.diff(edges)
     rows, error = _rows_and_error(function, edges[:-1] + halves, halves, degree, real, np.nan)
@@ -160,7 +221,7 @@ def _octave_table(function, pieces, degree, real):
 
 
 def _rows_and_error(function, centres, halves, degree, real, outside):
-    """Polynomials of pieces, one a row, and a last row of what holds outside."""
+    """Polynomials on pieces of given centres and half widths, one a row; the last is ``outside``."""
     x = centres + halves * np.append(chebyshev_points(degree), 0.0)[:, None]
     *at_nodes, middle = function(x)
     powers = interpolants(at_nodes)
@@ -169,21 +230,21 @@ def _rows_and_error(function, centres, halves, degree, real, outside):
     return rows, np.abs(middle / powers[0] - 1.0).max()
 
 
-def _guesses(function, octaves, real):
-    """``OctaveTable`` of value and difference over a piece."""
+def _guesses(function: Callable, octaves, real) -> OctaveTable:
+    """Table of first guesses, with two columns: values, and their differences over a piece."""
     values = function(_octave_edges(*octaves, GUESS_PIECES))
     rows = np.stack([values[:-1], np.diff(values)], axis=1).astype(real)
     return OctaveTable(rows, *_bits(octaves[0], GUESS_PIECES, real), GUESS_PIECES)
 
 
-def _octave_edges(start, end, pieces):
-    """Edges of pieces of equal width within the octaves from 2^start to 2^end."""
+def _octave_edges(start, end, pieces) -> NDArray:
+    """Edges of pieces that are of equal width within each octave from 2^start to 2^end."""
     within = 1.0 + np.arange(pieces) / pieces
     return np.append((2.0 ** np.arange(start, end)[:, None] * within).ravel(), 2.0**end)
 
 
 def _bits(start, pieces, real):
-    """The bits of 2^start but those within a piece, how many these are, and 1 over their range."""
+    """``first``, ``shift`` and ``within`` of an ``OctaveTable`` that begins at 2^start."""
     shift = np.finfo(real).nmant - int(math.log2(pieces))
     first = int(np.array(2.0**start, real).view(INTEGERS[real])) >> shift
     return first, shift, real(2.0**-shift)

@@ -1,0 +1,64 @@
+"""How the loop becomes machine code, which numba compiles and keeps on disk for later processes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from functools import lru_cache
+from pathlib import Path
+
+from numba import njit
+from numba.core.caching import FunctionCache, IndexDataCacheFile
+
+# A quotient by zero is infinite or nan; a product and a sum may be rounded once instead of twice.
+OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True}
+
+stage = njit(**OPTIONS, no_cpython_wrapper=True, no_cfunc_wrapper=True)  # called by the loop alone
+
+
+@lru_cache(maxsize=1)
+def compiled(function: Callable) -> Callable:
+    """The function in machine code, compiled when it is first called with arguments of some type.
+
+    It is kept on disk where there is a folder that can be written to: in ``NUMBA_CACHE_DIR``, in
+    ``__pycache__`` beside the file of the function, or in the user's cache.
+    """
+    dispatcher = njit(**OPTIONS)(function)
+    with suppress(RuntimeError):  # no such folder
+        dispatcher._cache = KeptCode(function)
+    return dispatcher
+
+
+class KeptCode(FunctionCache):
+    """Machine code on disk, which a process can do without.
+
+    numba's own class takes code for up to date as long as the file of its function is unchanged, and
+    fails wherever a file that it left behind is damaged.  Here code is compiled anew when any file of
+    the function's folder has changed, and when it cannot be loaded.
+    """
+
+    def __init__(self, function: Callable):
+        super().__init__(function)
+        self._cache_file = IndexDataCacheFile(
+            self._cache_path, self._impl.filename_base, _stamp(Path(function.__code__.co_filename))
+        )
+
+    def load_overload(self, sig, target_context):
+        """The code for a signature, or None if there is none that can be loaded."""
+        try:
+            return super().load_overload(sig, target_context)
+        except Exception:  # of whatever kind: half a pickle raises many
+            with suppress(OSError):
+                self.flush()
+            return None
+
+    def save_overload(self, sig, data):
+        """Keep the code for a signature, if that is possible."""
+        with suppress(Exception):  # a full disk, a damaged index that cannot be removed
+            super().save_overload(sig, data)
+
+
+def _stamp(path):
+    """What changes whenever a file in the folder of ``path`` does."""
+    files = sorted(path.parent.glob("*.py"))
+    return [(file.name, file.stat().st_mtime_ns, file.stat().st_size) for file in files]

@@ -1,0 +1,370 @@
+"""The stages of the compiled loop: each evaluates equations at all points of a block.
+
+All take the ``block`` of points, the ``count`` of points that are left in its first columns, and
+what they need of the ``Model``; what they say they find goes to the rows of that name, and
+``layout`` describes the rows.  Their loops over k, which counts points, have no branches and look
+nothing up but pieces of tables: so the compiler turns them into instructions for many numbers at
+once.  A name with _1 is a slope, one with _2 half of a second derivative.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from thirdbody.solver.compiled.layout import (
+    BARE,
+    BOUND,
+    COVERED,
+    CROSSING_ROOT,
+    CURVE,
+    ELASTIC_MOMENT,
+    ELASTIC_POSITION,
+    ELASTIC_SHIFT,
+    ERROR,
+    FILM,
+    FLUID_SHARE,
+    GAP,
+    HALF_PIECES,
+    LOAD_ERROR,
+    LOCAL,
+    MEAN,
+    MOMENT,
+    PART_ERROR,
+    PARTICLE_SHARE,
+    PER_CROSSING,
+    PER_LOAD,
+    PER_SPREAD,
+    PLASTIC_AREA,
+    POSITION,
+    REMAINDER,
+    SEPARATION,
+    SLOPE,
+    SLOPE_ERROR,
+    SOLID,
+    SOLID_SHARE,
+    STEEPEST,
+    STEP,
+    SUMMIT_AREA,
+    SUMMITS,
+    SURFACE_SHARE,
+    TOTAL_AREA,
+    TOUCHING,
+    VALUE,
+)
+from thirdbody.solver.compiled.lookup import (
+    find_octave_piece,
+    find_piece,
+    look_up,
+    look_up_guess,
+    power,
+    relative_terms,
+)
+from thirdbody.solver.compiled.machine_code import stage
+
+
+@stage
+def start(block, count, model, has_particles, has_film):
+    """First guess: the largest of the separations at which one body would bear the load alone."""
+    given, work = block.given, block.work
+    one = work.dtype.type(1)
+    for k in range(count):
+        work[POSITION, k] = one / given[PER_LOAD, k]
+    look_up_guess(block, count, model.summits.alone)
+    for k in range(count):
+        work[SEPARATION, k] = work[LOCAL, k]
+    if has_film:
+        for k in range(count):
+            work[POSITION, k] = given[CROSSING_ROOT, k]
+        look_up_guess(block, count, model.film.alone)
+        for k in range(count):
+            separation = work[LOCAL, k] / given[PER_CROSSING, k]
+            work[SEPARATION, k] = max(work[SEPARATION, k], separation)
+    if has_particles:
+        pressure = model.particles.pressure
+        for k in range(count):
+            bears = given[PER_LOAD, k] * pressure * given[PLASTIC_AREA, k]
+            work[POSITION, k] = one / bears
+        look_up_guess(block, count, model.particles.alone)
+        for k in range(count):
+            separation = given[MEAN, k] + work[LOCAL, k] / given[PER_SPREAD, k]
+            work[SEPARATION, k] = max(work[SEPARATION, k], separation)
+
+
+@stage
+def summits_bear(block, count, model):
+    """F_ss, the load of Eq. 2 that summits bear where there are no particles, becomes ``SOLID``."""
+    given, work, series = block.given, block.work, block.series
+    summits, rounding = model.summits, model.limits.rounding
+    one = work.dtype.type(1)
+    pieces = summits.table.scale * summits.per_deviation
+    inner, misplacement = pieces + pieces, (rounding + rounding) / pieces
+    for k in range(count):
+        t = (work[SEPARATION, k] - summits.offset) * summits.per_deviation
+        work[POSITION, k] = (t - summits.table.start) * summits.table.scale
+    find_piece(block, count, summits.table, POSITION)
+    look_up(block, count, summits.table.rows, model.degree, 0, SUMMITS)
+    for k in range(count):
+        load = power(series[SUMMITS, VALUE, k]) * given[PER_LOAD, k]
+        slope, curve = relative_terms(series, SUMMITS, k, inner)
+        series[SOLID, VALUE, k] = load
+        series[SOLID, SLOPE, k] = slope * load
+        series[SOLID, CURVE, k] = curve * load
+        # the place in the table is known to rounding
+        misplaced = misplacement * work[POSITION, k] * abs(slope)
+        work[PART_ERROR, k] = misplaced
+        work[LOAD_ERROR, k] = (summits.error + misplaced) * load
+        work[STEEPEST, k] = max(-slope, one / abs(work[SEPARATION, k]))
+
+
+@stage
+def summits_touch(block, count, model):
+    """A_ss, the area of Eq. 3 where there are no particles, in the pieces that hold the load."""
+    series, summits = block.series, model.summits
+    invalid = series.dtype.type(np.nan)
+    pieces = summits.table.scale * summits.per_deviation
+    inner = pieces + pieces
+    look_up(block, count, summits.table.rows, model.degree, model.degree + 1, SUMMIT_AREA)
+    for k in range(count):
+        area = power(series[SUMMIT_AREA, VALUE, k] * summits.area_root)
+        area = area if area >= model.limits.least else invalid
+        slope, curve = relative_terms(series, SUMMIT_AREA, k, inner)
+        series[SUMMIT_AREA, VALUE, k] = area
+        series[SUMMIT_AREA, SLOPE, k] = slope * area
+        series[SUMMIT_AREA, CURVE, k] = curve * area
+
+
+@stage
+def find_moments(block, count, model):
+    """M, the integral of Eqs. 4-6 above a size, at d and at the other limit of the elastic one."""
+    given, work = block.given, block.work
+    table = model.particles.table
+    last = work.dtype.type(table.rows.shape[0] - 1.5)
+    for k in range(count):
+        alpha = (work[SEPARATION, k] - given[MEAN, k]) * given[PER_SPREAD, k] - table.start
+        work[POSITION, k] = min(alpha * table.scale, last)
+        work[ELASTIC_POSITION, k] = min((alpha + given[ELASTIC_SHIFT, k]) * table.scale, last)
+    find_piece(block, count, table, POSITION)
+    look_up(block, count, table.rows, model.degree, 0, MOMENT)
+    find_piece(block, count, table, ELASTIC_POSITION)
+    look_up(block, count, table.rows, model.degree, 0, ELASTIC_MOMENT)
+
+
+@stage
+def particles_touch(block, count, particles):
+    """A_sa and the coverage of Eq. 5 become ``TOUCHING`` and ``COVERED``."""
+    given, series = block.given, block.series
+    scale, elastic, coverage = particles.table.scale, particles.elastic, particles.coverage
+    for k in range(count):
+        inner = (scale + scale) * given[PER_SPREAD, k]
+        here, here_1 = series[MOMENT, VALUE, k], series[MOMENT, SLOPE, k] * inner
+        here_2 = series[MOMENT, CURVE, k] * inner * inner
+        there, there_1 = series[ELASTIC_MOMENT, VALUE, k], series[ELASTIC_MOMENT, SLOPE, k] * inner
+        there_2 = series[ELASTIC_MOMENT, CURVE, k] * inner * inner
+        here_2, there_2 = here_2 + here_2, there_2 + there_2
+        plastic = given[PLASTIC_AREA, k]
+        series[TOUCHING, VALUE, k] = plastic * (here + elastic * (there - here))  # Eq. 5, A_sa
+        series[TOUCHING, SLOPE, k] = plastic * (here_1 + elastic * (there_1 - here_1))
+        series[TOUCHING, CURVE, k] = plastic * (here_2 + elastic * (there_2 - here_2))
+        covering = coverage * plastic
+        series[COVERED, VALUE, k] = covering * here  # Eq. 5, what is subtracted from 1
+        series[COVERED, SLOPE, k] = covering * here_1
+        series[COVERED, CURVE, k] = covering * here_2
+
+
+@stage
+def particles_bear(block, count, model):
+    """``SOLID`` loses what particles cover and gains what they bear: F_s of Eq. 4."""
+    given, work, series = block.given, block.work, block.series
+    limits, pressure = model.limits, model.particles.pressure
+    contacting = model.particles.contacting
+    zero, one, invalid = work.dtype.type(0), work.dtype.type(1), work.dtype.type(np.nan)
+    for k in range(count):
+        covered = series[COVERED, VALUE, k]
+        area, area_1 = series[TOUCHING, VALUE, k], series[TOUCHING, SLOPE, k]
+        area_2 = series[TOUCHING, CURVE, k]
+        bare = given[BARE, k] - contacting * covered  # Eq. 4, the bracket behind F_ss
+        falls_1 = contacting * series[COVERED, SLOPE, k]
+        falls_2 = contacting * series[COVERED, CURVE, k]
+        load, load_1 = series[SOLID, VALUE, k], series[SOLID, SLOPE, k]
+        load_2 = series[SOLID, CURVE, k]
+        bears = pressure * given[PER_LOAD, k]
+        valid = (min(bare, one - covered) > limits.least_bare) & (area_1 <= zero)
+        valid &= given[PLASTIC_AREA, k] >= limits.least
+        series[SOLID, VALUE, k] = (load * bare + bears * area) if valid else invalid  # Eq. 4
+        series[SOLID, SLOPE, k] = load_1 * bare - load * falls_1 + bears * area_1
+        twice = load_1 * falls_1
+        series[SOLID, CURVE, k] = load_2 * bare - (twice + twice) - load * falls_2 + bears * area_2
+
+
+@stage
+def bound_particle_errors(block, count, model):
+    """What the table of M does to the errors, and how steep the particles make the results.
+
+    Errors of a polynomial scale with its piece: near the largest size that is all there is.  Errors
+    of a place in the table scale with the slope there.
+    """
+    given, work, series = block.given, block.work, block.series
+    particles, elastic = model.particles, model.particles.elastic
+    scale, rounding = particles.table.scale, model.limits.rounding
+    zero, one, four = work.dtype.type(0), work.dtype.type(1), work.dtype.type(4)
+    for k in range(count):
+        inner = (scale + scale) * given[PER_SPREAD, k]
+        here, there = series[MOMENT, VALUE, k], series[ELASTIC_MOMENT, VALUE, k]
+        first, second = abs(series[MOMENT, SLOPE, k]), abs(series[ELASTIC_MOMENT, SLOPE, k])
+        moment = here + elastic * (there - here)
+        area, area_1 = series[TOUCHING, VALUE, k], series[TOUCHING, SLOPE, k]
+        bare = given[BARE, k] - particles.contacting * series[COVERED, VALUE, k]
+        bears, plastic = particles.pressure * given[PER_LOAD, k], given[PLASTIC_AREA, k]
+        size = abs(here) + first + abs(elastic) * (abs(here) + first + abs(there) + second)
+        moved = work[POSITION, k] * first * (one + abs(elastic))
+        moved += work[ELASTIC_POSITION, k] * second * abs(elastic)
+        unsure = four * particles.error * size + (moved + moved) * rounding
+        part_error = unsure / moment if moment > zero else zero
+        work[SLOPE_ERROR, k] = particles.slope_error * size * plastic * abs(inner) * bears
+        work[PART_ERROR, k] += part_error
+        # abs leaves but one product that can be fused with the sum: no choice, no other last digit
+        load_error = abs(part_error * bears * area)
+        work[LOAD_ERROR, k] = work[LOAD_ERROR, k] * bare + load_error
+        steepness = -area_1 / area
+        steepness = steepness if area > zero else zero
+        steepness = max(steepness, -series[COVERED, SLOPE, k])
+        work[STEEPEST, k] = max(work[STEEPEST, k], steepness)
+
+
+@stage
+def film_bears(block, count, model):
+    """F_f at which the film is as thick as the surfaces are apart, Eq. 7, becomes ``FILM``."""
+    given, work, series = block.given, block.work, block.series
+    film, least = model.film, model.limits.least
+    invalid = work.dtype.type(np.nan)
+    for k in range(count):
+        work[POSITION, k] = work[SEPARATION, k] * given[PER_CROSSING, k]
+    find_octave_piece(block, count, film.table)
+    look_up(block, count, film.table.rows, model.degree, 0, FILM)
+    for k in range(count):
+        load = power(series[FILM, VALUE, k] * given[CROSSING_ROOT, k])
+        load = load if load >= least else invalid
+        inner = work[HALF_PIECES, k] / work[SEPARATION, k]
+        slope, curve = relative_terms(series, FILM, k, inner)
+        series[FILM, VALUE, k] = load
+        series[FILM, SLOPE, k] = slope * load
+        series[FILM, CURVE, k] = curve * load
+        misplaced = film.crossing_error * abs(slope) * work[SEPARATION, k]
+        work[PART_ERROR, k] += misplaced
+        work[LOAD_ERROR, k] += (film.error + misplaced) * load
+        work[STEEPEST, k] = max(work[STEEPEST, k], -slope)
+
+
+@stage
+def take_step(block, count, model):
+    """Halley's step towards F_s + F_f = F_t, Eq. 1, and what errors there are after it."""
+    work, series, limits = block.work, block.series, model.limits
+    real = work.dtype.type
+    zero, half, one, eight = real(0), real(0.5), real(1), real(8)
+    endless, invalid = real(np.inf), real(np.nan)
+    known = model.summits.error + model.film.error
+    for k in range(count):
+        total = series[SOLID, VALUE, k] + series[FILM, VALUE, k]  # Eq. 1, over F_t
+        total_1 = series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
+        total_2 = series[SOLID, CURVE, k] + series[FILM, CURVE, k]
+        residual, step = _halley(total, total_1, total_2)
+        steepest, separation = work[STEEPEST, k], work[SEPARATION, k]
+        condition = -steepest * total / total_1
+        moved = abs(steepest * step)
+        slope_error = work[SLOPE_ERROR, k] / abs(total_1)
+        remainder = moved * moved * moved * (one + condition)
+        # a load's own error counts as much as its part in the balance
+        error = (
+            remainder
+            + moved * slope_error
+            + known
+            + work[PART_ERROR, k]
+            + condition * (work[LOAD_ERROR, k] / total + limits.noise)
+            + eight * limits.rounding * steepest * separation
+        )
+        valid = (total_1 < zero) & (series[SOLID, VALUE, k] >= limits.least)
+        valid &= separation + step > zero
+        valid &= slope_error < half
+        work[SEPARATION, k] = separation + step if valid else invalid
+        work[STEP, k] = step
+        work[REMAINDER, k] = remainder if valid & (abs(residual) < one) else endless
+        work[ERROR, k] = error
+
+
+@stage
+def _halley(total, total_1, total_2):
+    """ln of a load that is to be 1, and the step that Halley's method takes to make it so.
+
+    ``total_1`` and ``total_2`` are its slope and half of its second derivative.  The logarithm is a
+    quotient of polynomials, wrong by a fifth power of what the load differs from 1 by.
+    """
+    real = type(total)
+    half, one, three, four = real(0.5), real(1), real(3), real(4)
+    residual = three * (total * total - one) / (total * (total + four) + one)
+    square = total_1 * total_1
+    curve = total_2 * total - square
+    return residual, -residual * total * total_1 / (square - half * residual * curve)
+
+
+@stage
+def stop_before_contact(block, count, model):
+    """A step across the separation at which particles come into contact is not the last one.
+
+    There the loads have no Taylor series, and rounding may decide on which side a point is.
+    """
+    given, work = block.given, block.work
+    rounding, start = model.limits.rounding, model.particles.table.start
+    endless, eight = work.dtype.type(np.inf), work.dtype.type(8)
+    for k in range(count):
+        separation = work[SEPARATION, k]
+        alpha = (separation - given[MEAN, k]) * given[PER_SPREAD, k] - start
+        distance = min(abs(alpha), abs(alpha + given[ELASTIC_SHIFT, k]))
+        unsure = abs(work[STEP, k]) + eight * rounding * separation
+        stays = unsure * given[PER_SPREAD, k] < distance
+        work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
+
+
+@stage
+def move_loads(block, count, limits):
+    """Separation, and the shares of the load, Eq. 9, after the step."""
+    work, series, results = block.work, block.series, block.results
+    half = work.dtype.type(0.5)
+    for k in range(count):
+        step = work[STEP, k]
+        square = half * step * step
+        solid = series[SOLID, VALUE, k] + series[SOLID, SLOPE, k] * step
+        solid = np.float64(solid + series[SOLID, CURVE, k] * square)
+        film = series[FILM, VALUE, k] + series[FILM, SLOPE, k] * step
+        film = np.float64(film + series[FILM, CURVE, k] * square)
+        total = solid + film
+        results[SOLID_SHARE, k] = solid / total  # Eq. 9
+        results[FLUID_SHARE, k] = film / total  # Eq. 9
+        results[GAP, k] = work[SEPARATION, k]
+        results[BOUND, k] = work[ERROR, k] if work[REMAINDER, k] <= limits.allowed else np.nan
+
+
+@stage
+def move_areas(block, count, model):
+    """A_t, Eq. 5, and the shares of both areas in it, Eq. 10, after the step."""
+    work, series, results = block.work, block.series, block.results
+    zero, half, one = work.dtype.type(0), work.dtype.type(0.5), work.dtype.type(1)
+    for k in range(count):
+        step = work[STEP, k]
+        square = half * step * step
+        area, area_1 = series[SUMMIT_AREA, VALUE, k], series[SUMMIT_AREA, SLOPE, k]
+        moved = area + area_1 * step
+        # the product of two series: of 1 less what is covered, and of A_ss
+        bare = (
+            (one - series[COVERED, VALUE, k]) * (moved + series[SUMMIT_AREA, CURVE, k] * square)
+            - series[COVERED, SLOPE, k] * step * moved
+            - series[COVERED, CURVE, k] * square * area
+        )
+        touching = series[TOUCHING, VALUE, k] + series[TOUCHING, SLOPE, k] * step
+        touching = max(touching + series[TOUCHING, CURVE, k] * square, zero)
+        particles, surfaces = np.float64(touching), np.float64(bare) * model.summits.area_unit
+        together = particles + surfaces  # Eq. 5
+        results[TOTAL_AREA, k] = together
+        results[PARTICLE_SHARE, k] = particles / together  # Eq. 10
+        results[SURFACE_SHARE, k] = surfaces / together  # Eq. 10
+        bound = results[BOUND, k]
+        results[BOUND, k] = bound if together > model.limits.least_area else np.nan
