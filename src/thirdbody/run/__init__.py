@@ -1,6 +1,6 @@
 """What a run of the workflow relies on.
 
 This room knows which modules a script needs, what each product was when it was made, and how a run
-comes to be alone in its folder.  It imports the standard library.  `start` is what the Snakefile
-calls; `custody` says how damage is found.
+comes to be alone in its folder.  It imports the standard library.  ``start`` is what the Snakefile
+calls; ``custody`` says how damage is found.
 """
