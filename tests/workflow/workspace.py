@@ -14,8 +14,6 @@ from pathlib import Path
 
 import yaml
 
-from thirdbody.run.custody import RECORDS
-
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
@@ -119,6 +117,9 @@ class Workspace:
 
 def is_product(path: Path) -> bool:
     """Whether a file under ``results/`` is no mere record of one."""
+    # not at the top: ``run_here`` imports the library of its copy in a process that has none yet
+    from thirdbody.run.custody import RECORDS
+
     return path.is_file() and RECORDS.name not in path.parts
 
 
