@@ -52,7 +52,7 @@ def test_a_product_is_recorded_as_it_was_made(made):
 
 def test_make_sums_names_what_differs(made):
     def check():
-        command = ["make", "--file", ROOT / "Makefile", "sums"]
+        command = ["make", "--no-print-directory", "--file", ROOT / "Makefile", "sums"]
         return subprocess.run(command, capture_output=True, text=True)
 
     assert (check().returncode, check().stdout) == (0, "")

@@ -61,11 +61,11 @@ def test_release_is_one_folder_its_archive_and_the_record(released, tell):
 
 def test_sums_of_all_products_hold_after_a_release(released):
     root = Workspace(released.parents[2])
-    told = root.execute("make", "sums")
+    told = root.execute("make", "--no-print-directory", "sums")
     assert (told.returncode, told.stdout) == (0, ""), told.stderr
     archive = released.with_name(f"{NAME}.zip")
     archive.write_bytes(content := archive.read_bytes() + b"harmed")
-    told = root.execute("make", "sums")
+    told = root.execute("make", "--no-print-directory", "sums")
     archive.write_bytes(content.removesuffix(b"harmed"))
     assert told.returncode != 0
     assert told.stdout == f"results/release/{NAME}.zip: FAILED\n"
