@@ -22,7 +22,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
-from workspace import MADE_BY_RUNS, Workspace
+from tests.workflow.workspace import MADE_BY_RUNS, Workspace
 
 LIMIT = 1.3  # of the ratio of elapsed times
 WRITE_NOTHING = """
