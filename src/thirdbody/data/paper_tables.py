@@ -40,7 +40,7 @@ def _roughness_parameter(inputs: Parameters):
 
 
 def _hardness_parameter(inputs: Parameters):
-    return [inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces], "H/E_ss of Table 1"
+    return [inputs.softer_hardness / inputs.elastic_modulus_surfaces], "H/E_ss of Table 1"
 
 
 RECOMPUTED = {

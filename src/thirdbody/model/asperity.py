@@ -158,7 +158,7 @@ class SummitPopulation:
         return cls(
             surface.summit_density * surface.summit_radius * surface.summit_deviation,
             surface.summit_deviation / surface.summit_radius,
-            parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces,
+            parameters.softer_hardness / parameters.elastic_modulus_surfaces,
             parameters.yield_pressure_ratio,
             parameters.plastic_interference_ratio,
         )

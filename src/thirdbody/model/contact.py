@@ -8,15 +8,15 @@ and area, and the balance of loads, are logarithms: so the tail of the summits k
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import FULL, ParticleLayer, log_bare_share
+from thirdbody.model.particles import EPSILON, TINY, VANISHED, ParticleLayer, log_bare_share
 
-TINY = np.finfo(float).tiny
+NOTHING = VANISHED - 50.0  # ln of a load F_ss* that has no area either
 
 
 class Summits(Protocol):
@@ -38,6 +38,31 @@ class Summits(Protocol):
     def log_area(self, t: NDArray) -> tuple[NDArray, NDArray]: ...
 
     def take(self, chosen) -> Summits: ...
+
+
+class SolidLoad(NamedTuple):
+    """What summits and particles bear together at a separation d, of the shape of d.
+
+    Attributes
+    ----------
+    value : array
+        ln F_s* [1].
+    slope : array
+        d ln F_s*/dd [m-1].
+    steepest : array
+        A bound on |d ln v/dd| [m-1] for each v that summits and particles have of load and area; a
+        part that is zero in float64 does not count.
+    noise : array
+        What rounding may change in ``value`` [1], but for that of d itself.
+    rounding : array
+        Relative error that rounding leaves in any such v [1], but for that of d itself.
+    """
+
+    value: NDArray
+    slope: NDArray
+    steepest: NDArray
+    noise: NDArray
+    rounding: NDArray
 
 
 @dataclass(frozen=True)
@@ -76,40 +101,34 @@ class Contact:
         """Separation t [1] from the plane of the summits, in their standard deviations."""
         return (separation - self.summits.offset) / self.summits.deviation
 
-    def log_solid_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """Load that summits and particles bear together.
-
-        Parameters
-        ----------
-        separation : array
-            Mean separation d [m].
-
-        Returns
-        -------
-        value : array
-            ln F_s* [1].
-        slope : array
-            d ln F_s*/dd [m-1].
-        steepest : array
-            The steepest of the slopes of its parts, d ln F_ss*/dd and d ln F_sa*/dd [m-1], which
-            bounds how fast any share of the load changes; a part that is zero in float64 does not
-            count.
-        """
+    def log_solid_load(self, separation: NDArray) -> SolidLoad:
+        """Load that summits and particles bear together at ``separation`` d [m]."""
         log_summits, slope = self.summits.log_load(self.summit_separation(separation))
         slope = slope / self.summits.deviation
+        placed = EPSILON * np.abs(slope) * (np.abs(separation) + np.abs(self.summits.offset))
+        rounded = EPSILON * (24.0 + 4.0 * np.abs(log_summits)) + 2.0 * placed
         if self.particles is None:
-            return log_summits, slope, np.where(log_summits > FULL, slope, 0.0)
+            steepest = np.where(log_summits > NOTHING, -slope, 0.0)
+            rounding = np.where(log_summits > NOTHING, rounded, 0.0)
+            return SolidLoad(log_summits, slope, steepest, rounded, rounding)
         area, area_slope, *coverage = self.particles.contact(separation)
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
-        slope = slope + bare_slope
         log_particles = np.log(area) + np.log(self.particle_pressure)  # Eqs. 4 and 5
         particle_slope = np.where(area > TINY, area_slope / area, 0.0)
         value, share = _log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        return (
+        log_room, room_slope = log_bare_share(*coverage)  # Eq. 5
+        rounded = rounded + 8.0 * EPSILON * np.exp(-np.minimum(log_room, log_bare))
+        rounded_area = self.particles.rounding(separation, area, area_slope)
+        return SolidLoad(
             value,
-            share * slope + (1.0 - share) * particle_slope,
-            np.minimum(np.where(log_beside > FULL, slope, 0.0), particle_slope),
+            share * (slope + bare_slope) + (1.0 - share) * particle_slope,
+            np.maximum(
+                np.where(log_beside > NOTHING, np.abs(slope) + room_slope, 0.0),
+                np.abs(particle_slope),
+            ),
+            share * rounded + (1.0 - share) * rounded_area + 4.0 * EPSILON * (1.0 + np.abs(value)),
+            np.maximum(np.where(log_beside > NOTHING, rounded, 0.0), rounded_area),
         )
 
     def areas(self, separation: NDArray, touching: tuple | None = None) -> tuple[NDArray, NDArray]:
@@ -159,3 +178,21 @@ def _log_sum(log_first, log_second):
     odds = np.exp(-np.abs(excess))  # of the smaller load to the larger
     share = np.where(excess > 0.0, 1.0, odds) / (1.0 + odds)
     return np.maximum(log_first, log_second) + np.log1p(odds), share
+
+
+def greatest_single_load(parameters: Parameters) -> float:
+    """F_t* [1] up to which no more than one separation balances it, where there are particles.
+
+    F_s falls with d, but for two reasons.  Elastic particles of a factor above 1 bear more than
+    plastic ones: so F_s may rise anywhere.  And where contacting particles alone take room from the
+    summits, F_ss (1 - coverage) may rise with d.  Particles of a coverage c bear at least
+    (1 - w) (H_s2/E_ss) c, so that F_s cannot rise unless F_ss* > (1 - w) H_s2/E_ss, and is itself
+    above that there.
+    """
+    limits, coverage = parameters.readings.elastic_limits, parameters.readings.coverage_limits
+    rest = 1.0 - limits.weight(parameters.elastic_factor)
+    if not 0.0 <= rest <= 1.0:
+        return 0.0
+    if not coverage.contacting:
+        return np.inf
+    return rest * parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces

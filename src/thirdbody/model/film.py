@@ -21,8 +21,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
 
+EPSILON = np.finfo(float).eps
 ROUGHNESS_SPEED_EXPONENT = 0.884  # the power of 1/U in the roughness term
 ROUGHNESS_LOAD_EXPONENT = -0.133  # the power of W in the roughness term
+THICKEST = 0.01  # H_c of what is still a film between two bodies
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
 
 
@@ -131,6 +133,11 @@ class Film:
         # Eq. 7
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
+    def rounding(self, log_load_parameter: ArrayLike) -> NDArray:
+        """Relative error [1] that rounding leaves in ``thickness``, the exponential of a long sum."""
+        terms = 8.0 + np.abs(self.smooth) + np.abs(self.rough)
+        return EPSILON * (terms + 2.0 * np.abs(self.rough_exponent * log_load_parameter))
+
     def crossing(self) -> tuple[NDArray, NDArray]:
         """Where both terms of Eq. 7 are equal: ln W there, and ln of each term [1].
 
@@ -168,12 +175,14 @@ class Film:
         return log_parameter
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does.
+        """Whether Eq. 7 can be believed under the load ln W [1].
 
-        Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
-        meaning.  At kappa = 1 that is where the roughness term exceeds 3.
+        H_c has to rise with viscosity there, as that of any oil does: Eq. 7 lets the film grow
+        without bound as U goes to zero, and where dH_c/dU < 0 it has lost its meaning.  At kappa = 1
+        that is where the roughness term exceeds 3.  And the film has to be thin beside the bodies.
         """
-        return log_load_parameter > self.turning()
+        thickness, _ = self.thickness(log_load_parameter)
+        return (log_load_parameter > self.turning()) & (thickness <= THICKEST)
 
     def turning(self) -> NDArray:
         """ln W [1] below which H_c falls with viscosity."""

@@ -148,6 +148,15 @@ class Parameters:
         )
 
     @property
+    def softer_hardness(self) -> float:
+        """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
+
+        The paper's model of the summits (Zhao, Maietta & Chang 2000) has one hardness, its Table 1
+        two; below Eq. 8 it takes "the Vickers hardness of softer material" for the pair.
+        """
+        return min(self.hardness_surface_1, self.hardness_surface_2)
+
+    @property
     def newtons_per_load(self) -> float:
         """F_t/F_t* = A_n E_ss [N]."""
         return self.apparent_area * self.elastic_modulus_surfaces

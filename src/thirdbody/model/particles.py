@@ -6,14 +6,24 @@ Every reading of the size distribution phi_a gives the second moment above a siz
 
 with phi and Q the density and upper tail of the standard normal distribution, so that
 I(a, b) = T(alpha) - T(beta).  The readings differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
-are the same for all particles of a reading: the fields of ``SizeLaw``.  Particles end at
-X_max = m + truncation * S, so M is never needed deep in the tail.
+are the same for all particles of a reading: the fields of ``SizeLaw``.  Particles begin at X_min and
+end at X_max = m + truncation * S, so M is never needed deep in the tail; what is called the *moment*
+here is M less that of X_max, constant below X_min and zero from X_max on.
+
+Particles that are plastic count whole, elastic ones with the elastic factor e of Eqs. 4 and 5: with
+moment(d) and moment(d'), where d' is the other limit of the elastic integral, the area A_sa is
+proportional to
+
+    printed,  d' = d - h_e:   e (moment(d') - moment(d)) + moment(d)
+    physical, d' = d + h_e:   e (moment(d) - moment(d')) + moment(d')
+
+which is moment(d) + w (moment(d') - moment(d)), with the weight w = e or w = 1 - e.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,8 +32,14 @@ from scipy.special import ndtr
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import SizeLaw
 
+TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
+VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
 FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
+LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
+FARTHEST = -40.0  # alpha below which phi is zero in float64
+LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
+SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
 
 @dataclass(frozen=True)
@@ -40,15 +56,13 @@ class ParticleLayer:
     depth : array
         h_e/S [1].
     share : array
-        pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times the hardness of a surface and M it is the share
-        of the interface that particles take (Eqs. 4 and 5).
+        pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times the hardness of a surface and the moment it is the
+        share of the interface that particles take (Eqs. 4 and 5).
     log_bare : array
         ln of the share of the interface that the particles of Eq. 4 leave bare, where they are the
         same at every separation; else 0.
-    law : tuple of float
-        c_2 and c_3.
-    largest : float
-        M at X_max.
+    moment : Moment
+        The moment of the sizes above any other.
     parameters : Parameters
         All inputs of the model.
     """
@@ -58,8 +72,7 @@ class ParticleLayer:
     depth: NDArray
     share: NDArray
     log_bare: NDArray
-    law: tuple[float, float]
-    largest: float
+    moment: Moment
     parameters: Parameters
 
     @classmethod
@@ -94,27 +107,27 @@ class ParticleLayer:
         True
         """
         sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
-        law = sizes.constant, sizes.linear
-        largest = float(_moment(parameters.truncation, *law)[0])
+        moment = Moment.of(sizes, parameters)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         share = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         log_bare = np.zeros_like(share)
         if not parameters.readings.coverage_limits.contacting:
-            every = _moment_of_all(sizes, largest)
-            log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every * share))
-        return cls(sizes.mean, sizes.spread, depth, share, log_bare, law, largest, parameters)
+            every = moment.of_all * share  # I(X_min, X_max)
+            log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))
+        return cls(sizes.mean, sizes.spread, depth, share, log_bare, moment, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""
         columns = self.mean, self.spread, self.depth, self.share, self.log_bare
         picked = (column[chosen] for column in columns)
-        return ParticleLayer(*picked, self.law, self.largest, self.parameters)
+        return ParticleLayer(*picked, self.moment, self.parameters)
 
     @property
     def reach(self) -> NDArray:
-        """Separation [m] beyond which no particle touches: X_max + h_e."""
-        return self.mean + (self.parameters.truncation + self.depth) * self.spread
+        """Separation [m] beyond which no particle touches: X_max, or X_max + h_e as printed."""
+        beyond = max(-self.parameters.readings.elastic_limits.side, 0.0)
+        return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
 
     def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
         """Area and coverage of the particles that touch (Eq. 5).
@@ -131,24 +144,41 @@ class ParticleLayer:
         coverage, coverage_slope : array
             Share of the interface under particles larger than d [1] and its derivative [m-1].
         """
-        side = self.parameters.readings.elastic_limits.side
+        limits = self.parameters.readings.elastic_limits
         alpha = (separation - self.mean) / self.spread
-        touching, touching_slope = self._truncated(alpha)
-        shifted, shifted_slope = self._truncated(alpha + side * self.depth)
-        beyond = touching - self.largest  # I(d, X_max) over c_1
-        elastic = (
-            self.parameters.elastic_factor * side
-        )  # the sign makes I(d, d + side h_e) positive
+        here, here_slope = self.moment(alpha)  # I(d, X_max) over c_1
+        there, there_slope = self.moment(alpha + limits.side * self.depth)
+        weight = limits.weight(self.parameters.elastic_factor)
+        moment = np.maximum(here + weight * (there - here), 0.0)
         area_factor = self.share * self.parameters.hardness_surface_2
         load_factor = self.share * self.parameters.hardness_surface_1
         return (
-            area_factor * (elastic * (touching - shifted) + beyond),  # Eq. 5
-            area_factor
-            / self.spread
-            * (elastic * (touching_slope - shifted_slope) + touching_slope),
-            load_factor * beyond,
-            load_factor / self.spread * touching_slope,
+            area_factor * moment,  # Eq. 5
+            area_factor / self.spread * (here_slope + weight * (there_slope - here_slope)),
+            load_factor * here,
+            load_factor / self.spread * here_slope,
         )
+
+    def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
+        """Relative error that rounding leaves in the area of ``contact``.
+
+        Parameters
+        ----------
+        separation, area, slope : array
+            d [m], and A_sa/A_n [1] and its slope [m-1] there.
+
+        Returns
+        -------
+        array
+            [1]; 0 where no particle touches.  Near the largest size, where the moment is a small
+            difference, most of the digits may be lost.
+        """
+        weight = self.parameters.readings.elastic_limits.weight(self.parameters.elastic_factor)
+        subtracted = self.share * self.parameters.hardness_surface_2 * self.moment.of_largest
+        terms = (8.0 + self.moment.largest**2) * (1.0 + 2.0 * abs(weight)) * (area + subtracted)
+        placed = 8.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
+        lost = EPSILON * (terms + placed) + LEAST
+        return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
 
     def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
         """What particles leave of the summits' load: the bracket of Eq. 4.
@@ -174,28 +204,67 @@ class ParticleLayer:
         least those.
         """
         if self.parameters.readings.coverage_limits.contacting:
-            return 1.0 - coverage <= np.finfo(float).eps
+            return 1.0 - coverage <= EPSILON
         return self.log_bare < FULL
 
-    def _truncated(self, alpha):
-        """M and dM/dalpha with ``alpha`` held at the truncation."""
-        truncation = self.parameters.truncation
-        value, slope = _moment(np.minimum(alpha, truncation), *self.law)
-        return value, np.where(alpha < truncation, slope, 0.0)
 
+@dataclass(frozen=True)
+class Moment:
+    """M(alpha) less that of X_max, for all particles of a reading.
 
-def _moment(alpha, constant, linear):
-    """M(alpha) and dM/dalpha for c_2 and c_3."""
-    phi = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
-    polynomial = constant + linear * alpha
-    return ndtr(-alpha) + polynomial * phi, -phi * (1.0 - linear + polynomial * alpha)
+    Attributes
+    ----------
+    constant, linear : float
+        c_2 and c_3.
+    smallest, largest : float
+        alpha of X_min and of X_max.
+    """
 
+    constant: float
+    linear: float
+    smallest: float
+    largest: float
 
-def _moment_of_all(sizes: SizeLaw, largest):
-    """I(X_min, X_max) over c_1 [1]; all of I where no size is the smallest, nor then the largest."""
-    if not np.isfinite(sizes.smallest):
-        return 1.0
-    return float(_moment(sizes.smallest, sizes.constant, sizes.linear)[0]) - largest
+    @classmethod
+    def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
+        """The moment that a law of ``sizes`` has, cut off at the truncation."""
+        smallest = max(sizes.smallest, FARTHEST)
+        return cls(sizes.constant, sizes.linear, smallest, parameters.truncation)
+
+    @classmethod
+    def of_all_layers(cls, parameters: Parameters) -> Moment:
+        """The moment that all layers of particles share in the readings that are chosen."""
+        one = np.ones(1)
+        return cls.of(parameters.readings.size_distribution.law(one, one, parameters), parameters)
+
+    def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
+        """The moment and its slope d/dalpha [1] at an array ``alpha``."""
+        value, slope = self._untruncated(np.clip(alpha, self.smallest, self.largest))
+        within = (alpha > self.smallest) & (alpha < self.largest)
+        return np.maximum(value - self.of_largest, 0.0), np.where(within, slope, 0.0)
+
+    @cached_property
+    def of_largest(self) -> float:
+        """M of X_max [1]."""
+        return float(self._untruncated(np.array(self.largest))[0])
+
+    @cached_property
+    def of_all(self) -> float:
+        """The moment of all sizes [1]."""
+        return float(self(np.array(-np.inf))[0])
+
+    def samples(self) -> tuple[NDArray, NDArray]:
+        """Increasing moments [1] from zero on, and alpha there [1]."""
+        lowest = max(self.smallest, LOWEST)
+        alpha = self.largest - SHAPE_SAMPLES * (self.largest - lowest)
+        return self(alpha)[0], alpha
+
+    def _untruncated(self, alpha):
+        """M(alpha) and dM/dalpha."""
+        phi = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
+        polynomial = self.constant + self.linear * alpha
+        value = ndtr(-alpha) + polynomial * phi
+        return value, -phi * (1.0 - self.linear + polynomial * alpha)
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
@@ -220,39 +289,30 @@ def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]
 def _bare_share(coverage):
     """1 - coverage, or next to nothing where particles cover everything."""
     bare = 1.0 - coverage
-    return np.where(bare <= np.finfo(float).eps, np.finfo(bare.dtype).tiny, bare)
+    return np.where(bare <= EPSILON, np.finfo(bare.dtype).tiny, bare)
 
 
 def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
-    return diameter**2 * density > np.finfo(float).tiny
+    return diameter**2 * density > TINY
 
 
 def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
-    A first guess, read off one sampled curve: all diameters and densities share it, but for the
-    elastic depth.
+    A first guess: the larger of the separations at which the sizes above d and those above the
+    other limit of the elastic integral have the area by themselves.
     """
-    return layer.mean + layer.spread * np.interp(
-        area / layer.share, *sampled_contact(layer.parameters)
-    )
+    parameters = layer.parameters
+    wanted = area / (layer.share * parameters.hardness_surface_2)
+    sampled = layer.moment.samples()
+    alpha, shifted = (np.interp(part * wanted, *sampled) for part in parts_bearing(parameters))
+    shifted = shifted - parameters.readings.elastic_limits.side * layer.depth
+    return layer.mean + layer.spread * np.maximum(alpha, shifted)
 
 
-def sampled_contact(parameters: Parameters) -> tuple[NDArray, NDArray]:
-    """Increasing areas A_sa/A_n over ``ParticleLayer.share`` [Pa], and alpha there [1]."""
-    same = np.ones_like(SHAPE_SAMPLES)
-    unit = ParticleLayer.of(same, same, same, parameters)
-    alpha = parameters.truncation + unit.depth
-    alpha = alpha - SHAPE_SAMPLES * (parameters.truncation + 2.0 * unit.depth + 6.0)
-    return unit.contact(unit.mean + alpha * unit.spread)[0] / unit.share, alpha
-
-
-def unit_moment(parameters: Parameters) -> Callable[[NDArray], tuple[NDArray, NDArray]]:
-    """The function of alpha that gives M and its slope, for all particles of a reading."""
-    one = np.ones(1)
-    sizes = parameters.readings.size_distribution.law(one, one, parameters)
-    return lambda alpha: _moment(alpha, sizes.constant, sizes.linear)
-
-
-SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
+def parts_bearing(parameters: Parameters) -> tuple[float, float]:
+    """1/(1 - w) and 1/w: by how much more moment either limit needs to have an area by itself [1];
+    infinite where it cannot."""
+    weight = parameters.readings.elastic_limits.weight(parameters.elastic_factor)
+    return tuple(1.0 / part if part > 0.0 else np.inf for part in (1.0 - weight, weight))

@@ -227,17 +227,28 @@ class ElasticLimits(Reading):
 
     side: ClassVar[float]
 
+    def weight(self, elastic_factor: float) -> float:
+        """How much of the sizes from d on counts at d + ``side`` h_e instead: the w at the head of
+        ``thirdbody.model.particles`` [1], for the factor of elastic particles [1]."""
+        raise NotImplementedError
+
 
 class ElasticBelowTheSeparation(ElasticLimits, word="printed"):
-    """From d - h_e to d, as the integral is printed."""
+    """From d - h_e to d, as the integral is printed; plastic from d on."""
 
     side = -1.0
 
+    def weight(self, elastic_factor):
+        return elastic_factor
+
 
 class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
-    """From d to d + h_e: particles that are pressed by less than h_e."""
+    """From d to d + h_e: particles that are pressed by less than h_e; plastic from there on."""
 
     side = 1.0
+
+    def weight(self, elastic_factor):
+        return 1.0 - elastic_factor
 
 
 class CoverageLimits(Reading):

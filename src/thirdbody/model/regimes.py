@@ -12,7 +12,25 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-SOLUTION_STATUSES = ("converged", "outside_film_formula", "coverage_exceeded", "not_converged")
+SOLUTION_STATUSES = (
+    "converged",
+    "outside_film_formula",
+    "coverage_exceeded",
+    "not_converged",
+    "several_separations",
+    "area_exceeded",
+    "load_exceeded",
+)
+# Where several apply, the last of these is the status.
+MILDEST_FIRST = (
+    "several_separations",
+    "outside_film_formula",
+    "area_exceeded",
+    "not_converged",
+    "coverage_exceeded",
+    "load_exceeded",
+)
+FILM_COUNTS = 1e-3  # of L_f: a film that bears less leaves the other quantities as they are
 
 
 def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
@@ -67,6 +85,33 @@ def contact_mode(
     """
     ratio = np.asarray(particle_contact_area_ratio)
     return has_particles * _between(ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT, 2)
+
+
+def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
+    """The status of points, of all that apply.
+
+    Parameters
+    ----------
+    **applies : array of bool
+        By the name of a status, whether it applies, at each point; all of one shape.
+
+    Returns
+    -------
+    array of int8
+        Index into ``SOLUTION_STATUSES``, of the same shape.
+
+    Examples
+    --------
+    >>> wide, uncertain = np.array([True, True, False]), np.array([True, False, False])
+    >>> status = gravest_status(area_exceeded=wide, not_converged=uncertain)
+    >>> [SOLUTION_STATUSES[index] for index in status]
+    ['not_converged', 'area_exceeded', 'converged']
+    """
+    status = np.zeros(next(iter(applies.values())).shape, np.int8)
+    for name in MILDEST_FIRST:
+        if name in applies:
+            status[applies[name]] = SOLUTION_STATUSES.index(name)
+    return status
 
 
 def _between(above, below, index):

@@ -21,7 +21,7 @@ PER_LOAD = 0  # 1/F_t*
 MEAN = 1  # m/sigma of the sizes of particles
 PER_SPREAD = 2  # sigma/S
 ELASTIC_SHIFT = 3  # from alpha at d to alpha at the other limit of the elastic integral, d -+ h_e
-PLASTIC_AREA = 4  # A_sa/A_n where all particles are plastic and M = 1
+PLASTIC_AREA = 4  # A_sa/A_n where all particles are plastic and the moment is 1
 BARE = 5  # the bracket of Eq. 4 if it counts all sizes; 1 if it counts those that touch
 PER_CROSSING = 6  # sigma/h_c where both terms of Eq. 7 are equal
 CROSSING_ROOT = 7  # root of F_f/F_t there
@@ -45,7 +45,7 @@ WORK = 12
 # Rows of ``series``: quantities that become Taylor series about d,
 SUMMITS = 0  # root of F_ss*, still in the variable of its table
 SUMMIT_AREA = 1  # A_ss as if there were no particles; its root before
-MOMENT = 2  # M at d above M of the largest size, in the variable of its table
+MOMENT = 2  # of the sizes above d, in the variable of its table
 ELASTIC_MOMENT = 3  # the same at the other limit of the elastic integral
 SOLID = 4  # F_s
 FILM = 5  # F_f; its root before
@@ -104,11 +104,13 @@ class SummitModel(NamedTuple):
 class ParticleModel(NamedTuple):
     """Particles between the surfaces."""
 
-    table: Table  # M of alpha less M of the largest size, from that downwards
-    alone: OctaveTable  # first guess of alpha, of the area of particles over that where M = 1
-    error: float  # of M, relative to M and its slope
-    slope_error: float  # of dM/dalpha
-    elastic: float  # elastic factor of Eqs. 4 and 5, negative if the integral begins at d
+    table: Table  # the moment, from the largest size downwards
+    alone: OctaveTable  # first guess of alpha, of the moment
+    error: float  # of the moment, relative to it and its slope
+    slope_error: float  # of its slope
+    weight: float  # w, of the moment at the other limit of the elastic integral
+    bears_here: float  # 1/(1 - w), by how much more moment d needs to bear a load by itself
+    bears_there: float  # 1/w, the same for the other limit
     pressure: float  # F_sa/(A_sa E_ss)
     coverage: float  # coverage of Eq. 5 over the area of particles that are all plastic
     contacting: float  # 1 if the bracket of Eq. 4 is that of Eq. 5, else 0

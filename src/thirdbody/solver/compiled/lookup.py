@@ -21,10 +21,11 @@ from thirdbody.solver.compiled.machine_code import stage
 
 
 @stage
-def look_up_guess(block, count, table):
-    """``LOCAL`` becomes what an ``OctaveTable`` of values and differences holds at ``POSITION``."""
+def look_up_guess(block, count, table, position):
+    """``LOCAL`` becomes what an ``OctaveTable`` of values and differences holds at the numbers in row
+    ``position``."""
     work, pieces = block.work, block.pieces
-    bits, last = work[POSITION].view(pieces.dtype), table.rows.shape[0] - 1
+    bits, last = work[position].view(pieces.dtype), table.rows.shape[0] - 1
     for k in range(count):
         piece = (bits[k] >> table.shift) - table.first
         pieces[k] = min(max(piece, 0), last)

@@ -14,10 +14,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.film import Film
+from thirdbody.model.film import THICKEST, Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
-from thirdbody.model.regimes import contact_mode, lubrication_regime
+from thirdbody.model.contact import greatest_single_load
+from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
 from thirdbody.solver.compiled.layout import (
     BARE,
     BOUND,
@@ -42,7 +43,6 @@ from thirdbody.solver.compiled.layout import (
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.machine_code import compiled
 from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
-from thirdbody.solver.solution import CONVERGED, OUTSIDE_FILM_FORMULA
 from thirdbody.solver.surfaces import RoughSurface
 
 OIL_VISCOSITIES = 1e-9, 1e-3  # [m2/s], of any oil
@@ -122,6 +122,8 @@ class CompiledPoints:
         self.separation = found[GAP] * roughness
         self.error_bound = found[BOUND]
         self.left = ~(self.error_bound <= rtol)
+        if self._has_particles:
+            self.left |= load > greatest_single_load(parameters)
         self._over_crossing = found[GAP] * columns[PER_CROSSING]
 
     @property
@@ -137,11 +139,17 @@ class CompiledPoints:
         return contact_mode(self.particle_contact_area_ratio, self._has_particles)
 
     @property
+    def separation_count(self):
+        return np.ones(self.left.shape, np.int8)
+
+    @property
     def solution_status(self):
-        status = np.full(self.left.shape, CONVERGED, dtype=np.int8)
+        applies = {"area_exceeded": self.total_contact_area > 1.0}
         if self._scales:
-            status[self._over_crossing > self._scales.thickest] = OUTSIDE_FILM_FORMULA
-        return status
+            outside = self._over_crossing > self._scales.thickest
+            outside |= self.film_thickness > THICKEST
+            applies["outside_film_formula"] = outside & (self.fluid_load_fraction > FILM_COUNTS)
+        return gravest_status(**applies)
 
 
 class FilmScales(NamedTuple):

@@ -69,13 +69,13 @@ def start(block, count, model, has_particles, has_film):
     one = work.dtype.type(1)
     for k in range(count):
         work[POSITION, k] = one / given[PER_LOAD, k]
-    look_up_guess(block, count, model.summits.alone)
+    look_up_guess(block, count, model.summits.alone, POSITION)
     for k in range(count):
         work[SEPARATION, k] = work[LOCAL, k]
     if has_film:
         for k in range(count):
             work[POSITION, k] = given[CROSSING_ROOT, k]
-        look_up_guess(block, count, model.film.alone)
+        look_up_guess(block, count, model.film.alone, POSITION)
         for k in range(count):
             separation = work[LOCAL, k] / given[PER_CROSSING, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
@@ -83,10 +83,16 @@ def start(block, count, model, has_particles, has_film):
         pressure = model.particles.pressure
         for k in range(count):
             bears = given[PER_LOAD, k] * pressure * given[PLASTIC_AREA, k]
-            work[POSITION, k] = one / bears
-        look_up_guess(block, count, model.particles.alone)
+            work[POSITION, k] = model.particles.bears_here / bears
+            work[ELASTIC_POSITION, k] = model.particles.bears_there / bears
+        look_up_guess(block, count, model.particles.alone, POSITION)
         for k in range(count):
             separation = given[MEAN, k] + work[LOCAL, k] / given[PER_SPREAD, k]
+            work[SEPARATION, k] = max(work[SEPARATION, k], separation)
+        look_up_guess(block, count, model.particles.alone, ELASTIC_POSITION)
+        for k in range(count):
+            alpha = work[LOCAL, k] - given[ELASTIC_SHIFT, k]
+            separation = given[MEAN, k] + alpha / given[PER_SPREAD, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
 
 
@@ -135,7 +141,8 @@ def summits_touch(block, count, model):
 
 @stage
 def find_moments(block, count, model):
-    """M, the integral of Eqs. 4-6 above a size, at d and at the other limit of the elastic one."""
+    """The moment, the integral of Eqs. 4-6 above a size, at d and at the other limit of the elastic
+    one."""
     given, work = block.given, block.work
     table = model.particles.table
     last = work.dtype.type(table.rows.shape[0] - 1.5)
@@ -153,7 +160,7 @@ def find_moments(block, count, model):
 def particles_touch(block, count, particles):
     """A_sa and the coverage of Eq. 5 become ``TOUCHING`` and ``COVERED``."""
     given, series = block.given, block.series
-    scale, elastic, coverage = particles.table.scale, particles.elastic, particles.coverage
+    scale, weight, coverage = particles.table.scale, particles.weight, particles.coverage
     for k in range(count):
         inner = (scale + scale) * given[PER_SPREAD, k]
         here, here_1 = series[MOMENT, VALUE, k], series[MOMENT, SLOPE, k] * inner
@@ -162,9 +169,9 @@ def particles_touch(block, count, particles):
         there_2 = series[ELASTIC_MOMENT, CURVE, k] * inner * inner
         here_2, there_2 = here_2 + here_2, there_2 + there_2
         plastic = given[PLASTIC_AREA, k]
-        series[TOUCHING, VALUE, k] = plastic * (here + elastic * (there - here))  # Eq. 5, A_sa
-        series[TOUCHING, SLOPE, k] = plastic * (here_1 + elastic * (there_1 - here_1))
-        series[TOUCHING, CURVE, k] = plastic * (here_2 + elastic * (there_2 - here_2))
+        series[TOUCHING, VALUE, k] = plastic * (here + weight * (there - here))  # Eq. 5, A_sa
+        series[TOUCHING, SLOPE, k] = plastic * (here_1 + weight * (there_1 - here_1))
+        series[TOUCHING, CURVE, k] = plastic * (here_2 + weight * (there_2 - here_2))
         covering = coverage * plastic
         series[COVERED, VALUE, k] = covering * here  # Eq. 5, what is subtracted from 1
         series[COVERED, SLOPE, k] = covering * here_1
@@ -198,26 +205,26 @@ def particles_bear(block, count, model):
 
 @stage
 def bound_particle_errors(block, count, model):
-    """What the table of M does to the errors, and how steep the particles make the results.
+    """What the table of the moment does to the errors, and how steep the particles make the results.
 
     Errors of a polynomial scale with its piece: near the largest size that is all there is.  Errors
     of a place in the table scale with the slope there.
     """
     given, work, series = block.given, block.work, block.series
-    particles, elastic = model.particles, model.particles.elastic
+    particles, weight = model.particles, model.particles.weight
     scale, rounding = particles.table.scale, model.limits.rounding
     zero, one, four = work.dtype.type(0), work.dtype.type(1), work.dtype.type(4)
     for k in range(count):
         inner = (scale + scale) * given[PER_SPREAD, k]
         here, there = series[MOMENT, VALUE, k], series[ELASTIC_MOMENT, VALUE, k]
         first, second = abs(series[MOMENT, SLOPE, k]), abs(series[ELASTIC_MOMENT, SLOPE, k])
-        moment = here + elastic * (there - here)
+        moment = here + weight * (there - here)
         area, area_1 = series[TOUCHING, VALUE, k], series[TOUCHING, SLOPE, k]
         bare = given[BARE, k] - particles.contacting * series[COVERED, VALUE, k]
         bears, plastic = particles.pressure * given[PER_LOAD, k], given[PLASTIC_AREA, k]
-        size = abs(here) + first + abs(elastic) * (abs(here) + first + abs(there) + second)
-        moved = work[POSITION, k] * first * (one + abs(elastic))
-        moved += work[ELASTIC_POSITION, k] * second * abs(elastic)
+        size = abs(here) + first + abs(weight) * (abs(here) + first + abs(there) + second)
+        moved = work[POSITION, k] * first * (one + abs(weight))
+        moved += work[ELASTIC_POSITION, k] * second * abs(weight)
         unsure = four * particles.error * size + (moved + moved) * rounding
         part_error = unsure / moment if moment > zero else zero
         work[SLOPE_ERROR, k] = particles.slope_error * size * plastic * abs(inner) * bears
@@ -227,7 +234,8 @@ def bound_particle_errors(block, count, model):
         work[LOAD_ERROR, k] = work[LOAD_ERROR, k] * bare + load_error
         steepness = -area_1 / area
         steepness = steepness if area > zero else zero
-        steepness = max(steepness, -series[COVERED, SLOPE, k])
+        room = one - series[COVERED, VALUE, k]
+        steepness = max(steepness, -series[COVERED, SLOPE, k] / room)
         work[STEEPEST, k] = max(work[STEEPEST, k], steepness)
 
 
@@ -308,9 +316,10 @@ def _halley(total, total_1, total_2):
 
 @stage
 def stop_before_contact(block, count, model):
-    """A step across the separation at which particles come into contact is not the last one.
+    """A step to where particles come into contact, or across, is not the last one.
 
-    There the loads have no Taylor series, and rounding may decide on which side a point is.
+    There the loads have no Taylor series, and rounding may decide on which side a point is; and half
+    of the way there an area has lost half of what its errors are compared with.
     """
     given, work = block.given, block.work
     rounding, start = model.limits.rounding, model.particles.table.start
@@ -320,7 +329,7 @@ def stop_before_contact(block, count, model):
         alpha = (separation - given[MEAN, k]) * given[PER_SPREAD, k] - start
         distance = min(abs(alpha), abs(alpha + given[ELASTIC_SHIFT, k]))
         unsure = abs(work[STEP, k]) + eight * rounding * separation
-        stays = unsure * given[PER_SPREAD, k] < distance
+        stays = (unsure + unsure) * given[PER_SPREAD, k] < distance
         work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
 
 

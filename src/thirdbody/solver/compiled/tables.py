@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import sampled_contact, unit_moment
+from thirdbody.model.particles import LOWEST, Moment, parts_bearing
 from thirdbody.solver.compiled.layout import (
     ROOT,
     FilmModel,
@@ -28,7 +28,6 @@ from thirdbody.solver.compiled.layout import (
     SummitModel,
     Table,
 )
-from thirdbody.solver.roots import NOISE
 from thirdbody.solver.solution import ROOT_SHARE
 from thirdbody.solver.surfaces import RoughSurface
 from thirdbody.solver.tabulation import chebyshev_points, interpolants
@@ -39,7 +38,6 @@ SINGLE_RTOL = 1e-3  # from which single precision has digits enough for most poi
 
 # Pieces of tables by their degree: in a unit of t, in a unit of alpha, in an octave of thickness.
 PIECES = {3: (16, 48, 32), 5: (32, 16, 64), 7: (16, 16, 32)}
-MOMENT_START = -9.0  # alpha below which all particles are larger
 # Tables over octaves reach from one power of two to another:
 FILM_OCTAVES = -9, 21  # of h_c over that where both terms of Eq. 7 are equal,
 LOAD_OCTAVES = -110, 2  # of F_t*,
@@ -47,6 +45,7 @@ ROOT_OCTAVES = -12, 12  # of the root of W where both terms are equal, over W of
 AREA_OCTAVES = -24, 2  # and of the area of particles over that where M = 1.
 GUESS_PIECES = 8  # of an octave
 
+NOISE = 1e-14  # of a load in double precision
 CROSSING_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of small differences
 
 # Numbers smaller than these have lost digits, or will.  Single precision holds areas 2^96-fold.
@@ -137,25 +136,32 @@ def _summits(rough, degree, real) -> SummitModel:
 
 def _particles(parameters, degree, real) -> ParticleModel:
     """Particles of any size and density."""
-    end = parameters.truncation
+    moment = Moment.of_all_layers(parameters)
+    lowest = max(moment.smallest, LOWEST)
+    pieces = math.ceil((moment.largest - lowest) * PIECES[degree][1])
+    scale = -pieces / (moment.largest - lowest)
     table, error = _table(
-        _moment_above(unit_moment(parameters), end),
-        *(end, end - math.ceil(end - MOMENT_START), -PIECES[degree][1], degree, real),
-        outside=0.0,
+        _exact_next_to_its_end(moment), moment.largest, lowest, scale, degree, real, outside=0.0
     )
+    below = np.zeros(
+        (1, degree + 1), real
+    )  # a piece for all smaller sizes, which there are none of
+    below[0, 0] = moment.of_all
+    table = table._replace(rows=np.concatenate([table.rows[:-1], below, table.rows[-1:]]))
     error += _rounding(real)
-    areas, alpha = sampled_contact(parameters)
-    areas = areas / parameters.hardness_surface_2
-    readings = parameters.readings
+    limits, contacting = parameters.readings.elastic_limits, parameters.readings.coverage_limits
+    here, there = parts_bearing(parameters)
     return ParticleModel(
         table=table,
-        alone=_guesses(lambda area: np.interp(area, areas, alpha), AREA_OCTAVES, real),
+        alone=_guesses(lambda part: np.interp(part, *moment.samples()), AREA_OCTAVES, real),
         error=real(error),
         slope_error=real(2.0 * degree**2 * error),
-        elastic=real(-readings.elastic_limits.side * parameters.elastic_factor),
+        weight=real(limits.weight(parameters.elastic_factor)),
+        bears_here=real(here),
+        bears_there=real(there),
         pressure=real(parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces),
         coverage=real(parameters.hardness_surface_1 / parameters.hardness_surface_2),
-        contacting=real(readings.coverage_limits.contacting),
+        contacting=real(contacting.contacting),
     )
 
 
@@ -177,18 +183,17 @@ def _rounding(real):
     return float(np.finfo(real).eps)
 
 
-def _moment_above(moment_of, end):
-    """The function of alpha that is M less M at the ``end``.
+def _exact_next_to_its_end(moment):
+    """The function of alpha that is the moment.
 
-    Next to that it is an integral of the slope of M, since a difference would lose its digits.
+    Next to the largest size it is an integral of its slope, since a difference would lose its digits.
     """
     nodes, weights = np.polynomial.legendre.leggauss(16)
 
     def above(alpha):
-        half = 0.5 * (end - alpha)
-        slopes = moment_of(end - half[..., None] * (1.0 - nodes))[1]
-        close = -half * (weights * slopes).sum(-1)
-        return np.where(half < 0.5, close, moment_of(alpha)[0] - moment_of(end)[0])
+        half = 0.5 * (moment.largest - alpha)
+        _, slopes = moment(moment.largest - half[..., None] * (1.0 - nodes))
+        return np.where(half < 0.5, -half * (weights * slopes).sum(-1), moment(alpha)[0])
 
     return above
 
