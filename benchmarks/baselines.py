@@ -336,7 +336,7 @@ class ElementwiseRoots:
         def residual(x, index):
             some = points.take(index)
             separation, log_solid = shares(some, x)
-            return some.contact.log_solid_load(separation)[0] - some.log_load - log_solid
+            return some.contact.log_solid_load(separation).value - some.log_load - log_solid
 
         found = elementwise.find_root(
             residual,

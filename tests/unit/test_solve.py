@@ -34,7 +34,7 @@ FLAGS = {
 }
 VARIABLES = tuple(field.name for field in fields(Solution))
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
-CONVERGED, OUTSIDE, COVERED, FAILED = range(len(SOLUTION_STATUSES))
+CONVERGED, OUTSIDE, COVERED, FAILED = range(4)
 
 
 def solve(parameters, rtol=RTOL, way=None, **given):

@@ -156,10 +156,10 @@ def _highest(curve, ratio):
 def _state_at(solids: Contact, viscosity, separation, width, rtol) -> dict:
     """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``, from
     functions that are good for ``rtol``."""
-    log_solid, slope, _ = solids.log_solid_load(separation)
-    solid = np.exp(log_solid)
+    bears = solids.log_solid_load(separation)
+    solid = np.exp(bears.value)
     fluid = np.zeros_like(solid)
-    steepest = np.abs(slope)
+    steepest = np.abs(bears.slope)
     wet = viscosity > 0.0
     fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids.take(wet))
     steepest[wet] = np.maximum(steepest[wet], film_slope)

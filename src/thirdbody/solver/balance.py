@@ -11,16 +11,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.special import log_expit
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import expit, log_expit
 
-from thirdbody.model.particles import separation_bearing
+from thirdbody.model.contact import SolidLoad
+from thirdbody.model.particles import VANISHED, separation_bearing
 from thirdbody.model.readings import LoadOfTheFluid, TotalLoad
 from thirdbody.solver.points import Points
-from thirdbody.solver.roots import NOISE, decreasing_roots
+from thirdbody.solver.roots import EPSILON, Residual, decreasing_roots
+from thirdbody.solver.several import enclose_largest, may_be_several
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
-ROUNDED_GAP = np.finfo(float).eps  # relative error of a film's thickness in float64
+FILM_ALONE = -50.0  # logit of an L_s so small that the film is as thick as if it bore all
 
 
 def first_separation(points: Points) -> NDArray:
@@ -53,6 +55,8 @@ class Balance:
         Bound on the relative error that they leave in any variable [1].
     condition : array
         By how much a relative error of the solids' load is magnified in any variable [1].
+    count : array of int
+        How many separations there are, of which this is the largest.
     """
 
     logit: NDArray
@@ -60,6 +64,14 @@ class Balance:
     width: NDArray
     error: NDArray
     condition: NDArray
+    count: NDArray
+
+
+def _moved(load: SolidLoad, separation: NDArray, error: ArrayLike) -> tuple[NDArray, NDArray]:
+    """What the load and all variables may be wrong by, where rounding has moved the ``separation`` by
+    a relative ``error``."""
+    moved = error * load.steepest * np.abs(separation)
+    return load.noise + moved, load.rounding + moved + error
 
 
 def dry_balance(points: Points, tolerance: float) -> Balance:
@@ -79,22 +91,36 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
 
     Notes
     -----
-    The unknown is x = d/sigma, the function ln(F_s/F_t), which decreases with it.
+    The unknown is x = d/sigma, the function ln(F_s/F_t), which decreases with it about the root.
     """
 
     def residual(x, some):
         scale = some.surfaces.roughness
-        value, slope, steepest = some.contact.log_solid_load(x * scale)
-        gain = np.maximum(-steepest * scale, 1.0 / x)
-        return value - some.log_load, slope * scale, gain, 0.0
+        load = some.contact.log_solid_load(x * scale)
+        noise, rounding = _moved(load, x * scale, 2.0 * EPSILON)
+        gain = np.maximum(load.steepest * scale, 1.0 / np.abs(x))
+        noise = noise + 2.0 * EPSILON * np.abs(some.log_load)
+        return Residual(load.value - some.log_load, load.slope * scale, gain, noise, rounding)
 
     scale = points.surfaces.roughness
-    guess = first_separation(points) / scale
+    first = first_separation(points)
+    far = first if points.contact.particles is None else points.contact.particles.reach
+    guess, lower = first / scale, np.zeros_like(first)
+    upper = 2.0 * np.maximum(first, far) / scale + 10.0
+    count = np.ones(first.shape, int)
+    several = np.flatnonzero(may_be_several(points))
+    if several.size:
+        zero = np.zeros(several.size)
+        found = enclose_largest(points.take(several), zero, first[several], with_film=False)
+        where = np.broadcast_to(scale, first.shape)[several]
+        count[several] = found.count
+        lower[several], upper[several] = found.low / where, found.high / where
+        guess[several] = 0.5 * (lower[several] + upper[several])
     roots, width, error, condition = decreasing_roots(
-        residual, guess, np.zeros_like(guess), 2.0 * guess + 10.0, tolerance, points
+        residual, guess, lower, upper, tolerance, points
     )
     dry = np.full_like(roots, np.inf)
-    return Balance(dry, scale * roots, scale * width, error, condition)
+    return Balance(dry, scale * roots, scale * width, error, condition, count)
 
 
 def shared_balance(points: Points, tolerance: float) -> Balance:
@@ -115,8 +141,8 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     -----
     The unknown is y = ln(L_s/L_f), the logit of the solids' share.  From it follow both shares,
     from the film's share d = R_x H_c(W(F_f)) (Eqs. 7 and 8), and from d the load F_s of the solids
-    (Eqs. 2 and 4).  The function ln(F_s(d)/F_t) - ln L_s decreases with y, so that there is one
-    root; and no digits cancel, however small L_s or L_f is.
+    (Eqs. 2 and 4).  The function ln(F_s(d)/F_t) - ln L_s decreases with y wherever F_s falls with d;
+    and no digits cancel, however small L_s or L_f is.
     """
 
     def residual(y, some):
@@ -124,26 +150,54 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         less = -np.log1p(odds)  # ln of the larger share
         log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
         separation, widening = some.film_separation(log_fluid)  # Eqs. 7 and 8
-        value, slope, steepest = some.contact.log_solid_load(separation)  # Eqs. 2 and 4
+        load = some.contact.log_solid_load(separation)  # Eqs. 2 and 4
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
         shares = y > -LOGIT_LIMIT  # else L_s is zero in float64
-        gain = np.maximum(solid * steepest * widening, shares)
-        return (
-            value - some.log_load - log_solid,
-            -solid * slope * widening - (1.0 - solid),
-            gain,
-            ROUNDED_GAP * (1.0 - steepest * separation),
+        noise, rounding = _moved(
+            load, separation, some.film.rounding(some.log_load_parameter(log_fluid))
+        )
+        noise = noise + 2.0 * EPSILON * (np.abs(some.log_load) + np.abs(log_solid))
+        return Residual(
+            load.value - some.log_load - log_solid,
+            -solid * load.slope * widening - (1.0 - solid),
+            np.maximum(-solid * load.steepest * widening, shares),
+            noise,
+            rounding,
         )
 
     guess = _first_logit(points)
-    lower = 1.1 * np.minimum(guess, 0.0) - 50.0
+    alone, _ = points.film_separation(0.0)
+    lowest = points.contact.log_solid_load(alone).value - points.log_load
+    lower = np.minimum(1.001 * lowest, FILM_ALONE) - 10.0
     upper = np.full_like(guess, LOGIT_LIMIT)
+    count = np.ones(guess.shape, int)
+    several = np.flatnonzero(may_be_several(points))
+    if several.size:
+        some = points.take(several)
+        start = (1.0 - 1e-9) * alone[several]  # where the film bears more than F_t
+        found = enclose_largest(some, start, first_separation(some), with_film=True)
+        count[several] = found.count
+        ends = _logit_at(some, found.low), _logit_at(some, found.high)
+        doubt = 1e-9 * (1.0 + np.abs(ends))
+        lower[several] = np.fmax(ends[0] - doubt[0], lower[several])
+        upper[several] = np.fmin(ends[1] + doubt[1], LOGIT_LIMIT)
+        middle = _logit_at(some, 0.5 * (found.low + found.high))
+        guess[several] = np.where(np.isfinite(middle), middle, guess[several])
     found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
-    logit, width, error, condition = found
-    separation, widening = points.film_separation(log_expit(-logit))
-    width = np.abs(widening) * width + ROUNDED_GAP * separation
-    return Balance(logit, separation, width, error, condition)
+    log_fluid = log_expit(-found.root)
+    separation, widening = points.film_separation(log_fluid)
+    rounding = points.film.rounding(points.log_load_parameter(log_fluid))
+    width = np.abs(widening) * found.width * expit(found.root) + rounding * separation
+    return Balance(found.root, separation, width, found.error, found.condition, count)
+
+
+def _logit_at(points, separation):
+    """ln(L_s/L_f) where the film is as thick as ``separation`` [m]."""
+    thickness = separation / points.parameters.ball_radius
+    log_parameter = points.film.load_parameter(thickness)
+    log_fluid = np.minimum(log_parameter - points.log_load_parameter(0.0), 0.0)
+    return np.log(-np.expm1(log_fluid)) - log_fluid
 
 
 def _first_logit(points: Points):
@@ -161,7 +215,7 @@ def _first_logit(points: Points):
     logit = np.log(-np.expm1(log_fluid)) - log_fluid
     wet = np.flatnonzero(~(logit > 0.0))
     some = points.take(wet)
-    log_solid, *_ = some.contact.log_solid_load(separation[wet])
+    log_solid = some.contact.log_solid_load(separation[wet]).value
     logit[wet] = log_solid - some.log_load - log_fluid[wet]
     return logit
 
@@ -184,21 +238,34 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     -----
     d = R_x H_c(W(F_t)) is known, and L_s = F_s(d)/F_t with it.  Where the film would be thinner than
     the dry separation, L_s would exceed 1: there the solids bear everything at the dry separation.
+    Where F_s rises with d, that may also hold at separations above the film's thickness.
     """
     separation, _ = points.film_separation(0.0)
-    log_solid, _, steepest = points.contact.log_solid_load(separation)
-    log_solid -= points.log_load
+    load = points.contact.log_solid_load(separation)
+    log_solid = load.value - points.log_load
+    rounded = points.film.rounding(points.log_load_parameter(0.0))
+    noise, rounding = _moved(load, separation, rounded)
     boundary = ~(log_solid < 0.0)
+    count = np.where(boundary, 0, 1)
+    several = np.flatnonzero(may_be_several(points))
+    if several.size:
+        some = points.take(several)
+        found = enclose_largest(some, separation[several], first_separation(some), with_film=False)
+        count[several] += found.count
+        boundary[several] |= found.count > 0
     logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
-    error = ROUNDED_GAP * (1.0 - steepest * separation)
     # L_f = 1 - L_s is what suffers most
     condition = np.maximum(np.exp(logit), 1.0)
-    width = ROUNDED_GAP * separation
-    found = Balance(logit, separation, width, error + NOISE * condition, condition)
+    noise = np.where(log_solid > VANISHED, noise + 2.0 * EPSILON * np.abs(points.log_load), 0.0)
+    error = rounding + noise * condition
+    width = rounded * separation
+    found = Balance(logit, separation, width, error, condition, count)
     if boundary.any():
         dry = dry_balance(points.take(boundary), tolerance)
         for name, values in vars(dry).items():
-            getattr(found, name)[boundary] = values
+            if name != "count":
+                getattr(found, name)[boundary] = values
+        np.maximum(count, 1, out=count)
     return found
 
 

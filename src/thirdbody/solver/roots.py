@@ -7,16 +7,67 @@ finished drop out, so that a few difficult points do not hold up the others.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 MAX_ITERATIONS = 200
 CAUTION = 30.0  # the next step may be this much larger than the last two make it
+DOUBT = 4.0  # by which an enclosure grows that did not hold its root
 NEAR = 0.1  # a larger residual is not yet where steps shrink quadratically
 EPSILON = np.finfo(float).eps
 ROUNDING = 4.0 * EPSILON  # a bracket this narrow holds a jump, or nothing
-NOISE = 1e-14  # of a residual that is a difference of logarithms
+
+
+class Residual(NamedTuple):
+    """A decreasing function at x, and what an error of x does to what is wanted of the root.
+
+    All are arrays of the shape of x, or scalars.
+
+    Attributes
+    ----------
+    value : array
+        The function; nan counts as beyond the root.
+    slope : array
+        Its slope.
+    gain : array
+        What the caller computes from the root x are several variables v.  This is a bound on the
+        size of d ln v/dx: by it an error of x becomes a relative error of what is wanted.
+    noise : array
+        What rounding may change in the value.
+    rounding : array
+        Relative error that rounding adds when these variables are evaluated.
+    """
+
+    value: NDArray
+    slope: NDArray
+    gain: NDArray
+    noise: ArrayLike = 0.0
+    rounding: ArrayLike = 0.0
+
+
+class Roots(NamedTuple):
+    """Roots, all 1-D, nan where the function does not vanish between the bounds.
+
+    Attributes
+    ----------
+    root : array
+        Where the function vanishes.
+    width : array
+        How far off it may be: the function has been seen to be positive at ``root - width`` and not
+        at ``root + width``.
+    error : array
+        Bound on the relative error of what is wanted of the root; infinite where the function falls
+        so far within the width that slopes at its ends say nothing of what lies between.
+    condition : array
+        By how much a relative error of the function's terms is magnified in what is wanted.
+    """
+
+    root: NDArray
+    width: NDArray
+    error: NDArray
+    condition: NDArray
 
 
 def decreasing_roots(
@@ -26,23 +77,13 @@ def decreasing_roots(
     upper: NDArray,
     tolerance: float,
     points,
-) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+) -> Roots:
     """Find where a decreasing function is zero, element by element.
 
     Parameters
     ----------
     residual : callable
-        ``residual(x, points)`` for a 1-D array x returns four arrays of its shape, or scalars:
-
-        value
-            The function.  It decreases with x; nan counts as beyond the root.
-        slope
-            Its slope.
-        gain
-            What the caller computes from the root x are several variables v.  This is a bound on
-            the size of d ln v/dx: by it an error of x becomes a relative error of what is wanted.
-        rounding
-            Relative error that rounding adds when these variables are evaluated.
+        ``residual(x, points)`` for a 1-D array x returns its ``Residual``.
     guess : array, shape (n,)
         Where to begin.
     lower, upper : array, shape (n,)
@@ -55,58 +96,87 @@ def decreasing_roots(
 
     Returns
     -------
-    roots : array, shape (n,)
-        nan where the function does not vanish between the bounds.
-    widths : array
-        How far off a root may be because of the steps that were left out and of rounding.
-    errors : array
-        Bound on the relative error of what is wanted of the root.
-    conditions : array
-        By how much a relative error of the function's terms is magnified in what is wanted.
+    Roots
 
     Notes
     -----
     Each iteration takes Newton's step if it stays within the bracket and at least halves either
     the step or the function, and else the middle of the bracket.  Newton's steps shrink
     quadratically near a root: the next one is estimated from the last two, with ``CAUTION``.  An
-    element is finished once that next step is too small to matter to the function or to what is
-    wanted, or its steps are rounding, or its bracket is as narrow as float64 allows.
+    element settles once that next step is too small to matter to the function or to what is wanted,
+    or its steps are rounding, or its bracket is as narrow as float64 allows.  It is finished when
+    the function changes its sign within the error that is then promised; if not, because a kink
+    lies between, the search goes on from the end that disagrees.
     """
-    roots, widths, errors, conditions = np.full((4, guess.size), np.nan)
+    found = Roots(*np.full((4, guess.size), np.nan))
     active = np.arange(guess.size)
     x, low, high = np.clip(guess, lower, upper), lower, upper
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
-    least = np.full_like(guess, np.inf)
+    least, doubt = np.full_like(guess, np.inf), np.ones_like(guess)
     for _ in range(MAX_ITERATIONS):
-        value, slope, gain, rounding = residual(x, points)
-        slope = np.where(np.isfinite(slope), slope, 0.0)
-        low, high = np.where(value > 0.0, x, low), np.where(value > 0.0, high, x)
-        size, steepness = np.abs(value), np.abs(slope)
-        new = x - value / slope
+        here = residual(x, points)
+        slope = np.where(np.isfinite(here.slope), here.slope, 0.0)
+        low, high = np.where(here.value > 0.0, x, low), np.where(here.value > 0.0, high, x)
+        size, steepness = np.abs(here.value), np.abs(slope)
+        new = x - here.value / slope
         step = np.abs(new - x)
         newton = (new >= low) & (new <= high) & ((step <= 0.5 * last) | (size <= 0.5 * least))
         new = np.where(newton, new, 0.5 * (low + high))
         step = np.where(newton, step, 0.5 * (high - low))
         shrinking = np.where(quadratic, CAUTION * (step / last) ** 2, 1.0)
         coming = np.minimum(shrinking, 1.0) * step
-        noise = NOISE / steepness + EPSILON * np.abs(x)
-        exact = coming * np.maximum(np.maximum(steepness, gain), 1.0) <= tolerance
-        settled = newton & (exact | (step <= noise)) & (size <= NEAR)
+        noise = here.noise / steepness + EPSILON * np.abs(x)
+        exact = coming * np.maximum(np.maximum(steepness, here.gain), 1.0) <= tolerance
         spacing = ROUNDING * (1.0 + np.abs(x))
-        finished = settled | ~(high - low > spacing)
-        steepest = np.maximum(tolerance, 2.0 * spacing * steepness)
-        found = settled | finished & (size <= steepest)
-        place = active[found]
-        roots[place] = new[found]
-        width = np.where(settled, coming, spacing) + noise
-        widths[place] = width[found]
-        errors[place] = (width * gain + rounding)[found]
-        conditions[place] = (gain / steepness)[found]
+        narrow = ~(high - low > spacing)
+        settled = narrow | newton & (exact & (size <= NEAR) | (step <= noise))
+        finished = narrow
+        if settled.any():
+            chosen = np.flatnonzero(settled)
+            width = doubt * np.where(narrow, spacing, np.maximum(coming, 2.0 * noise))
+            enclosed, *ends = _enclosed(
+                residual, new[chosen], width[chosen], tolerance, _some(points, chosen, x.size)
+            )
+            for values, column in zip(enclosed, found, strict=True):
+                column[active[chosen]] = values
+            new[chosen], beyond = _offending(new[chosen], width[chosen], *ends)
+            low[chosen] = np.where(beyond > 0, new[chosen], low[chosen])
+            high[chosen] = np.where(beyond < 0, new[chosen], high[chosen])
+            doubt = np.where(settled, DOUBT * doubt, np.maximum(0.5 * doubt, 1.0))
+            step, size = np.where(settled, high - low, step), np.where(settled, np.inf, size)
+            finished = narrow.copy()
+            finished[chosen] |= np.isfinite(enclosed.root)
         left = np.flatnonzero(~finished)
         if not left.size:
             break
-        if left.size < active.size:
-            points = points.take(left)
-        columns = active, new, low, high, step, newton, size
-        active, x, low, high, last, quadratic, least = (column[left] for column in columns)
-    return roots, widths, errors, conditions
+        points = _some(points, left, active.size)
+        columns = active, new, low, high, step, newton & ~settled, size, doubt
+        active, x, low, high, last, quadratic, least, doubt = (column[left] for column in columns)
+    return found
+
+
+def _some(points, chosen, count):
+    """Those of ``count`` points that ascending indices ``chosen`` pick."""
+    return points if chosen.size == count else points.take(chosen)
+
+
+def _enclosed(residual, root, width, tolerance, points):
+    """``Roots`` if the function changes its sign within ``width`` of ``root``, else nan; and the
+    function at both ends."""
+    ends = residual(root - width, points), residual(root + width, points)
+    below, above = (end.value for end in ends)
+    holds = (below >= 0.0) & ~(above > 0.0)
+    steepness = [np.abs(end.slope) for end in ends]
+    jumps = ~(below - above <= 4.0 * np.maximum(tolerance, np.maximum(*steepness) * width))
+    error = width * np.maximum(*(end.gain for end in ends))
+    error += np.maximum(*(end.rounding for end in ends))
+    condition = np.maximum(*(end.gain / steep for end, steep in zip(ends, steepness, strict=True)))
+    found = root, width, np.where(jumps, np.inf, error), condition
+    return Roots(*np.where(holds, found, np.nan)), below, above
+
+
+def _offending(root, width, below, above):
+    """Where the search goes on: the end of the enclosure at which the sign is wrong, and whether the
+    root lies above (1) or below (-1) of it; the middle and 0 if neither is wrong."""
+    beyond = np.where(above > 0.0, 1, np.where(below >= 0.0, 0, -1))
+    return root + beyond * width, beyond

@@ -9,8 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit, log_expit
 
-from thirdbody.model.contact import TINY
-from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.model.regimes import (
+    FILM_COUNTS,
+    SOLUTION_STATUSES,
+    contact_mode,
+    gravest_status,
+    lubrication_regime,
+)
 from thirdbody.solver.balance import BALANCES, dry_balance
 from thirdbody.solver.points import Points
 
@@ -18,7 +23,7 @@ LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
 TABLE_SHARE = 0.4  # of the error asked for: left by the tables
 NO_FLAG = np.int8(-1)  # regime and mode of a point without values
-CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(len(SOLUTION_STATUSES))
+CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(4)
 
 
 @dataclass(frozen=True)
@@ -42,6 +47,9 @@ class Solution:
         H_c = d/R_x [1] (Eq. 7).
     lubrication_regime, contact_mode, solution_status : array of int8
         Indices into the tuples of ``thirdbody.model.regimes``.
+    separation_count : array of int8
+        At how many separations the forces balance; of several the largest is given, which closing
+        surfaces meet first.
     error_bound : array
         What the relative error of every quantity stays below [1].  Where rounding keeps it above
         the ``rtol`` that was asked for, the status is ``not_converged``, but the values stand.
@@ -57,18 +65,24 @@ class Solution:
     lubrication_regime: NDArray | None = None
     contact_mode: NDArray | None = None
     solution_status: NDArray | None = None
+    separation_count: NDArray | None = None
     error_bound: NDArray | None = None
 
 
 VARIABLES = tuple(field.name for field in fields(Solution))
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
-OF_AREAS = {"contact_mode", *(name for name in VARIABLES if "contact_area" in name)}
-QUANTITIES = tuple(name for name in VARIABLES if name not in (*FLAGS, "error_bound"))
+WHOLE = (*FLAGS, "separation_count")
+OF_AREAS = {
+    "contact_mode",
+    "solution_status",
+    *(name for name in VARIABLES if "contact_area" in name),
+}
+QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))
 
 
 def type_of(variable: str) -> type:
     """Type of the values of a ``variable`` of ``Solution``."""
-    return np.int8 if variable in FLAGS else float
+    return np.int8 if variable in WHOLE else float
 
 
 class SolvedPoints:
@@ -100,13 +114,11 @@ class SolvedPoints:
             points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
         )
         magnified = points.surfaces.table_error * (self._balance.condition + 1.0)
-        self._error = np.maximum(self._balance.error, self._onset_error()) + magnified
-        imprecise = (magnified > TABLE_SHARE * rtol) | (self._error > rtol)
+        self._error = self._balance.error + self._onset_error() + magnified
+        imprecise = (magnified > TABLE_SHARE * rtol) | ~(self._error <= rtol)
         self.left = imprecise & points.surfaces.is_tabulated
-        self.solution_status = self._status(rtol)
-        self._void = np.isnan(self._balance.separation) | (
-            self.solution_status == COVERAGE_EXCEEDED
-        )
+        self._rtol = rtol
+        self._void = np.isnan(self._balance.separation) | self._leave_no_room()
         self._complete = not self._void.any()
 
     @cached_property
@@ -115,28 +127,45 @@ class SolvedPoints:
         return self.points.contact.particles.contact(self._balance.separation)
 
     def _onset_error(self):
-        """Relative error of the particles' area from that of d.
-
-        Where the largest particles begin to touch, the area changes too steeply for the bound that
-        the iteration takes from the slope before its last step.
-        """
-        if self.points.contact.particles is None:
+        """Relative error of the particles' area from that of d, where it may be that none touches."""
+        particles = self.points.contact.particles
+        if particles is None:
             return 0.0
-        area, slope, *_ = self._touching
-        return np.where(area > TINY, -slope / area * self._balance.width, 0.0)
+        beside = np.abs(particles.reach - self._balance.separation)
+        return np.where(beside <= self._balance.width, np.inf, 0.0)
 
-    def _status(self, rtol):
-        """Indices into ``SOLUTION_STATUSES``; of several the gravest, which is stored last."""
+    def _leave_no_room(self):
+        """Whether particles cover the whole interface."""
+        particles = self.points.contact.particles
+        if particles is None:
+            return np.zeros(self._balance.separation.shape, bool)
+        return particles.leave_no_room(self._touching[2])
+
+    @cached_property
+    def solution_status(self):
         points, balance = self.points, self._balance
-        status = np.full(balance.separation.shape, CONVERGED, dtype=np.int8)
+        applies = {
+            "several_separations": balance.count > 1,
+            "area_exceeded": self.total_contact_area > 1.0,
+            "not_converged": ~(self._error <= self._rtol),
+            "coverage_exceeded": self._leave_no_room(),
+            "load_exceeded": self._cannot_bear(),
+        }
         if points.film is not None:
             share = points.parameters.readings.film_load.log_share(log_expit(-balance.logit))
             meaningful = points.film.is_meaningful(points.log_load_parameter(share))
-            status[~meaningful] = OUTSIDE_FILM_FORMULA
-        status[~(self._error <= rtol)] = NOT_CONVERGED
-        if points.contact.particles is not None:
-            status[points.contact.particles.leave_no_room(self._touching[2])] = COVERAGE_EXCEEDED
-        return status
+            counts = expit(-balance.logit) > FILM_COUNTS
+            applies["outside_film_formula"] = ~meaningful & counts
+        return gravest_status(**applies)
+
+    def _cannot_bear(self):
+        """Whether the load is too much for the solids wherever they do not cut across each other's
+        mean planes, at d >= 0."""
+        cannot = np.isnan(self._balance.separation)
+        some = self.points.take(np.flatnonzero(cannot))
+        bears = some.contact.log_solid_load(np.zeros(some.log_load.shape)).value
+        cannot[cannot] = bears < some.log_load
+        return cannot
 
     def _valid(self, values, otherwise=np.nan):
         """``values`` where there is a solution, else ``otherwise``."""
@@ -145,6 +174,10 @@ class SolvedPoints:
     @property
     def error_bound(self):
         return self._valid(self._error)
+
+    @property
+    def separation_count(self):
+        return self._valid(self._balance.count, 0)
 
     @cached_property
     def _areas(self):
@@ -159,7 +192,7 @@ class SolvedPoints:
         particles, log_summits = self._areas
         return np.log(particles) - log_summits
 
-    @property
+    @cached_property
     def total_contact_area(self):
         particles, log_summits = self._areas
         return particles + np.exp(log_summits)  # Eq. 3
