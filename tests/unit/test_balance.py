@@ -7,7 +7,6 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = pytest.mark.filterwarnings("error")
 

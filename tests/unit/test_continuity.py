@@ -10,7 +10,6 @@ from scipy.integrate import IntegrationWarning
 import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
 from thirdbody.model.asperity import SummitPopulation
-from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.surfaces import TABLE_END, TABLE_SIZES, TABLE_START
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.model.regimes import contact_mode, lubrication_regime
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -11,7 +11,6 @@ from scipy.special import expit, log_expit
 
 from thirdbody.model.regimes import (
     FILM_COUNTS,
-    SOLUTION_STATUSES,
     contact_mode,
     gravest_status,
     lubrication_regime,

@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
-from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
 from thirdbody.solver.compiled.layout import (
     BARE,
