@@ -1,11 +1,18 @@
 """The three-body lubricated contact of Chen & Horng (2024), one point at a time and plainly.
 
 A second implementation, written from the printed equations alone: every integral is a
-`scipy.integrate.quad`, every balance a `scipy.optimize.brentq`, and nothing is tabulated or
+`scipy.integrate.quad`, every root a `scipy.optimize.brentq`, and nothing is tabulated or
 vectorised.  It needs scipy alone and shares no line with the library whose results it
 recomputes.  All quantities SI; loads are divided by A_n E_ss, areas by A_n.
 
 `model` is the mapping in a dataset's attribute `model_parameters`; `point` is a `Point`.
+
+What the paper leaves open is read so.  The separation d is that of the mean planes of the
+surfaces; summits see d - y_s, and particles d, or d - y_s where the `particle_plane` is "summit".
+Summits have the hardness of the softer surface.  No particle is smaller than X_min = 0, nor larger
+than X_max; only particles that take part (`participation`) bear load or cover anything.  Where they
+would cover more than everything, Eq. 4 has no meaning.  Surfaces are no closer than d = 0; where
+several separations balance the loads, the largest counts, which closing surfaces meet first.
 """
 
 import math
@@ -15,7 +22,10 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 NEGLIGIBLE = 80.0  # exp(-80) of the greatest weight is nothing in float64
-TINIEST_LOGARITHM = -745.0  # exp of anything less is zero in float64
+RESOLUTION = 1e-7  # of the range searched: two separations closer than this are passed over
+NEARLY_ALL = 0.99  # L_f; beyond it, 1 - L_f has fewer digits than the load that solids bear at d
+FILM_AT_WORK = 1e-3  # L_f; what a film is like that bears less matters to nothing else
+THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies
 
 
 class Point(NamedTuple):
@@ -47,14 +57,15 @@ class State(NamedTuple):
     total_area: float  # A_t* [1]
     particle_ratio: float  # A_sa,t* [1]
     summit_ratio: float  # A_ss,t* [1]
-    covered: bool  # whether particles leave no room for summits
+    coverage: float  # share of the interface that Eq. 4 takes from the summits [1]
 
 
 class Solution(NamedTuple):
-    """A solved point; ``status`` as in the datasets, and the rest absent where it is 2 or 3."""
+    """A solved point; ``status`` as in the datasets, and values unless no separation is found."""
 
     status: str
-    separation: float = math.nan  # d [m]
+    count: int = 0  # of separations at which Eq. 1 holds
+    separation: float = math.nan  # d [m], the largest of them
     solid_fraction: float = math.nan  # L_s [1]
     fluid_fraction: float = math.nan  # L_f [1]
     state: State | None = None
@@ -71,6 +82,11 @@ def integral(function, edges):
         for low, high in zip(edges, edges[1:])
         if low < high
     )
+
+
+def root(function, low, high):
+    """Root of ``function`` between ``low`` and ``high``, to the last digits of float64."""
+    return brentq(function, low, high, xtol=1e-300, rtol=1e-15, maxiter=500)
 
 
 def logarithm(value):
@@ -100,9 +116,14 @@ def summit_plane(density, radius):
 # --- rough surface against rough surface (Zhao, Maietta & Chang 2000; first half of Eq. 6) ---
 
 
+def softer(model):
+    """H [Pa] of the surface that yields first."""
+    return min(model["H_s1"], model["H_s2"])
+
+
 def yield_interference(model, point):
     """omega_1 [m]."""
-    strain = 3.0 * math.pi * model["k"] * model["H_s2"] / (4.0 * model["E_ss"])
+    strain = 3.0 * math.pi * model["k"] * softer(model) / (4.0 * model["E_ss"])
     return strain**2 * point.summit_radius
 
 
@@ -120,7 +141,7 @@ def asperity_load(omega, omega_1, omega_2, radius, model):
     """Load [N] of one asperity at interference ``omega`` [m]."""
     if omega <= omega_1:
         return 4.0 / 3.0 * model["E_ss"] * math.sqrt(radius) * omega**1.5
-    full = asperity_area(omega, omega_1, omega_2, radius) * model["H_s2"]
+    full = asperity_area(omega, omega_1, omega_2, radius) * softer(model)
     if omega >= omega_2:
         return full
     share = (math.log(omega_2) - math.log(omega)) / (math.log(omega_2) - math.log(omega_1))
@@ -128,7 +149,7 @@ def asperity_load(omega, omega_1, omega_2, radius, model):
 
 
 def log_population(single, separation, model, point):
-    """ln of eta_s times the integral of ``single``(omega) phi over the summit heights.
+    """ln of eta_s times the integral of ``single``(omega) phi over the summit heights (Eq. 6).
 
     With t the separation from the summit plane over sigma_s and omega = w sigma_s, the weight is
     exp(-(t + w)^2/2).  Its largest value exp(-max(t, 0)^2/2) is taken out of the integral and
@@ -136,7 +157,9 @@ def log_population(single, separation, model, point):
     """
     deviation = point.summit_deviation
     t = (separation - point.summit_offset) / deviation
-    reach = math.sqrt(max(t, 0.0) ** 2 + 2.0 * NEGLIGIBLE) - t
+    reach = 2.0 * NEGLIGIBLE / (math.hypot(t, math.sqrt(2.0 * NEGLIGIBLE)) + t)
+    if t < 0.0:
+        reach = math.sqrt(2.0 * NEGLIGIBLE) - t
     first = yield_interference(model, point) / deviation
     last = first * model["omega_ratio"]
 
@@ -145,8 +168,8 @@ def log_population(single, separation, model, point):
         exponent = -w * (t + 0.5 * w) if t > 0.0 else -0.5 * (t + w) ** 2
         return single(w * deviation) * math.exp(exponent) * 2.0 * root
 
-    kinks = [w for w in (first, math.sqrt(first * last), last) if w < reach]
-    value = integral(integrand, [math.sqrt(w) for w in (0.0, *kinks, reach)])
+    inner = sorted(w for w in (first, last, -t) if 0.0 < w < reach)  # kinks, and the mean height
+    value = integral(integrand, [math.sqrt(w) for w in (0.0, *inner, reach)])
     return logarithm(point.summit_density * value / math.sqrt(2.0 * math.pi)) - 0.5 * max(t, 0) ** 2
 
 
@@ -186,96 +209,206 @@ def size_distribution(model, point):
     return mean, math.hypot(spread, model["gap_ratio"] * point.roughness)
 
 
-def mean_square(model, point):
-    """Mean square x_a^2 (1 + c^2) of all particles [m2], which `gap_convolved` has meet the gap."""
-    return point.diameter**2 * (1.0 + model["sigma_a_ratio"] ** 2)
+def sizes(model, point):
+    """x^2 phi_a (Eq. 6) as a function of x [m], and between which sizes it holds: X_min = 0, X_max.
+
+    In the reading `gap_convolved` x is a size less the deviation of the gap at its place, which has
+    no least value, and a particle of any size may be there: x^2 is the mean square of all,
+    x_a^2 (1 + c^2).
+    """
+    mean, spread = size_distribution(model, point)
+    mean_square = point.diameter**2 * (1.0 + model["sigma_a_ratio"] ** 2)
+    gap_convolved = model["phi_a"] == "gap_convolved"
+
+    def weight(x):
+        square = mean_square if gap_convolved else x * x
+        density = math.exp(-0.5 * ((x - mean) / spread) ** 2) / (math.sqrt(2.0 * math.pi) * spread)
+        return square * density
+
+    return weight, -math.inf if gap_convolved else 0.0, mean + model["truncation"] * spread
 
 
 def second_moment(low, high, model, point):
-    """I(low, high): integral of x^2 phi_a over the sizes from ``low`` to ``high`` [m], in m2.
-
-    No particle is larger than X_max = m + truncation S.
-    """
+    """I(low, high): integral of x^2 phi_a from ``low`` to ``high`` [m], in m2."""
+    weight, x_min, x_max = sizes(model, point)
     mean, spread = size_distribution(model, point)
-    far = math.sqrt(2.0 * NEGLIGIBLE)
-    first = max((low - mean) / spread, -far)
-    last = min((high - mean) / spread, model["truncation"])
-    if first >= last:
-        return 0.0
-    all_sizes = model["phi_a"] == "gap_convolved"
-    square = mean_square(model, point)
+    first = max(low, x_min, mean - math.sqrt(2.0 * NEGLIGIBLE) * spread)
+    last = min(high, x_max)
+    inner = (mean,) if first < mean < last else ()
+    return integral(weight, [first, *inner, last])
 
-    def integrand(s):
-        weight = square if all_sizes else (mean + spread * s) ** 2
-        return weight * math.exp(-0.5 * s * s)
 
-    return integral(integrand, [first, last]) / math.sqrt(2.0 * math.pi)
+def weight_range(low, high, model, point):
+    """Bounds of x^2 phi_a [m] from ``low`` to ``high`` [m]; it rises up to its peak, then falls."""
+    weight, x_min, x_max = sizes(model, point)
+    mean, spread = size_distribution(model, point)
+    moved = model["phi_a"] != "gap_convolved"  # by x^2: the peak is where x^2 = m x + 2 S^2
+    peak = 0.5 * (mean + math.hypot(mean, math.sqrt(8.0) * spread)) if moved else mean
+    most = min(max(low, min(peak, x_max)), high)
+    values = [weight(x) if x_min <= x <= x_max else 0.0 for x in (low, high, most)]
+    return min(values), max(values)
 
 
 def coverage(moment, model, point):
     """Share of the interface that particles of a second ``moment`` [m2] take from the summits."""
     hardness = model["H_s1"] / (model["H_s1"] + model["H_s2"])
+    return math.pi * hardness * point.density * model["participation"] * moment  # Eqs. 4 and 5
+
+
+def elastic_factor(model):
+    """What an elastic particle bears, over a plastic one of its size (Eqs. 4 and 5)."""
+    strains = (model["H_s1"] / model["E_sa"]) ** 2 + (model["H_s2"] / model["E_ss"]) ** 2
+    return 9.0 * math.pi**2 / 4.0 * strains
+
+
+def gap_of_particles(separation, model, point):
+    """What particles see of the ``separation`` d [m]."""
+    at_summits = model.get("particle_plane", "surface") == "summit"
+    return separation - point.summit_offset if at_summits else separation
+
+
+def elastic_sizes(gap, model, point):
+    """From which to which size [m] particles are elastic at a ``gap`` [m]; larger ones are plastic.
+
+    They touch from d on and are elastic while they are squeezed by less than h_e; the print has
+    them between d - h_e and d.
+    """
+    depth = model["h_e_ratio"] * point.diameter
+    return (gap - depth, gap) if model["elastic_limits"] == "printed" else (gap, gap + depth)
+
+
+def plastic_area(moment, model, point):
+    """Contact area of plastic particles of a second ``moment`` [m2] (Eq. 5)."""
+    hardness = model["H_s2"] / (model["H_s1"] + model["H_s2"])
     return math.pi * hardness * point.density * model["participation"] * moment
 
 
-def load_coverage(contacting, model, point):
-    """Coverage in Eq. 4, from X_min to X_max or of the particles ``contacting`` [m2] alone."""
-    if model["coverage_limits"] == "contacting":
-        return coverage(contacting, model, point)
-    if model["phi_a"] == "gap_convolved":
-        return coverage(mean_square(model, point), model, point)
-    return coverage(second_moment(0.0, math.inf, model, point), model, point)
+def particle_area(gap, model, point):
+    """A_sa* (Eq. 5) at a ``gap`` [m]."""
+    low, high = elastic_sizes(gap, model, point)
+    elastic = elastic_factor(model) * second_moment(low, high, model, point)
+    return plastic_area(elastic + second_moment(high, math.inf, model, point), model, point)
 
 
-def particle_area(separation, contacting, model, point):
-    """A_sa* (Eq. 5): the elastic particles about the separation, and all larger ones."""
-    depth = model["h_e_ratio"] * point.diameter
-    if model["elastic_limits"] == "printed":
-        elastic = second_moment(separation - depth, separation, model, point)
-    else:
-        elastic = second_moment(separation, separation + depth, model, point)
-    strains = (model["H_s1"] / model["E_sa"]) ** 2 + (model["H_s2"] / model["E_ss"]) ** 2
-    hardness = model["H_s2"] / (model["H_s1"] + model["H_s2"])
-    density = math.pi * hardness * point.density * model["participation"]
-    return density * (9.0 * math.pi**2 / 4.0 * strains * elastic + contacting)
+def load_coverage(gap, model, point):
+    """Coverage in Eq. 4: from X_min to X_max, or of the particles in contact alone."""
+    if point.two_body:
+        return 0.0
+    least = gap if model["coverage_limits"] == "contacting" else -math.inf
+    return coverage(second_moment(least, math.inf, model, point), model, point)
 
 
 def particle_share(separation, model, point):
-    """A_sa*, and the coverages of Eqs. 4 and 5, at ``separation`` [m]."""
+    """A_sa*, and the coverages of Eqs. 4 and 5, at ``separation`` d [m]."""
     if point.two_body:
         return 0.0, 0.0, 0.0
-    contacting = second_moment(separation, math.inf, model, point)
-    return (
-        particle_area(separation, contacting, model, point),
-        load_coverage(contacting, model, point),
-        coverage(contacting, model, point),
-    )
+    gap = gap_of_particles(separation, model, point)
+    contacting = coverage(second_moment(gap, math.inf, model, point), model, point)
+    return particle_area(gap, model, point), load_coverage(gap, model, point), contacting
+
+
+# --- load and area of the solids (Eqs. 2 to 5) ---
+
+
+def log_particle_load(area, model):
+    """ln F_sa*: particles press with the hardness of surface 1 (Eq. 4 over Eq. 5)."""
+    return logarithm(model["H_s1"] / model["E_ss"] * area)
 
 
 def log_solid_load(separation, model, point):
     """ln F_s* at ``separation`` d [m] (Eqs. 2 and 4)."""
     area, covered, _ = particle_share(separation, model, point)
     summits = log_summit_load(separation, model, point) + logarithm(1.0 - covered)
-    return log_of_sum(summits, logarithm(model["H_s1"] / model["E_ss"] * area))
+    return log_of_sum(summits, log_particle_load(area, model))
 
 
-def state(separation, model, point):
-    """Loads, areas and coverage at ``separation`` d [m]."""
+def particle_slope_range(near, far, model, point):
+    """Bounds of dA_sa*/dd [1/m] at the gaps from ``near`` to ``far`` [m].
+
+    As d grows, particles of the largest elastic size stop being plastic, and those of the least
+    lose touch: the derivative of the integrals in Eq. 5 by their limits.
+    """
+    near_low, near_high = elastic_sizes(near, model, point)
+    far_low, far_high = elastic_sizes(far, model, point)
+    factor = elastic_factor(model)
+    gains = [(factor - 1.0) * w for w in weight_range(near_high, far_high, model, point)]
+    losses = [factor * w for w in weight_range(near_low, far_low, model, point)]
+    return (
+        plastic_area(min(gains) - max(losses), model, point),
+        plastic_area(max(gains) - min(losses), model, point),
+    )
+
+
+def particle_area_range(near, far, model, point):
+    """Bounds of A_sa* at the gaps from ``near`` to ``far`` [m]."""
+    ends = [particle_area(gap, model, point) for gap in (near, far)]
+    least, greatest = particle_slope_range(near, far, model, point)
+    if greatest <= 0.0 or least >= 0.0:
+        return min(ends), max(ends)
+    return max(ends[0] + least * (far - near), 0.0), ends[0] + greatest * (far - near)
+
+
+def log_solid_load_range(near, far, model, point):
+    """Bounds of ln F_s* at all separations from ``near`` to ``far`` [m].
+
+    F_ss never rises with d, nor does the coverage.
+    """
+    summits = [log_summit_load(d, model, point) for d in (far, near)]
+    if point.two_body:
+        return summits
+    near, far = (gap_of_particles(d, model, point) for d in (near, far))
+    uncovered = [logarithm(1.0 - load_coverage(gap, model, point)) for gap in (near, far)]
+    areas = particle_area_range(near, far, model, point)
+    return [
+        log_of_sum(load + share, log_particle_load(area, model))
+        for load, share, area in zip(summits, uncovered, areas)
+    ]
+
+
+def solid_load_falls(near, far, model, point):
+    """Whether F_s is known to fall with d from ``near`` to ``far`` [m].
+
+    It may rise where particles stop being plastic and bear more then, or cover summits no longer.
+    ln F_ss falls by at least t/sigma_s per length, with t > 0 the separation from the summit plane
+    over sigma_s: the weight of each summit in contact does (Eq. 6).
+    """
+    if point.two_body:
+        return True
+    t = (near - point.summit_offset) / point.summit_deviation
+    near, far = (gap_of_particles(d, model, point) for d in (near, far))
+    if particle_slope_range(near, far, model, point)[1] > 0.0:
+        return False
+    if model["coverage_limits"] == "printed":
+        return True
+    uncovers = coverage(weight_range(near, far, model, point)[1], model, point)
+    bare = 1.0 - load_coverage(near, model, point)
+    return uncovers <= max(t, 0.0) / point.summit_deviation * bare
+
+
+def state(separation, model, point, log_solid=None):
+    """Loads, areas and coverage at ``separation`` d [m].
+
+    Next to X_max the load says better than d, which is rounded, what area particles have: where
+    ln F_s* is known to be ``log_solid`` and they bear most of it, Eq. 4 is turned around.
+    """
     area, load_covered, area_covered = particle_share(separation, model, point)
     summit_load = log_summit_load(separation, model, point) + logarithm(1.0 - load_covered)
     summit_area = log_summit_area(separation, model, point) + logarithm(1.0 - area_covered)
     particles = logarithm(area)
+    if log_solid is not None and summit_load < log_solid - math.log(2.0):
+        rest = log_solid + math.log(-math.expm1(summit_load - log_solid))
+        particles = rest - math.log(model["H_s1"] / model["E_ss"])
     total = log_of_sum(particles, summit_area)
     return State(
-        log_of_sum(summit_load, logarithm(model["H_s1"] / model["E_ss"] * area)),
+        log_of_sum(summit_load, log_particle_load(area, model)),
         math.exp(total),
         math.exp(particles - total),
         math.exp(summit_area - total),
-        max(load_covered, area_covered) >= 1.0,
+        load_covered,
     )
 
 
-# --- film and balance (Eqs. 1, 7 and 8) ---
+# --- film (Eqs. 7 and 8) ---
 
 
 def film_terms(log_load, model, point):
@@ -298,91 +431,167 @@ def film_separation(log_load, model, point):
     return model["R_x"] * smooth * (1.0 + rough)
 
 
-def outside_film_formula(log_load, model, point):
-    """Whether H_c falls with rising viscosity, dH_c/dU <= 0: there Eq. 7 has no meaning."""
-    rise = 0.663 * model["kappa"] ** 0.025
-    return film_terms(log_load, model, point)[1] >= rise / (0.884 - rise)
+def log_film_load(separation, model, point):
+    """ln F_f* under which the film is as thick as ``separation`` d [m], F_t* at most."""
+    total = math.log(point.load)
+    if separation <= film_separation(total, model, point):
+        return total
+    below = 1.0
+    while film_separation(total - below, model, point) < separation:
+        below *= 2.0
+
+    def excess(log_load):
+        return math.log(film_separation(log_load, model, point) / separation)
+
+    return root(excess, total - below, total)
 
 
-def film_load(log_fluid_fraction, model, point):
-    """ln of the load in Eq. 7: that of the fluid, or the total in the printed reading of Eq. 8."""
+def log_load_in_w(log_fluid_fraction, model, point):
+    """ln of the load in W (Eq. 8): that of the fluid, or the total as printed."""
     log_load = math.log(point.load)
     return log_load if model["film_load"] == "total" else log_load + log_fluid_fraction
 
 
-def root(function, low, high):
-    """Root of ``function`` between ``low`` and ``high``, to the last digits of float64."""
-    return brentq(function, low, high, xtol=1e-300, rtol=1e-15, maxiter=500)
+def outside_film_formula(fluid_fraction, model, point):
+    """Whether a film that is at work is outside of the meaning of Eq. 7.
+
+    There H_c falls with rising viscosity, dH_c/dU <= 0, or the film is not thin.
+    """
+    if point.dry or fluid_fraction <= FILM_AT_WORK:
+        return False
+    log_load = log_load_in_w(math.log(fluid_fraction), model, point)
+    smooth, rough = film_terms(log_load, model, point)
+    rise = 0.663 * model["kappa"] ** 0.025
+    return rise * (1.0 + rough) <= 0.884 * rough or smooth * (1.0 + rough) > THICKEST_FILM
 
 
-def dry_separation(model, point):
-    """d >= 0 [m] at which the solids bear all of the load, or None; solved for d/sigma."""
-
-    def excess(x):
-        return log_solid_load(x * point.roughness, model, point) - math.log(point.load)
-
-    if excess(0.0) < 0.0:
-        return None
-    high = 1.0
-    while excess(high) > 0.0:
-        high *= 2.0
-    return point.roughness * root(excess, 0.0, high)
+# --- balance of the loads (Eq. 1) ---
 
 
-def fluid_balance(model, point):
-    """d [m], ln L_s and ln L_f with the load of the fluid in Eq. 7; None without a solution.
+def bears_fluid_share(model, point):
+    """Whether the film bears the load that Eq. 7 gives it, as opposed to what solids leave."""
+    return not point.dry and model["film_load"] == "fluid"
 
-    The unknown is -ln L_f: ln(F_s/F_t + L_f) rises with L_f and vanishes once.
+
+def log_borne(separation, model, point):
+    """ln((F_s + F_f)/F_t) at ``separation`` d [m]; zero where Eq. 1 holds.
+
+    A film under the total load counts for nothing beyond its own thickness.
+    """
+    solid = log_solid_load(separation, model, point)
+    fluid = (
+        log_film_load(separation, model, point) if bears_fluid_share(model, point) else -math.inf
+    )
+    return log_of_sum(solid, fluid) - math.log(point.load)
+
+
+def log_borne_range(near, far, model, point):
+    """Bounds of the same at all separations from ``near`` to ``far`` [m]."""
+    fluid = -math.inf, -math.inf
+    if bears_fluid_share(model, point):
+        fluid = [log_film_load(d, model, point) for d in (far, near)]
+    solid = log_solid_load_range(near, far, model, point)
+    return [log_of_sum(*loads) - math.log(point.load) for loads in zip(solid, fluid)]
+
+
+def balances(near, far, resolution, model, point):
+    """Separations [m] from ``near`` to ``far`` at which Eq. 1 holds, the largest first.
+
+    Where nothing excludes several, both halves are searched, down to ``resolution`` [m].
+    """
+    least, greatest = log_borne_range(near, far, model, point)
+    if least > 0.0 or greatest < 0.0:
+        return []
+    if far - near > resolution and not solid_load_falls(near, far, model, point):
+        middle = 0.5 * (near + far)
+        parts = (middle, far), (near, middle)
+        return [d for part in parts for d in balances(*part, resolution, model, point)]
+
+    def excess(d):
+        return log_borne(d, model, point)
+
+    changes = (excess(near) >= 0.0) != (excess(far) >= 0.0)
+    return [root(excess, near, far)] if changes else []
+
+
+def least_uncovered(near, far, model, point):
+    """Least separation [m] from ``near`` on at which particles do not cover more than everything.
+
+    Beyond ``far`` [m] they touch nothing.  None where they always cover more.
     """
 
-    def separation(y):
-        return film_separation(math.log(point.load) - y, model, point)
+    def excess(d):
+        return load_coverage(gap_of_particles(d, model, point), model, point) - 1.0
 
-    def excess(y):
-        solid = log_solid_load(separation(y), model, point) - math.log(point.load)
-        return log_of_sum(solid, -y)
-
-    high = 1.0
-    while excess(high) > 0.0:
-        if high > -TINIEST_LOGARITHM:
-            return None
-        high *= 2.0
-    y = root(excess, 0.0, high)
-    d = separation(y)
-    return d, log_solid_load(d, model, point) - math.log(point.load), -y
+    if excess(near) <= 0.0:
+        return near
+    if excess(far) > 0.0:
+        return None
+    least = root(excess, near, far)
+    while excess(least) < 0.0:  # next to it, summits may bear any share of their load: none here
+        least = math.nextafter(least, near)
+    return least
 
 
-def total_balance(model, point):
-    """The same with the total load in Eq. 7: no solid bears more than everything."""
-    d = film_separation(math.log(point.load), model, point)
-    solid = log_solid_load(d, model, point) - math.log(point.load)
-    if solid < 0.0:
-        return d, solid, math.log(-math.expm1(solid))
-    d = dry_separation(model, point)
-    return None if d is None else (d, 0.0, -math.inf)
+def separations(model, point):
+    """All separations d >= 0 [m] at which Eq. 1 holds, the largest first.
+
+    None, if particles cover more than everything where Eq. 1 might hold.
+    """
+    film = 0.0 if point.dry else film_separation(math.log(point.load), model, point)
+    far = max(film, point.roughness)
+    if not point.two_body:
+        reach = sizes(model, point)[2] + model["h_e_ratio"] * point.diameter
+        far = max(far, reach + point.summit_offset)
+    near = least_uncovered(film, far, model, point)
+    if near is None:
+        return None
+    while log_borne(far, model, point) >= 0.0:
+        far *= 2.0
+    found = balances(near, far, RESOLUTION * (far - near), model, point)
+    if near > film:
+        return found or None
+    holds = not point.dry and not bears_fluid_share(model, point)
+    if holds and log_borne(film, model, point) < 0.0:  # a film that takes what the solids leave
+        found.append(film)
+    return found
+
+
+def shares(separation, model, point):
+    """L_s and L_f (Eq. 9) at a ``separation`` d [m] at which Eq. 1 holds."""
+    if point.dry:
+        return 1.0, 0.0
+    log_total = math.log(point.load)
+    solid = math.exp(log_solid_load(separation, model, point) - log_total)
+    if bears_fluid_share(model, point):
+        fluid = math.exp(log_film_load(separation, model, point) - log_total)
+        return (1.0 - fluid if fluid < NEARLY_ALL else solid), fluid
+    held_by_film = separation == film_separation(log_total, model, point)
+    return (solid, 1.0 - solid) if held_by_film else (1.0, 0.0)
 
 
 def solve(model, point):
     """The ``Solution`` at ``point``."""
-    if point.dry:
-        d = dry_separation(model, point)
-        balance = None if d is None else (d, 0.0, -math.inf)
-    else:
-        balances = {"fluid": fluid_balance, "total": total_balance}
-        balance = balances[model["film_load"]](model, point)
-    if balance is None:
-        return Solution("not_converged")
-    d, log_solid, log_fluid = balance
-    there = state(d, model, point)
-    if there.covered:
-        return Solution("coverage_exceeded")
-    status = "converged"
-    if not point.dry and outside_film_formula(film_load(log_fluid, model, point), model, point):
-        status = "outside_film_formula"
-    return Solution(status, d, math.exp(log_solid), math.exp(log_fluid), there)
+    found = separations(model, point)
+    if not found:
+        return Solution("coverage_exceeded" if found is None else "load_exceeded")
+    solid, fluid = shares(found[0], model, point)
+    log_solid = math.log(point.load) + logarithm(solid)
+    there = state(found[0], model, point, log_solid)
+    status = named_status(there.total_area, fluid, len(found), model, point)
+    return Solution(status, len(found), found[0], solid, fluid, there)
 
 
 # --- names of the states (sections 3.1 and 3.2) ---
+
+
+def named_status(total_area, fluid_fraction, count, model, point):
+    """What is to be said of a point with ``count`` separations; the gravest, if several."""
+    if total_area > 1.0:
+        return "area_exceeded"
+    if outside_film_formula(fluid_fraction, model, point):
+        return "outside_film_formula"
+    return "several_separations" if count > 1 else "converged"
 
 
 def lubrication_regime(solid_fraction):

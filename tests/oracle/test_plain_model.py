@@ -1,0 +1,122 @@
+"""``verification/plain_model.py`` against the extended-precision oracle, in all readings."""
+
+import itertools
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from benchmarks.baselines import load_plain_model
+from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, SURFACE, Oracle, why_not
+from tests.oracle.points import draw, one
+
+pytestmark = [
+    pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
+    # next to X_max, integrals over a few rounding errors of a size
+    pytest.mark.filterwarnings("ignore:Extremely bad integrand:scipy.integrate.IntegrationWarning"),
+]
+
+COMBINATIONS = list(itertools.product(*READINGS.values()))
+RTOL = 1e-8
+BALANCE = 1e-12  # of the loads: where F_s is about to turn, they tell separations less well apart
+TINIEST = 1e-290  # what is smaller has fewer digits in float64
+ROUNDING = 1e-15  # of a separation: what next to X_max a few particles bear depends on it
+plain = load_plain_model(Path(__file__).parents[2] / "verification" / "plain_model.py")
+
+
+@pytest.fixture(scope="module")
+def oracle(tmp_path_factory):
+    return Oracle(tmp_path_factory.mktemp("oracle"))
+
+
+def drawn(of_each, seed):
+    """``of_each`` points of each combination of readings."""
+    model, conditions = draw(of_each * len(COMBINATIONS), seed)
+    for name, words in zip(READINGS, zip(*COMBINATIONS)):
+        model[name] = np.tile(words, of_each)
+    return model, conditions
+
+
+def each_of(model, conditions):
+    """The mapping of all numbers and readings, and the ``Point``, of each of the points."""
+    for index in range(len(conditions["load"])):
+        given = one(index, model, conditions)
+        yield given, plain.Point(*(given[name] for name in (*CONDITIONS, *SURFACE)))
+
+
+def quantities(separation, fractions, state, ball):
+    """Values in the order of ``QUANTITIES``."""
+    areas = state.total_area, state.particle_ratio, state.summit_ratio
+    return np.array([separation, *fractions, *areas, separation / ball])
+
+
+def errors(found, expected):
+    """Relative, for every quantity; of numbers that have all digits."""
+    size = np.maximum(np.abs(found), np.abs(expected))
+    return np.abs(found - expected) / np.maximum(size, TINIEST)
+
+
+def test_it_agrees_with_the_oracle_in_every_quantity(oracle, tell):
+    model, conditions = drawn(of_each=14, seed=17)
+    expected = oracle.solve(model, **conditions)
+    sound = (expected.roots["separation"] >= 0.0).sum(axis=1)  # closer than d = 0 none are
+    worst = 0.0
+    for index, (given, point) in enumerate(each_of(model, conditions)):
+        solution = plain.solve(given, point)
+        assert solution.count == sound[index], index
+        if not solution.count:
+            allowed = ["load_exceeded"]
+            if expected.count[index] < 0:
+                allowed.append("coverage_exceeded")
+            assert solution.status in allowed, index
+            continue
+        fractions = solution.solid_fraction, solution.fluid_fraction
+        ball = given["R_x"]
+        found = quantities(solution.separation, fractions, solution.state, ball)
+        right = np.array([expected.first(name)[index] for name in QUANTITIES], float)
+        error = errors(found, right)
+        if error.max() > RTOL:
+            nearby = solution.separation * (1.0 + ROUNDING)
+            there = quantities(
+                nearby, plain.shares(nearby, given, point), plain.state(nearby, given, point), ball
+            )
+            assert (error < RTOL + errors(found, there)).all(), index
+        else:
+            worst = max(worst, error.max())
+    tell(f"plain model: within {worst:.0e} of the oracle at {len(sound)} points, in all readings")
+
+
+def test_it_finds_all_separations_that_the_oracle_finds(oracle, tell):
+    """Soft particles, under loads that the solids bear where F_s rises with the separation."""
+    random = np.random.default_rng(19)
+    model, conditions = drawn(of_each=5, seed=19)
+    n = len(conditions["load"])
+    roughness = conditions["roughness"]
+    diameter = roughness * random.uniform(1.0, 5.0, n)
+    soft = 10.0 ** random.uniform(9.0, 10.5, n)
+    model |= {"E_ss": soft, "E_sa": soft, "H_s1": np.full(n, 5e9), "H_s2": np.full(n, 5e9)}
+    model |= {"mean_ratio": np.ones(n), "participation": np.ones(n)}
+    model["sigma_a_ratio"] = 10.0 ** random.uniform(-2.0, 0.0, n)
+    model["h_e_ratio"] = random.uniform(0.1, 2.0, n)
+    rises = 1.0 - np.where(model["elastic_limits"] == "physical", model["h_e_ratio"], 0.0)
+    rises += model["sigma_a_ratio"] * random.uniform(-1.0, 1.0, n)
+    conditions |= {"particle_diameter": diameter}
+    conditions["particle_density"] = 10.0 ** random.uniform(-2.0, 0.0, n) / diameter**2
+    conditions["viscosity"] = np.where(
+        random.random(n) < 0.5, 0.0, 10.0 ** random.uniform(-9.0, -5.0, n)
+    )
+    del conditions["load"]
+    loads = oracle.evaluate(model, np.abs(rises) * diameter, **conditions)[0]
+    conditions["load"] = np.maximum(loads.astype(float), 1e-250)
+    expected = oracle.solve(model, **conditions).roots["separation"].astype(float)
+    count = 0
+    for index, (given, point) in enumerate(each_of(model, conditions)):
+        right = expected[index, expected[index] >= 0.0]
+        found = plain.separations(given, point) or []
+        assert len(found) == len(right), index
+        for d, known in zip(found, right):
+            same = abs(d - known) < RTOL * known
+            assert same or abs(plain.log_borne(known, given, point)) < BALANCE, index
+        count += len(found) > 1
+    assert count > n / 4
+    tell(f"plain model: all separations of the oracle, several at {count} of {n} points")
