@@ -8,7 +8,7 @@ import pytest
 
 from benchmarks.baselines import load_plain_model
 from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, SURFACE, Oracle, why_not
-from tests.oracle.points import draw, one
+from tests.oracle.points import PUBLISHED, draw, one
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
@@ -101,7 +101,7 @@ def test_it_finds_all_separations_that_the_oracle_finds(oracle, tell):
     rises = 1.0 - np.where(model["elastic_limits"] == "physical", model["h_e_ratio"], 0.0)
     rises += model["sigma_a_ratio"] * random.uniform(-1.0, 1.0, n)
     conditions |= {"particle_diameter": diameter}
-    conditions["particle_density"] = 10.0 ** random.uniform(-2.0, 0.0, n) / diameter**2
+    conditions["particle_density"] = 10.0 ** random.uniform(-2.0, 0.5, n) / diameter**2
     conditions["viscosity"] = np.where(
         random.random(n) < 0.5, 0.0, 10.0 ** random.uniform(-9.0, -5.0, n)
     )
@@ -120,3 +120,34 @@ def test_it_finds_all_separations_that_the_oracle_finds(oracle, tell):
         count += len(found) > 1
     assert count > n / 4
     tell(f"plain model: all separations of the oracle, several at {count} of {n} points")
+
+
+FEW = {"load": 1e-5, "viscosity": 0.0, "particle_diameter": 3e-7, "roughness": 3e-7}
+FEW |= {"particle_density": 1e11}
+SOFT = {"phi_a": "centred", "mean_ratio": 1.0, "sigma_a_ratio": 0.05, "h_e_ratio": 0.5}
+SOFT |= {"E_ss": 3e9, "E_sa": 3e9, "particle_diameter": 1e-6, "load": 0.01}
+CROWDED = {"participation": 1.0, "particle_density": 1e14}
+
+
+@pytest.mark.parametrize(
+    ("status", "changes"),
+    [
+        ("converged", {}),
+        ("several_separations", SOFT),
+        ("outside_film_formula", {"viscosity": 1e-6, "load": 1e-10}),  # thinner under more oil
+        ("outside_film_formula", {"viscosity": 1e-1}),  # thicker than a hundredth of the ball
+        ("converged", {"viscosity": 1e-6}),  # a film that bears next to nothing
+        ("area_exceeded", {"eta_s": 1e12, "load": 0.05}),
+        ("area_exceeded", {"eta_s": 1e12, "load": 0.05, "viscosity": 1e-6}),
+        ("coverage_exceeded", CROWDED),
+        ("coverage_exceeded", CROWDED | {"coverage_limits": "contacting", "load": 1.0}),
+        ("converged", CROWDED | {"coverage_limits": "contacting"}),
+        ("load_exceeded", {"load": 1.0}),
+    ],
+)
+def test_it_names_what_is_to_be_said_of_a_point(status, changes):
+    given = PUBLISHED | FEW | changes
+    point = plain.Point(*(given[name] for name in (*CONDITIONS, *SURFACE)))
+    solution = plain.solve(given, point)
+    assert solution.status == status
+    assert (solution.state is None) == (status in ("coverage_exceeded", "load_exceeded"))
