@@ -525,12 +525,7 @@ def least_uncovered(near, far, model, point):
 
     if excess(near) <= 0.0:
         return near
-    if excess(far) > 0.0:
-        return None
-    least = root(excess, near, far)
-    while excess(least) < 0.0:  # next to it, summits may bear any share of their load: none here
-        least = math.nextafter(least, near)
-    return least
+    return None if excess(far) > 0.0 else root(excess, near, far)
 
 
 def separations(model, point):
