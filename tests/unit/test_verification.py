@@ -264,6 +264,42 @@ def test_changed_flag_is_found_though_all_sums_agree(copy, verify, release, flag
     assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
 
 
+def restate(path, status, unsolved):
+    """Say of the last shown point of the dataset ``path`` that it is ``status``, perhaps unsolved."""
+    with netCDF4.Dataset(path, "a") as dataset:
+        dataset.set_auto_maskandscale(False)
+        shown = tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
+        missing = dict.fromkeys(QUANTITIES, np.nan) if unsolved else {}
+        missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
+        meanings = dataset["solution_status"].flag_meanings.split()
+        for name, value in {**missing, "solution_status": meanings.index(status)}.items():
+            values = dataset[name][:]
+            values[shown] = value
+            dataset[name][:] = values
+
+
+@pytest.mark.parametrize(
+    ("status", "unsolved"),
+    [
+        ("several_separations", False),
+        ("area_exceeded", False),
+        ("coverage_exceeded", True),
+        ("load_exceeded", True),
+    ],
+)
+def test_false_status_is_found_though_all_sums_agree(copy, verify, release, status, unsolved):
+    restate(copy / "data/datasets/fig04.nc", status, unsolved)
+    mend_sums(copy, release)
+    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
+
+
+@pytest.mark.parametrize("unsolved", [False, True])
+def test_point_that_is_said_not_to_have_converged_may_have_values(copy, verify, release, unsolved):
+    restate(copy / "data/datasets/fig04.nc", "not_converged", unsolved)
+    mend_sums(copy, release)
+    assert not found(verify, copy)
+
+
 @pytest.mark.parametrize("factor", [1.0001, 0.0])
 @pytest.mark.parametrize("key", ["E_ss", "k", "G", "truncation", "participation", "sigma_s"])
 def test_changed_input_is_found_though_all_sums_agree(copy, verify, release, key, factor):
