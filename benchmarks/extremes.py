@@ -10,10 +10,9 @@ import numpy as np
 
 from benchmarks.library import solutions
 from benchmarks.points import VARIABLES, grouped, parameters_of, relative_errors
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 VERDICTS = ("right", "refused", "wrong")
-UNSOLVED = ("coverage_exceeded", "not_converged")
 # Relative errors that rounding leaves in a load, through the logarithms of its parts, and in a
 # separation.
 LOAD_ROUNDING = 1e-14
@@ -79,7 +78,7 @@ def _judge_point(row, index, solution, errors, rtol):
     status = SOLUTION_STATUSES[solution.solution_status[index]]
     worst = max(VARIABLES, key=lambda name: errors[name][index])
     error = float(errors[worst][index])
-    if row["status"] in UNSOLVED:
+    if row["status"] in WITHOUT_VALUES:
         error, worst = 0.0, ""
     bound = float(solution.error_bound[index])
     return _found(row, rtol, status, error, worst, verdict(row, status, error, bound, rtol))

@@ -18,6 +18,7 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.scene import Scene
+from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
 
 UNITS = {
     "load": "1",
@@ -47,7 +48,10 @@ MEANINGS = {
 FLAGS = {
     "lubrication_regime": "boundary mixed full_film",
     "contact_mode": "two_body surface_surface hybrid particle_surface",
-    "solution_status": "converged outside_film_formula coverage_exceeded not_converged",
+    "solution_status": (
+        "converged outside_film_formula coverage_exceeded not_converged several_separations "
+        "area_exceeded load_exceeded"
+    ),
 }
 GLOBAL_ATTRIBUTES = [
     "title",
@@ -163,6 +167,16 @@ def test_flags_name_each_of_their_values(dataset, name):
     assert values.dtype == np.int8
     assert values.size == len(attributes["flag_meanings"].split())
     assert attributes["equation"]
+
+
+def test_each_status_is_explained_in_the_file(dataset):
+    comment = dataset["solution_status"].attrs["comment"]
+    assert all(f"{name}: {meaning}" in comment for name, meaning in STATUS_MEANINGS.items())
+
+
+def test_the_number_of_separations_is_no_variable_of_a_dataset(parameters):
+    with pytest.raises(ValueError, match="variables has 'separation_count'; allowed: "):
+        grid(parameters, variables=["separation_count"])
 
 
 def test_the_normal_load_is_the_load_in_newtons(dataset, parameters):
@@ -310,7 +324,8 @@ def test_unsolved_points_of_a_grid_do_not_hold_the_fill_value(parameters, tmp_pa
         for name in (*MEANINGS, *FLAGS):
             # what a reader that knows the convention takes for missing
             assert not np.ma.getmaskarray(stored[name][:]).any(), name
-        assert (stored["solution_status"][1, 0] == 3).all()
+        exceeded = SOLUTION_STATUSES.index("load_exceeded")
+        assert (stored["solution_status"][1, 0] == exceeded).all()
 
 
 def test_the_same_dataset_gives_the_same_bytes(shown, on_disk, tmp_path):

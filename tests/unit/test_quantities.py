@@ -7,6 +7,7 @@ import pytest
 
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import CONTRACT, FLAGS, NORMAL_LOAD, QUANTITIES, VARIABLES
+from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
 from thirdbody.solver import solution
 
 PAGE = (Path(__file__).parents[2] / "docs" / "nomenclature.md").read_text(encoding="utf-8")
@@ -19,7 +20,7 @@ EXPLAINED = {
 
 
 def test_every_variable_of_a_solution_is_described_and_no_other():
-    assert VARIABLES.keys() == set(solution.VARIABLES)
+    assert VARIABLES.keys() == set(solution.VARIABLES) - {"separation_count"}
     assert FLAGS.keys() == set(solution.FLAGS)
     assert list(QUANTITIES) == list(solution.QUANTITIES)
     assert set(VARIABLES) - set(CONTRACT) == {"error_bound"}
@@ -44,5 +45,12 @@ def test_the_page_explains_every_condition_alike(axis):
 def test_the_page_explains_every_flag():
     for flag in FLAGS.values():
         assert f"`{flag.name}`" in PAGE
-    statuses = set(re.findall(r"^\| `(\w+)` \| ", PAGE, re.MULTILINE))
-    assert set(FLAGS["solution_status"].meanings) <= statuses
+
+
+def test_the_page_and_the_files_explain_each_status_once_and_alike():
+    rows = re.findall(r"^\| `(\w+)` \| ([^|]+) \| (given|nan; regime and mode -1) \|$", PAGE, re.M)
+    assert [(name, text) for name, text, _ in rows] == list(STATUS_MEANINGS.items())
+    assert tuple(name for name, _, values in rows if values != "given") == WITHOUT_VALUES
+    flag = FLAGS["solution_status"]
+    assert flag.meanings == tuple(STATUS_MEANINGS)
+    assert flag.comment.split("; ") == [": ".join(row[:2]) for row in rows]

@@ -6,8 +6,13 @@ import pytest
 from thirdbody.model.regimes import (
     CONTACT_MODES,
     LUBRICATION_REGIMES,
+    MILDEST_FIRST,
     SOLUTION_STATUSES,
+    WITHOUT_VALUES,
     contact_mode,
+    gravest_status,
+    has_values,
+    is_as_asked,
     lubrication_regime,
 )
 
@@ -71,4 +76,27 @@ def test_names_stand_in_the_order_of_the_data_contract():
         "outside_film_formula",
         "coverage_exceeded",
         "not_converged",
+        "several_separations",
+        "area_exceeded",
+        "load_exceeded",
     )
+
+
+@pytest.mark.parametrize("place", range(len(MILDEST_FIRST)))
+def test_of_all_statuses_that_apply_the_gravest_is_stored(place):
+    milder = {name: np.ones(2, bool) for name in MILDEST_FIRST[: place + 1]}
+    status = gravest_status(**milder | {MILDEST_FIRST[place]: np.array([True, False])})
+    expected = MILDEST_FIRST[place], ("converged", *MILDEST_FIRST)[place]
+    assert tuple(SOLUTION_STATUSES[index] for index in status) == expected
+
+
+def test_every_status_but_converged_has_its_place_among_the_grave():
+    assert sorted(("converged", *MILDEST_FIRST)) == sorted(SOLUTION_STATUSES)
+
+
+def test_values_are_given_but_where_no_separation_means_anything():
+    every = np.arange(len(SOLUTION_STATUSES), dtype=np.int8)
+    without = {SOLUTION_STATUSES[index] for index in every[~has_values(every)]}
+    missed = {SOLUTION_STATUSES[index] for index in every[~is_as_asked(every)]}
+    assert without == set(WITHOUT_VALUES) == {"coverage_exceeded", "load_exceeded"}
+    assert missed == without | {"not_converged"}

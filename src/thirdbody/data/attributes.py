@@ -26,8 +26,8 @@ DISCOVERY = {
     "naming_authority": "thirdbody",
     "history": "computed by thirdbody from the equations of the paper",
     "comment": (
-        "nan: the point has no solution, and solution_status says why; a value beside the status "
-        "not_converged is one that float64 does not resolve to rtol"
+        "nan: the point has no values, and solution_status says why; a value beside another status "
+        "than converged is to be taken as the comment of solution_status says"
     ),
     "acknowledgement": "Chen & Horng (2024) for the model",
     "project": "thirdbody",
@@ -77,7 +77,8 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 def variable_attributes(quantity: Quantity) -> dict:
     """Attributes of a variable, with the value that fills the points which it does not hold."""
-    return _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
+    attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
+    return attributes | ({"comment": quantity.comment} if quantity.comment else {})
 
 
 def _number_attributes(quantity):

@@ -59,7 +59,7 @@ def grid(
     -------
     xarray.Dataset
         Dimensions are the five axes, of the lengths given.  ``solution_status`` says of each
-        point whether, and why not, it has a solution; unsolved points hold nan.
+        point whether it has values, which are nan if not, and how to take them.
 
     Raises
     ------
@@ -93,7 +93,7 @@ def grid(
 
 def with_status(variables: Collection[str]) -> list[str]:
     """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
-    check_variables(variables)
+    check_variables(variables, VARIABLES)
     return [name for name in VARIABLES if name in variables or name == "solution_status"]
 
 

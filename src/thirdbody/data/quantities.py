@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, SOLUTION_STATUSES
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, STATUS_MEANINGS
 
 
 @dataclass(frozen=True)
@@ -29,6 +29,8 @@ class Quantity:
         Equation or section of the paper that defines it, ``none`` if none does.
     meanings : tuple of str
         Of a flag, what its values 0, 1, ... stand for; empty for a number.
+    comment : str
+        What else there is to say of it, or nothing.
     """
 
     name: str
@@ -37,6 +39,7 @@ class Quantity:
     long_name: str
     equation: str
     meanings: tuple[str, ...] = ()
+    comment: str = ""
 
 
 NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
@@ -75,7 +78,15 @@ FLAGS = _by_name(
         "lubrication_regime", "L_s", "1", "lubrication regime", "section 3.1", LUBRICATION_REGIMES
     ),
     Quantity("contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", CONTACT_MODES),
-    Quantity("solution_status", "none", "1", "status of the solution", "1-8", SOLUTION_STATUSES),
+    Quantity(
+        "solution_status",
+        "none",
+        "1",
+        "status of the solution",
+        "1-8",
+        tuple(STATUS_MEANINGS),
+        "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
+    ),
 )
 CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a figure
 VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS  # all that a dataset can hold

@@ -12,15 +12,27 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-SOLUTION_STATUSES = (
-    "converged",
-    "outside_film_formula",
-    "coverage_exceeded",
-    "not_converged",
-    "several_separations",
-    "area_exceeded",
-    "load_exceeded",
-)
+# What each status says of a point, in the order of the codes that stand for them in data files.
+STATUS_MEANINGS = {
+    "converged": "the equations hold to the error asked for",
+    "outside_film_formula": (
+        "the film bears more than a thousandth of the load where Eq. 7 has no meaning: it would "
+        "grow with falling viscosity, or is thicker than a hundredth of the ball's radius"
+    ),
+    "coverage_exceeded": "particles would cover the whole interface, in Eq. 4 or in Eq. 5",
+    "not_converged": (
+        "float64 does not promise the error asked for, and error_bound says what the values are "
+        "good for"
+    ),
+    "several_separations": (
+        "the forces balance at several separations, of which the largest is given: closing "
+        "surfaces meet it first"
+    ),
+    "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
+    "load_exceeded": "the load is more than what is borne at any separation of zero or more",
+}
+SOLUTION_STATUSES = tuple(STATUS_MEANINGS)
+WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and -1 for regime and mode
 # Where several apply, the last of these is the status.
 MILDEST_FIRST = (
     "several_separations",
@@ -87,6 +99,32 @@ def contact_mode(
     return has_particles * _between(ratio > PARTICLE_LIMIT, ratio < SURFACE_LIMIT, 2)
 
 
+def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
+    """Whether points have values: a separation, loads and areas.
+
+    Parameters
+    ----------
+    solution_status : array_like of int
+        Indices into ``SOLUTION_STATUSES``, of any shape.
+
+    Returns
+    -------
+    array of bool
+        Of the same shape.
+
+    Examples
+    --------
+    >>> has_values([SOLUTION_STATUSES.index(name) for name in ("not_converged", "load_exceeded")])
+    array([ True, False])
+    """
+    return ~_is_any(solution_status, WITHOUT_VALUES)
+
+
+def is_as_asked(solution_status: ArrayLike) -> NDArray[np.bool_]:
+    """Whether points have values, and these the error asked for; takes what ``has_values`` takes."""
+    return ~_is_any(solution_status, (*WITHOUT_VALUES, "not_converged"))
+
+
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
     """The status of points, of all that apply.
 
@@ -112,6 +150,11 @@ def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
         if name in applies:
             status[applies[name]] = SOLUTION_STATUSES.index(name)
     return status
+
+
+def _is_any(solution_status, names):
+    """Whether a status is one of those of ``names``."""
+    return np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in names])
 
 
 def _between(above, below, index):

@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 from thirdbody.data.netcdf import read_dataset
+from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, Release
 from thirdbody.release.datapackage import DRAWN_POINTS, table_schema
@@ -135,8 +136,12 @@ def _datasets(folder: Path, title: str) -> str:
         f"### `data/datasets/`: {title}",
         "",
         "NetCDF-4, conventions CF-1.11 and ACDD-1.3. Combinations of the five dimensions that a",
-        "figure does not show hold `_FillValue`; what could not be solved says why in",
-        "`solution_status`.",
+        "figure does not show hold `_FillValue`. Each point has a `solution_status`, which is among",
+        "",
+        *(f"- `{status}`: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
+        "",
+        f"Points that are {' or '.join(WITHOUT_VALUES)} hold nan, and -1 for regime and mode; all",
+        "others have values.",
         "",
         "| file | what | shape | points | status |",
         "|---|---|---|---|---|",

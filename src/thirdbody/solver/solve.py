@@ -40,7 +40,7 @@ def solve(
     particle_diameter : array_like
         Mean diameter x_a of the particles [m]; 0 where there are none (two-body contact).
     roughness : array_like
-        Equivalent root mean square roughness sigma [m], positive.
+        Equivalent root mean square roughness sigma [m], from 1e-30 to 1e30.
     particle_density : array_like
         Number eta_a of particles per area [m-2]; 0 where there are none (two-body contact).
     parameters : Parameters
@@ -57,7 +57,9 @@ def solve(
     Returns
     -------
     Solution
-        Arrays of the broadcast shape.  What cannot be solved is marked in ``solution_status``.
+        Arrays of the broadcast shape.  ``solution_status`` says which points have no values, and
+        which values to take with care; ``error_bound`` holds for numbers above 2.2e-308, below
+        which float64 loses digits.
 
     Raises
     ------
@@ -98,12 +100,12 @@ def solve(
     return Solution(**{name: values.reshape(shape) for name, values in found.items()})
 
 
-def check_variables(variables) -> None:
-    """Raises ``ValueError`` unless ``variables`` is a collection of names of variables."""
-    unknown = [name for name in variables if name not in VARIABLES]
+def check_variables(variables, known: Collection[str] = VARIABLES) -> None:
+    """Raises ``ValueError`` unless ``variables`` is a collection of names out of ``known``."""
+    unknown = [name for name in variables if name not in known]
     if isinstance(variables, str) or unknown:
         shown = variables if isinstance(variables, str) else unknown[0]
-        raise ValueError(f"variables has {shown!r}; allowed: a list out of {', '.join(VARIABLES)}")
+        raise ValueError(f"variables has {shown!r}; allowed: a list out of {', '.join(known)}")
 
 
 def check_rtol(rtol) -> None:

@@ -12,7 +12,8 @@ from thirdbody.curves.turning_point import turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solution import COVERAGE_EXCEEDED, VARIABLES
+from thirdbody.model.regimes import is_as_asked
+from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
 
@@ -147,7 +148,7 @@ class SolvedEvidence:
     def _curves(self) -> dict[Condition, Curve]:
         solution = self._solution
         newtons = self.loads * self.parameters.newtons_per_load
-        solved = solution.solution_status < COVERAGE_EXCEEDED
+        solved = is_as_asked(solution.solution_status)
         return {
             condition: Curve(
                 load=self.loads,
