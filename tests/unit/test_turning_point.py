@@ -64,7 +64,9 @@ def test_a_curve_has_a_turning_point_where_a_brute_scan_has_a_maximum(reading, l
     conditions = curves(0.0, diameter, 100.0 * NANOMETRE)
     found = found_on(loads, conditions, reading)
     dense = np.geomspace(loads[0], loads[-1], 2001)
-    brute = inner_maxima(odds_at(dense[:, None], conditions, reading)).any(axis=0)
+    odds = odds_at(dense[:, None], conditions, reading)
+    visible = odds / (1.0 + odds) < 1.0
+    brute = (inner_maxima(odds) & visible[1:-1]).any(axis=0)
     assert np.array_equal(np.isfinite(found.load), brute)
 
 
@@ -158,6 +160,20 @@ def test_the_total_load_in_the_film_turns_where_film_or_solids_bear_it(
 def test_two_body_curves_have_no_turning_point(parameters, loads, diameter, density):
     found = found_on(loads, curves(VISCOSITIES, diameter, 3e-7, density), parameters)
     assert np.isnan(found.load).all()
+
+
+def test_a_maximum_that_float64_cannot_see_is_none(parameters, loads):
+    # the larger the particles on so smooth a surface, the smaller the share of the summits
+    conditions = curves(0.0, np.array([100.0, 200.0, 300.0, 400.0]) * NANOMETRE, 100.0 * NANOMETRE)
+    solution = tb.solve(loads[:, None], *conditions, parameters)
+    ratio = solution.particle_contact_area_ratio
+    maximum = inner_maxima(ratio / solution.surface_contact_area_ratio)
+    assert (np.count_nonzero(maximum, axis=0) == 1).all()
+    unseen = (ratio[1:-1] == 1.0)[maximum.nonzero()][np.argsort(maximum.nonzero()[1])]
+    assert unseen.tolist() == [False, False, True, True]
+    found = turning_points(solution.separation, *conditions, parameters)
+    for values in vars(found).values():
+        assert np.array_equal(np.isnan(values), unseen)
 
 
 def test_curves_keep_their_order_among_others(parameters, loads):

@@ -81,7 +81,8 @@ def turning_points(
     Returns
     -------
     TurningPoints
-        Two-body curves, and curves without solution where the maximum would lie, have none.
+        Two-body curves, and curves without solution where the maximum would lie, have none; and
+        where A_sa,t* is 1 in float64 at the maximum, it is so around it: that is none either.
 
     Examples
     --------
@@ -106,6 +107,8 @@ def turning_points(
         curve, peak, width = highest_shares(solids, separation[:, curves], SEPARATION_MARGIN * rtol)
         if curve.size:
             refined = _state_at(solids.take(curve), viscosity[curves[curve]], peak, width, rtol)
+            seen = refined["peak_ratio"] < 1.0  # else A_sa,t* is 1 on either side too
+            curve, refined = curve[seen], {name: some[seen] for name, some in refined.items()}
             best = _highest(curve, refined["peak_ratio"])
             for name, values in refined.items():
                 found[name][curves[curve[best]]] = values[best]
