@@ -1,5 +1,7 @@
 """The extremes at which models of this kind break; golden values by tests/golden/generate_extremes.py."""
 
+import itertools
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,6 +11,7 @@ import pytest
 import thirdbody as tb
 from benchmarks.extremes import beyond_float64, judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
+from thirdbody.configuration.inputs import read_entries
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -84,6 +87,27 @@ def test_every_item_has_its_rows():
 def test_a_surface_without_roughness_is_refused(parameters, bad):
     with pytest.raises(ValueError, match="roughness is .*; allowed: positive"):
         solve(parameters, roughness=[3e-7, bad])
+
+
+@pytest.mark.parametrize("bad", [5e-324, 1e-320, 9.99e-31, 1.01e30, 1e308])
+def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, way, bad):
+    shown = re.escape(f"roughness is {bad:g}; allowed: 1e-30 to 1e+30 m")
+    for roughness in (bad, [3e-7, bad]):
+        with pytest.raises(ValueError, match=f"^{shown}$"):
+            solve(parameters, way=way, roughness=roughness)
+
+
+@pytest.mark.parametrize("roughness", [1e-30, 1e30])
+def test_the_surface_of_any_other_roughness_is_of_finite_numbers(parameters, roughness):
+    described = read_entries()
+    names = [name for name in described if name.startswith(("summit_", "reference_"))]
+    names.remove("summit_offset")
+    for ends in itertools.product(*(described[name]["bounds"] for name in names)):
+        inputs = replace(parameters, **dict(zip(names, ends, strict=True)), summit_offset=False)
+        surface = inputs.surface(roughness)
+        curvature_length = 1.0 / (surface.summit_density * surface.summit_radius)
+        numbers = [*vars(surface).values(), curvature_length**2]
+        assert np.isfinite(numbers).all(), ends
 
 
 # ---- the whole domain

@@ -15,13 +15,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import erfcx
 
+from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters, Surface
 
 # Summits whose weight is below exp(-NEGLIGIBLE) of the largest do not matter in float64.
@@ -202,7 +202,7 @@ class SummitPopulation:
         """What ``log_load`` and ``log_area`` return, for little more than one of them costs."""
         return self._logarithms(t, self._load_weights, self._area_weights)
 
-    @cached_property
+    @computed_once
     def _load_weights(self) -> Weights:
         hertz = 4.0 / 3.0 * self.summit_parameter * np.sqrt(self.sharpness)
         full = np.pi * self.summit_parameter * self.hardness_ratio
@@ -213,7 +213,7 @@ class SummitPopulation:
 
         return Weights(hertz, 1.5, elastoplastic, 2.0 * full)
 
-    @cached_property
+    @computed_once
     def _area_weights(self) -> Weights:
         full = np.pi * self.summit_parameter
         return Weights(full, 1.0, lambda ratio, growth: _over_nodes(full) * growth, 2.0 * full)

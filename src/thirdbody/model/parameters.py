@@ -6,8 +6,8 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
-from functools import cached_property
 
+from thirdbody.model.computed_once import computed_once
 from thirdbody.model.readings import LEAST_SPREAD, Readings
 
 # The keys that inputs, and fields of a surface, have in the attribute ``model_parameters`` of
@@ -44,6 +44,8 @@ PARTICLE_KEYS = {
     "coverage_limits": "coverage_limits",
     "film_load": "film_load",
 }
+# sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
+LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 
 
 @dataclass(frozen=True)
@@ -130,7 +132,7 @@ class Parameters:
                 "below which equal particles would bear any load at one separation"
             )
 
-    @cached_property
+    @computed_once
     def readings(self) -> Readings:
         """The readings of the paper that these inputs choose, as objects."""
         return Readings.of(self)
@@ -179,7 +181,8 @@ class Parameters:
         Raises
         ------
         ValueError
-            Where ``summit_parameter`` leaves no variance to the summits.
+            Where ``summit_parameter`` leaves no variance to the summits, and for a roughness that
+            is not between 1e-30 and 1e30 m, where power laws of it may leave float64.
 
         Examples
         --------
@@ -190,6 +193,9 @@ class Parameters:
         >>> surface.summit_deviation, surface.summit_offset
         (3e-07, 0.0)
         """
+        if not LEAST_ROUGHNESS <= roughness <= MOST_ROUGHNESS:
+            allowed = f"{LEAST_ROUGHNESS:g} to {MOST_ROUGHNESS:g} m"
+            raise ValueError(f"roughness is {roughness:g}; allowed: {allowed}")
         scale = roughness / self.reference_roughness
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent

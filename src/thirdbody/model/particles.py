@@ -23,12 +23,12 @@ which is moment(d) + w (moment(d') - moment(d)), with the weight w = e or w = 1 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
+from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import SizeLaw
 
@@ -243,12 +243,12 @@ class Moment:
         within = (alpha > self.smallest) & (alpha < self.largest)
         return np.maximum(value - self.of_largest, 0.0), np.where(within, slope, 0.0)
 
-    @cached_property
+    @computed_once
     def of_largest(self) -> float:
         """M of X_max [1]."""
         return float(self._untruncated(np.array(self.largest))[0])
 
-    @cached_property
+    @computed_once
     def of_all(self) -> float:
         """The moment of all sizes [1]."""
         return float(self(np.array(-np.inf))[0])
