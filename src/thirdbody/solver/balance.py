@@ -53,8 +53,6 @@ class Balance:
         Bound on the error [m] that solving and rounding leave in d.
     error : array
         Bound on the relative error that they leave in any variable [1].
-    condition : array
-        By how much a relative error of the solids' load is magnified in any variable [1].
     count : array of int
         How many separations there are, of which this is the largest.
     """
@@ -63,7 +61,6 @@ class Balance:
     separation: NDArray
     width: NDArray
     error: NDArray
-    condition: NDArray
     count: NDArray
 
 
@@ -72,6 +69,12 @@ def _moved(load: SolidLoad, separation: NDArray, error: ArrayLike) -> tuple[NDAr
     a relative ``error``."""
     moved = error * load.steepest * np.abs(separation)
     return load.noise + moved, load.rounding + moved + error
+
+
+def _places_to_search(points):
+    """Indices of points for which more than one separation may balance the forces; none by tables,
+    whose errors may hide one that just does."""
+    return np.flatnonzero(may_be_several(points) & (not points.surfaces.is_tabulated))
 
 
 def dry_balance(points: Points, tolerance: float) -> Balance:
@@ -100,7 +103,14 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         noise, rounding = _moved(load, x * scale, 2.0 * EPSILON)
         gain = np.maximum(load.steepest * scale, 1.0 / np.abs(x))
         noise = noise + 2.0 * EPSILON * np.abs(some.log_load)
-        return Residual(load.value - some.log_load, load.slope * scale, gain, noise, rounding)
+        return Residual(
+            load.value - some.log_load,
+            load.slope * scale,
+            gain,
+            noise,
+            rounding + some.surfaces.table_error,
+            some.surfaces.table_error,
+        )
 
     scale = points.surfaces.roughness
     first = first_separation(points)
@@ -108,7 +118,7 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
     guess, lower = first / scale, np.zeros_like(first)
     upper = 2.0 * np.maximum(first, far) / scale + 10.0
     count = np.ones(first.shape, int)
-    several = np.flatnonzero(may_be_several(points))
+    several = _places_to_search(points)
     if several.size:
         zero = np.zeros(several.size)
         found = enclose_largest(points.take(several), zero, first[several], with_film=False)
@@ -116,11 +126,10 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         count[several] = found.count
         lower[several], upper[several] = found.low / where, found.high / where
         guess[several] = 0.5 * (lower[several] + upper[several])
-    roots, width, error, condition = decreasing_roots(
-        residual, guess, lower, upper, tolerance, points
-    )
+    roots, width, error = decreasing_roots(residual, guess, lower, upper, tolerance, points)
+    error = np.where(roots <= width, np.inf, error)  # it may be that nothing balances
     dry = np.full_like(roots, np.inf)
-    return Balance(dry, scale * roots, scale * width, error, condition, count)
+    return Balance(dry, scale * roots, scale * width, error, count)
 
 
 def shared_balance(points: Points, tolerance: float) -> Balance:
@@ -163,7 +172,8 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
             -solid * load.slope * widening - (1.0 - solid),
             np.maximum(-solid * load.steepest * widening, shares),
             noise,
-            rounding,
+            rounding + some.surfaces.table_error,
+            some.surfaces.table_error,
         )
 
     guess = _first_logit(points)
@@ -172,7 +182,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     lower = np.minimum(1.001 * lowest, FILM_ALONE) - 10.0
     upper = np.full_like(guess, LOGIT_LIMIT)
     count = np.ones(guess.shape, int)
-    several = np.flatnonzero(may_be_several(points))
+    several = _places_to_search(points)
     if several.size:
         some = points.take(several)
         start = (1.0 - 1e-9) * alone[several]  # where the film bears more than F_t
@@ -189,7 +199,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     separation, widening = points.film_separation(log_fluid)
     rounding = points.film.rounding(points.log_load_parameter(log_fluid))
     width = np.abs(widening) * found.width * expit(found.root) + rounding * separation
-    return Balance(found.root, separation, width, found.error, found.condition, count)
+    return Balance(found.root, separation, width, found.error, count)
 
 
 def _logit_at(points, separation):
@@ -247,19 +257,19 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     noise, rounding = _moved(load, separation, rounded)
     boundary = ~(log_solid < 0.0)
     count = np.where(boundary, 0, 1)
-    several = np.flatnonzero(may_be_several(points))
+    several = _places_to_search(points)
     if several.size:
         some = points.take(several)
         found = enclose_largest(some, separation[several], first_separation(some), with_film=False)
         count[several] += found.count
         boundary[several] |= found.count > 0
     logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
-    # L_f = 1 - L_s is what suffers most
-    condition = np.maximum(np.exp(logit), 1.0)
+    table_error = points.surfaces.table_error
     noise = np.where(log_solid > VANISHED, noise + 2.0 * EPSILON * np.abs(points.log_load), 0.0)
-    error = rounding + noise * condition
+    # L_f = 1 - L_s is what suffers most
+    error = rounding + table_error + (noise + table_error) * np.maximum(np.exp(logit), 1.0)
     width = rounded * separation
-    found = Balance(logit, separation, width, error, condition, count)
+    found = Balance(logit, separation, width, error, count)
     if boundary.any():
         dry = dry_balance(points.take(boundary), tolerance)
         for name, values in vars(dry).items():

@@ -38,6 +38,8 @@ class Residual(NamedTuple):
         What rounding may change in the value.
     rounding : array
         Relative error that rounding adds when these variables are evaluated.
+    known_within : array
+        What the value may be wrong by for other reasons: a smooth error, which no step feels.
     """
 
     value: NDArray
@@ -45,6 +47,7 @@ class Residual(NamedTuple):
     gain: NDArray
     noise: ArrayLike = 0.0
     rounding: ArrayLike = 0.0
+    known_within: ArrayLike = 0.0
 
 
 class Roots(NamedTuple):
@@ -60,14 +63,11 @@ class Roots(NamedTuple):
     error : array
         Bound on the relative error of what is wanted of the root; infinite where the function falls
         so far within the width that slopes at its ends say nothing of what lies between.
-    condition : array
-        By how much a relative error of the function's terms is magnified in what is wanted.
     """
 
     root: NDArray
     width: NDArray
     error: NDArray
-    condition: NDArray
 
 
 def decreasing_roots(
@@ -108,7 +108,7 @@ def decreasing_roots(
     the function changes its sign within the error that is then promised; if not, because a kink
     lies between, the search goes on from the end that disagrees.
     """
-    found = Roots(*np.full((4, guess.size), np.nan))
+    found = Roots(*np.full((3, guess.size), np.nan))
     active = np.arange(guess.size)
     x, low, high = np.clip(guess, lower, upper), lower, upper
     last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
@@ -134,12 +134,18 @@ def decreasing_roots(
         if settled.any():
             chosen = np.flatnonzero(settled)
             width = doubt * np.where(narrow, spacing, np.maximum(coming, 2.0 * noise))
-            enclosed, *ends = _enclosed(
-                residual, new[chosen], width[chosen], tolerance, _some(points, chosen, x.size)
+            width += 1.5 * here.known_within / steepness
+            place = active[chosen]
+            middle, about = new[chosen], width[chosen]
+            ends = np.fmax(middle - about, lower[place]), np.fmin(middle + about, upper[place])
+            enclosed, below, above = _enclosed(
+                residual, middle, ends, tolerance, _some(points, chosen, x.size)
             )
             for values, column in zip(enclosed, found, strict=True):
-                column[active[chosen]] = values
-            new[chosen], beyond = _offending(new[chosen], width[chosen], *ends)
+                column[place] = values
+            # where a sign is wrong, the search goes on from there
+            beyond = np.where(above > 0.0, 1, np.where(below >= 0.0, 0, -1))
+            new[chosen] = np.choose(beyond + 1, (ends[0], middle, ends[1]))
             low[chosen] = np.where(beyond > 0, new[chosen], low[chosen])
             high[chosen] = np.where(beyond < 0, new[chosen], high[chosen])
             doubt = np.where(settled, DOUBT * doubt, np.maximum(0.5 * doubt, 1.0))
@@ -160,23 +166,17 @@ def _some(points, chosen, count):
     return points if chosen.size == count else points.take(chosen)
 
 
-def _enclosed(residual, root, width, tolerance, points):
-    """``Roots`` if the function changes its sign within ``width`` of ``root``, else nan; and the
-    function at both ends."""
-    ends = residual(root - width, points), residual(root + width, points)
-    below, above = (end.value for end in ends)
+def _enclosed(residual, root, ends, tolerance, points):
+    """``Roots`` if the function changes its sign between two ``ends`` about ``root``, else nan; and
+    the function at both."""
+    at_ends = [residual(end, points) for end in ends]
+    below, above = (end.value for end in at_ends)
     holds = (below >= 0.0) & ~(above > 0.0)
-    steepness = [np.abs(end.slope) for end in ends]
+    width = np.maximum(root - ends[0], ends[1] - root)
+    steepness = [np.abs(end.slope) for end in at_ends]
     jumps = ~(below - above <= 4.0 * np.maximum(tolerance, np.maximum(*steepness) * width))
-    error = width * np.maximum(*(end.gain for end in ends))
-    error += np.maximum(*(end.rounding for end in ends))
-    condition = np.maximum(*(end.gain / steep for end, steep in zip(ends, steepness, strict=True)))
-    found = root, width, np.where(jumps, np.inf, error), condition
+    width += np.maximum(*(end.known_within for end in at_ends)) / np.minimum(*steepness)
+    error = width * np.maximum(*(end.gain for end in at_ends))
+    error += np.maximum(*(end.rounding for end in at_ends))
+    found = root, width, np.where(jumps, np.inf, error)
     return Roots(*np.where(holds, found, np.nan)), below, above
-
-
-def _offending(root, width, below, above):
-    """Where the search goes on: the end of the enclosure at which the sign is wrong, and whether the
-    root lies above (1) or below (-1) of it; the middle and 0 if neither is wrong."""
-    beyond = np.where(above > 0.0, 1, np.where(below >= 0.0, 0, -1))
-    return root + beyond * width, beyond

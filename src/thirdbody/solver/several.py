@@ -16,7 +16,7 @@ from thirdbody.solver.points import Points
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
 SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
-SAMPLES = 16  # between two neighbouring places
+SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
 LEAST_TURN = 1e-10  # of a load: less than that is rounding
@@ -114,7 +114,8 @@ def _places(points, start, end):
     places = [particles.mean + alpha * particles.spread for alpha in kinks]
     places += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_PLACES]
     edges = np.sort(np.clip(np.stack([start, *places, end], axis=1), start[:, None], end[:, None]))
-    share = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2  # closest next to the kinks
+    share = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
+    share = share**2 * (3.0 - 2.0 * share)  # from 0 to 1, closest next to the kinks
     between = edges[:, :-1, None] + np.diff(edges)[..., None] * share
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
@@ -129,7 +130,7 @@ def _hidden_pairs(excess, places, values):
     rises = np.abs(np.diff(values))
     same = (values[:, :-2] > 0.0) == (values[:, 2:] > 0.0)
     same &= (values[:, 1:-1] > 0.0) == (values[:, 2:] > 0.0)
-    turns = same & (near[:, 1:-1] <= near[:, :-2]) & (near[:, 1:-1] <= near[:, 2:])
+    turns = same & (near[:, 1:-1] < near[:, :-2]) & (near[:, 1:-1] <= near[:, 2:])
     turn = np.maximum(rises[:, :-1], rises[:, 1:])
     turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > LEAST_TURN)
     point, place = np.nonzero(turns)

@@ -17,10 +17,10 @@ from thirdbody.model.regimes import (
 )
 from thirdbody.solver.balance import BALANCES, dry_balance
 from thirdbody.solver.points import Points
+from thirdbody.solver.several import may_be_several
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
-TABLE_SHARE = 0.4  # of the error asked for: left by the tables
 NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(4)
 
@@ -97,8 +97,8 @@ class SolvedPoints:
     Attributes
     ----------
     left : array of bool
-        Points that magnify the errors of tables beyond ``rtol`` and are to be solved by
-        quadrature; by quadrature none is left.
+        Points that magnify the errors of tables beyond ``rtol``, or that may have several
+        separations, and are to be solved by quadrature; by quadrature none is left.
 
     Notes
     -----
@@ -112,10 +112,9 @@ class SolvedPoints:
         self._balance = solve(
             points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
         )
-        magnified = points.surfaces.table_error * (self._balance.condition + 1.0)
-        self._error = self._balance.error + self._onset_error() + magnified
-        imprecise = (magnified > TABLE_SHARE * rtol) | ~(self._error <= rtol)
-        self.left = imprecise & points.surfaces.is_tabulated
+        self._error = self._balance.error + self._onset_error()
+        self.left = ~(self._error <= rtol) | may_be_several(points)
+        self.left &= points.surfaces.is_tabulated
         self._rtol = rtol
         self._void = np.isnan(self._balance.separation) | self._leave_no_room()
         self._complete = not self._void.any()

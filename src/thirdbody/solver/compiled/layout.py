@@ -40,7 +40,8 @@ LOAD_ERROR = 8  # of F_s + F_f, by tables and rounding
 SLOPE_ERROR = 9  # of the slope of F_s + F_f
 PART_ERROR = 10  # relative, of single loads and areas
 ERROR = 11  # relative, of all results
-WORK = 12
+UNSURE = 12  # what F_s + F_f may be wrong by
+WORK = 13
 
 # Rows of ``series``: quantities that become Taylor series about d,
 SUMMITS = 0  # root of F_ss*, still in the variable of its table
@@ -108,6 +109,8 @@ class ParticleModel(NamedTuple):
     alone: OctaveTable  # first guess of alpha, of the moment
     error: float  # of the moment, relative to it and its slope
     slope_error: float  # of its slope
+    next_to_smallest: float  # alpha below which sizes are small beside the spread
+    smallest_third: float  # and what the third derivative of the moment has there, besides
     weight: float  # w, of the moment at the other limit of the elastic integral
     bears_here: float  # 1/(1 - w), by how much more moment d needs to bear a load by itself
     bears_there: float  # 1/w, the same for the other limit
@@ -133,7 +136,7 @@ class Limits(NamedTuple):
     rounding: float  # relative rounding error of a number
     least: float  # a smaller number has not all of its digits
     least_bare: float  # a smaller bare share of the interface has lost too many digits
-    least_area: float  # a smaller A_t* has lost too many digits
+    least_area: float  # a smaller area over A_n has lost too many digits
 
 
 class Model(NamedTuple):

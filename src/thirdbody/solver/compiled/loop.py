@@ -17,6 +17,7 @@ from thirdbody.solver.compiled.layout import (
 )
 from thirdbody.solver.compiled.machine_code import stage
 from thirdbody.solver.compiled.stages import (
+    add_moment_remainders,
     bound_particle_errors,
     film_bears,
     find_moments,
@@ -74,6 +75,7 @@ def solve_points(model, columns, has_particles, has_film, wants_areas, block, fo
                 film_bears(block, count, model)
             take_step(block, count, model)
             if has_particles:
+                add_moment_remainders(block, count, model)
                 stop_before_contact(block, count, model)
             move_loads(block, count, model.limits)
             if wants_areas:

@@ -49,6 +49,7 @@ from thirdbody.solver.compiled.layout import (
     SURFACE_SHARE,
     TOTAL_AREA,
     TOUCHING,
+    UNSURE,
     VALUE,
 )
 from thirdbody.solver.compiled.lookup import (
@@ -104,6 +105,7 @@ def summits_bear(block, count, model):
     one = work.dtype.type(1)
     pieces = summits.table.scale * summits.per_deviation
     inner, misplacement = pieces + pieces, (rounding + rounding) / pieces
+    subtracted = abs(summits.offset) * pieces
     for k in range(count):
         t = (work[SEPARATION, k] - summits.offset) * summits.per_deviation
         work[POSITION, k] = (t - summits.table.start) * summits.table.scale
@@ -116,7 +118,7 @@ def summits_bear(block, count, model):
         series[SOLID, SLOPE, k] = slope * load
         series[SOLID, CURVE, k] = curve * load
         # the place in the table is known to rounding
-        misplaced = misplacement * work[POSITION, k] * abs(slope)
+        misplaced = misplacement * (work[POSITION, k] + subtracted) * abs(slope)
         work[PART_ERROR, k] = misplaced
         work[LOAD_ERROR, k] = (summits.error + misplaced) * load
         work[STEEPEST, k] = max(-slope, one / abs(work[SEPARATION, k]))
@@ -214,6 +216,7 @@ def bound_particle_errors(block, count, model):
     particles, weight = model.particles, model.particles.weight
     scale, rounding = particles.table.scale, model.limits.rounding
     zero, one, four = work.dtype.type(0), work.dtype.type(1), work.dtype.type(4)
+    endless = work.dtype.type(np.inf)
     for k in range(count):
         inner = (scale + scale) * given[PER_SPREAD, k]
         here, there = series[MOMENT, VALUE, k], series[ELASTIC_MOMENT, VALUE, k]
@@ -226,15 +229,20 @@ def bound_particle_errors(block, count, model):
         moved = work[POSITION, k] * first * (one + abs(weight))
         moved += work[ELASTIC_POSITION, k] * second * abs(weight)
         unsure = four * particles.error * size + (moved + moved) * rounding
-        part_error = unsure / moment if moment > zero else zero
+        room = one - series[COVERED, VALUE, k]
+        own = four * particles.error * (abs(here) + first)
+        own += (rounding + rounding) * work[POSITION, k] * first
+        room_error = particles.coverage * plastic * own / room
+        part_error = unsure / moment if moment > zero else endless
+        part_error = part_error if unsure > zero else zero  # no particle touches
         work[SLOPE_ERROR, k] = particles.slope_error * size * plastic * abs(inner) * bears
-        work[PART_ERROR, k] += part_error
+        work[PART_ERROR, k] += part_error + room_error
         # abs leaves but one product that can be fused with the sum: no choice, no other last digit
         load_error = abs(part_error * bears * area)
+        load_error += particles.contacting * room_error * series[SOLID, VALUE, k]
         work[LOAD_ERROR, k] = work[LOAD_ERROR, k] * bare + load_error
         steepness = -area_1 / area
         steepness = steepness if area > zero else zero
-        room = one - series[COVERED, VALUE, k]
         steepness = max(steepness, -series[COVERED, SLOPE, k] / room)
         work[STEEPEST, k] = max(work[STEEPEST, k], steepness)
 
@@ -279,6 +287,7 @@ def take_step(block, count, model):
         steepest, separation = work[STEEPEST, k], work[SEPARATION, k]
         condition = -steepest * total / total_1
         moved = abs(steepest * step)
+        load_error = work[LOAD_ERROR, k] / total + limits.noise
         slope_error = work[SLOPE_ERROR, k] / abs(total_1)
         remainder = moved * moved * moved * (one + condition)
         # a load's own error counts as much as its part in the balance
@@ -287,7 +296,7 @@ def take_step(block, count, model):
             + moved * slope_error
             + known
             + work[PART_ERROR, k]
-            + condition * (work[LOAD_ERROR, k] / total + limits.noise)
+            + condition * load_error
             + eight * limits.rounding * steepest * separation
         )
         valid = (total_1 < zero) & (series[SOLID, VALUE, k] >= limits.least)
@@ -295,6 +304,7 @@ def take_step(block, count, model):
         valid &= slope_error < half
         work[SEPARATION, k] = separation + step if valid else invalid
         work[STEP, k] = step
+        work[UNSURE, k] = load_error * total
         work[REMAINDER, k] = remainder if valid & (abs(residual) < one) else endless
         work[ERROR, k] = error
 
@@ -315,21 +325,64 @@ def _halley(total, total_1, total_2):
 
 
 @stage
+def add_moment_remainders(block, count, model):
+    """What the Taylor series of the moments leave after the step is no power of the loads' slopes.
+
+    The third derivative of M is that of x^2 phi(x), counted in spreads: no more than 8 + 8|alpha| +
+    alpha^2 times the slope where x is above a half, and than a number for sizes next to zero.
+    """
+    given, work, series, particles = block.given, block.work, block.series, model.particles
+    scale, weight = particles.table.scale, particles.weight
+    real = work.dtype.type
+    zero, one, eight, per_six = real(0), real(1), real(8), real(1.0 / 6.0)
+    inner = abs(scale + scale)
+    for k in range(count):
+        per_spread = given[PER_SPREAD, k]
+        # the separation has moved by then: alpha is known well enough for a bound
+        alpha = (work[SEPARATION, k] - given[MEAN, k]) * per_spread
+        shifted = alpha + given[ELASTIC_SHIFT, k]
+        here_3 = abs(series[MOMENT, SLOPE, k]) * inner * (eight + abs(alpha) * (eight + abs(alpha)))
+        here_3 += particles.smallest_third if alpha < particles.next_to_smallest else zero
+        there_3 = abs(series[ELASTIC_MOMENT, SLOPE, k]) * inner
+        there_3 *= eight + abs(shifted) * (eight + abs(shifted))
+        there_3 += particles.smallest_third if shifted < particles.next_to_smallest else zero
+        moved = abs(work[STEP, k]) * per_spread
+        area, total_1 = series[TOUCHING, VALUE, k], series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
+        third = abs(one - weight) * here_3 + abs(weight) * there_3
+        left = third * moved * moved * moved * per_six * given[PLASTIC_AREA, k]
+        bears = left * particles.pressure * given[PER_LOAD, k]
+        error = left / area + work[STEEPEST, k] * bears / abs(total_1)
+        error = error if left > zero else zero
+        work[REMAINDER, k] += error
+        work[ERROR, k] += error
+
+
+@stage
 def stop_before_contact(block, count, model):
     """A step to where particles come into contact, or across, is not the last one.
 
     There the loads have no Taylor series, and rounding may decide on which side a point is; and half
-    of the way there an area has lost half of what its errors are compared with.
+    of the way there an area has lost half of what its errors are compared with.  What errors of the
+    loads do to the separation depends on the slope, which loses a part on the other side.
     """
-    given, work = block.given, block.work
-    rounding, start = model.limits.rounding, model.particles.table.start
-    endless, eight = work.dtype.type(np.inf), work.dtype.type(8)
+    given, work, series, limits = block.given, block.work, block.series, model.limits
+    particles, start = model.particles, model.particles.table.start
+    scale, weight = particles.table.scale, particles.weight
+    one, eight, endless = work.dtype.type(1), work.dtype.type(8), work.dtype.type(np.inf)
     for k in range(count):
-        separation = work[SEPARATION, k]
-        alpha = (separation - given[MEAN, k]) * given[PER_SPREAD, k] - start
-        distance = min(abs(alpha), abs(alpha + given[ELASTIC_SHIFT, k]))
-        unsure = abs(work[STEP, k]) + eight * rounding * separation
-        stays = (unsure + unsure) * given[PER_SPREAD, k] < distance
+        separation, per_spread = work[SEPARATION, k], given[PER_SPREAD, k]
+        bears = particles.pressure * given[PER_LOAD, k] * given[PLASTIC_AREA, k]
+        inner = bears * (scale + scale) * per_spread
+        here_1 = inner * (one - weight) * series[MOMENT, SLOPE, k]
+        there_1 = inner * weight * series[ELASTIC_MOMENT, SLOPE, k]
+        total_1 = series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
+        rounded = abs(work[STEP, k]) + eight * limits.rounding * separation
+        unsure_here = rounded + work[UNSURE, k] / min(abs(total_1), abs(total_1 - here_1))
+        unsure_there = rounded + work[UNSURE, k] / min(abs(total_1), abs(total_1 - there_1))
+        alpha = (separation - given[MEAN, k]) * per_spread - start
+        shifted = alpha + given[ELASTIC_SHIFT, k]
+        stays = (unsure_here + unsure_here) * per_spread < abs(alpha)
+        stays &= (unsure_there + unsure_there) * per_spread < abs(shifted)
         work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
 
 
@@ -357,6 +410,7 @@ def move_areas(block, count, model):
     """A_t, Eq. 5, and the shares of both areas in it, Eq. 10, after the step."""
     work, series, results = block.work, block.series, block.results
     zero, half, one = work.dtype.type(0), work.dtype.type(0.5), work.dtype.type(1)
+    least = model.limits.least_area
     for k in range(count):
         step = work[STEP, k]
         square = half * step * step
@@ -376,4 +430,5 @@ def move_areas(block, count, model):
         results[PARTICLE_SHARE, k] = particles / together  # Eq. 10
         results[SURFACE_SHARE, k] = surfaces / together  # Eq. 10
         bound = results[BOUND, k]
-        results[BOUND, k] = bound if together > model.limits.least_area else np.nan
+        counts = (surfaces > least) & ((particles > least) | (particles == 0.0))
+        results[BOUND, k] = bound if counts else np.nan

@@ -156,6 +156,8 @@ def _particles(parameters, degree, real) -> ParticleModel:
         alone=_guesses(lambda part: np.interp(part, *moment.samples()), AREA_OCTAVES, real),
         error=real(error),
         slope_error=real(2.0 * degree**2 * error),
+        next_to_smallest=real(moment.smallest + 0.5),
+        smallest_third=real(_third_of_smallest(moment)),
         weight=real(limits.weight(parameters.elastic_factor)),
         bears_here=real(here),
         bears_there=real(there),
@@ -181,6 +183,13 @@ def _film(parameters, degree, real) -> FilmModel:
 def _rounding(real):
     """Relative rounding error of a number."""
     return float(np.finfo(real).eps)
+
+
+def _third_of_smallest(moment):
+    """Largest third derivative of the moment of the smallest sizes, from differences of slopes."""
+    alpha = np.linspace(moment.smallest, moment.smallest + 0.5, 101)
+    _, slopes = moment(alpha[1:-1])
+    return np.abs(np.diff(slopes, 2)).max() / (alpha[1] - alpha[0]) ** 2
 
 
 def _exact_next_to_its_end(moment):
