@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 
 from tests.oracle.extended import READINGS, SURFACE
+from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
@@ -121,3 +122,47 @@ def surface_of_library(first, points, model, roughness):
 def one(index, model, conditions):
     """The numbers and readings of one point, of those that ``draw`` gives."""
     return {name: values[index].item() for name, values in {**model, **conditions}.items()}
+
+
+def move_to_kinks(model, conditions, inputs, oracle, seed):
+    """The conditions, with loads that bring the surfaces next to a kink of F_s(d).
+
+    Kinks are where the largest particles lose touch, and where the elastic ones end; each separation
+    lies between 1e-14 and 3e-2 of one, on either side.  ``model``, ``conditions`` and ``inputs`` are
+    those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
+    """
+    rng = np.random.default_rng(seed)
+    n, sigma = conditions["load"].size, conditions["roughness"]
+    diameter = np.where(conditions["particle_diameter"] > 0, conditions["particle_diameter"], sigma)
+    conditions = conditions | {"particle_diameter": diameter}
+    mean = np.where(model["phi_a"] == "uncentred", 0.0, model["mean_ratio"] * diameter)
+    spread = model["sigma_a_ratio"] * diameter
+    convolved = np.hypot(spread, model["gap_ratio"] * sigma)
+    spread = np.where(model["phi_a"] == "gap_convolved", convolved, spread)
+    largest, depth = mean + model["truncation"] * spread, model["h_e_ratio"] * diameter
+    elastic = largest + np.where(model["elastic_limits"] == "physical", -depth, depth)
+    kink = np.where(rng.random(n) < 0.5, largest, elastic)
+    kink = np.where((rng.random(n) < 0.2) & (depth > 0.0), depth, kink)
+    apart = 10.0 ** rng.uniform(-14.0, np.log10(3e-2), n) * rng.choice([-1.0, 1.0], n)
+    separation = np.abs(kink * (1.0 + apart))
+    others = {name: values for name, values in conditions.items() if name != "load"}
+    load = oracle.evaluate(model, separation, **others)[0].astype(float)
+    load += films_bear(model, conditions, inputs, separation)
+    usual = (load > 1e-300) & (load < 1e3)
+    return conditions | {"load": np.where(usual, load, conditions["load"])}
+
+
+def films_bear(model, conditions, inputs, separation):
+    """F_f* of films of the thickness ``separation``; none where the film is of the total load."""
+    load = np.zeros(separation.size)
+    per_surface = separation.size // len(inputs)
+    shares = (conditions["viscosity"] > 0.0) & (model["film_load"] == "fluid")
+    for index, parameters in enumerate(inputs):
+        here = np.arange(index * per_surface, (index + 1) * per_surface)
+        here = here[shares[here]]
+        if here.size:
+            film = Film.of(conditions["viscosity"][here], conditions["roughness"][here], parameters)
+            log_parameter = film.load_parameter(separation[here] / parameters.ball_radius)
+            area = parameters.apparent_area / parameters.ball_radius**2
+            load[here] = np.exp(log_parameter) / area
+    return load

@@ -1,9 +1,4 @@
-"""The library against the extended-precision oracle, for each calibrated reading, by each way.
-
-The oracle reads two places otherwise than the library does: with ``physical`` limits no particle
-counts twice, and with ``gap_convolved`` sizes the coverage of all ends at X_max.  These readings are
-left out here.
-"""
+"""The library against the extended-precision oracle, for each calibrated reading, by each way."""
 
 import json
 from pathlib import Path
@@ -28,12 +23,6 @@ def oracle(tmp_path_factory):
     return Oracle(tmp_path_factory.mktemp("oracle"))
 
 
-def is_read_alike(parameters):
-    return (
-        parameters.elastic_limits == "printed" and parameters.size_distribution != "gap_convolved"
-    )
-
-
 def drawn(parameters, seed):
     """Conditions over the ranges of Table 2 by name, some of them dry or without particles."""
     random = np.random.default_rng(seed)
@@ -52,8 +41,6 @@ def drawn(parameters, seed):
 @pytest.mark.parametrize("path", CALIBRATED, ids=lambda path: path.stem)
 def test_the_library_finds_the_same(oracle, path):
     parameters = tb.load_parameters(path)
-    if not is_read_alike(parameters):
-        pytest.skip("the oracle reads this otherwise")
     conditions = drawn(parameters, seed=CALIBRATED.index(path))
     model = json.loads(parameters.as_attribute(ROUGHNESS))
     model |= {name: np.repeat(model[name], POINTS) for name in SURFACE}

@@ -124,8 +124,10 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         found = enclose_largest(points.take(several), zero, first[several], with_film=False)
         where = np.broadcast_to(scale, first.shape)[several]
         count[several] = found.count
-        lower[several], upper[several] = found.low / where, found.high / where
-        guess[several] = 0.5 * (lower[several] + upper[several])
+        guess[several] = 0.5 * (found.low + found.high) / where
+        # a quotient may be rounded to the wrong side of a kink
+        lower[several] = found.low / where * (1.0 - 1e-12)
+        upper[several] = found.high / where * (1.0 + 1e-12)
     roots, width, error = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     error = np.where(roots <= width, np.inf, error)  # it may be that nothing balances
     dry = np.full_like(roots, np.inf)
