@@ -25,7 +25,7 @@ reproduce: $(VENV)/workflow.done
 
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile
 
 test-survival: $(VENV)/test.done
 	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival
