@@ -70,8 +70,10 @@ def test_no_number_is_wrong_and_no_bound_exceeded(drawn, way, rtol):
     exists = (expected.count > 0) & (separation >= 0.0)
     # a load that closes the surfaces to within rounding of d = 0 may be borne there or not
     doubtful = np.abs(separation) < 1e-13 * conditions["roughness"]
+    # and two separations next to each other, where F_s turns, pass for none
+    doubtful |= separation - expected.roots["separation"][:, 1] < 1e-10 * separation
     assert (has_values == exists)[~doubtful].all()
-    known = has_values & exists
+    known = has_values & exists & ~doubtful
     errors = {name: relative_error(found[name], expected.first(name)) for name in QUANTITIES}
     for name, error in errors.items():
         exceeded = known & ~(error <= found["error_bound"])

@@ -11,7 +11,7 @@ import pytest
 import thirdbody as tb
 from benchmarks.points import relative_errors
 from thirdbody.model.film import Film
-from thirdbody.model.particles import unit_moment
+from thirdbody.model.particles import Moment
 from thirdbody.solver.compiled import machine_code
 from thirdbody.solver.compiled.layout import ROOT
 from thirdbody.solver.compiled.loop import solve_points
@@ -173,10 +173,10 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
     alone = replace(like, smooth=0.0, rough=0.0)
     error = ROOT * np.log(looked_up(film.table, thickness)) - alone.load_parameter(thickness)
     assert np.abs(error).max() <= 1.5 * film.error
-    alpha = random.uniform(-9.0, reading.truncation, 3000)
-    moment = unit_moment(reading)
-    above = moment(alpha)[0] - moment(reading.truncation)[0]
-    slope = np.abs(moment(alpha)[1])
+    moment = Moment.of_all_layers(reading)
+    alpha = random.uniform(max(moment.smallest, -9.0), moment.largest, 3000)
+    above, slope = moment(alpha)
+    slope = np.abs(slope)
     error = looked_up(particles.table, alpha) - above
     moved = 10.0 * model.limits.rounding * slope  # the start of the table is rounded
     assert (np.abs(error) <= 2.0 * particles.error * (above + slope) + moved).all()

@@ -67,7 +67,8 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     Notes
     -----
     The sum of loads is sampled between all places at which its parts change their ways, and again
-    about each extremum that may reach F_t.
+    about each extremum that may reach F_t.  Two separations so close together that rounding hides
+    what lies between pass for none.
     """
 
     def excess(separation, which):

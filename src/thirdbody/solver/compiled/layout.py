@@ -136,7 +136,7 @@ class Limits(NamedTuple):
     rounding: float  # relative rounding error of a number
     least: float  # a smaller number has not all of its digits
     least_bare: float  # a smaller bare share of the interface has lost too many digits
-    least_area: float  # a smaller area over A_n has lost too many digits
+    least_area: float  # a smaller A_t* has lost too many digits
 
 
 class Model(NamedTuple):

@@ -410,7 +410,6 @@ def move_areas(block, count, model):
     """A_t, Eq. 5, and the shares of both areas in it, Eq. 10, after the step."""
     work, series, results = block.work, block.series, block.results
     zero, half, one = work.dtype.type(0), work.dtype.type(0.5), work.dtype.type(1)
-    least = model.limits.least_area
     for k in range(count):
         step = work[STEP, k]
         square = half * step * step
@@ -430,5 +429,4 @@ def move_areas(block, count, model):
         results[PARTICLE_SHARE, k] = particles / together  # Eq. 10
         results[SURFACE_SHARE, k] = surfaces / together  # Eq. 10
         bound = results[BOUND, k]
-        counts = (surfaces > least) & ((particles > least) | (particles == 0.0))
-        results[BOUND, k] = bound if counts else np.nan
+        results[BOUND, k] = bound if together > model.limits.least_area else np.nan

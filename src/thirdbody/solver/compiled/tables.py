@@ -51,7 +51,7 @@ CROSSING_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of s
 # Numbers smaller than these have lost digits, or will.  Single precision holds areas 2^96-fold.
 SMALLEST = {
     SINGLE: {"least": 1e-36, "least_bare": 0.05, "least_area": 1e-30},
-    DOUBLE: {"least": 0.0, "least_bare": 1e-6, "least_area": 1e-290},
+    DOUBLE: {"least": 1e-290, "least_bare": 1e-6, "least_area": 1e-290},
 }
 AREA_ROOT = {SINGLE: 64.0, DOUBLE: 1.0}
 
