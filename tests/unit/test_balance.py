@@ -7,12 +7,15 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = pytest.mark.filterwarnings("error")
 
 RTOL = 1e-9
 DIAMETER, ROUGHNESS, DENSITY = 500e-9, 300e-9, 1e11
-CONVERGED, OUTSIDE, COVERED, FAILED = range(4)
+CONVERGED, FAILED, EXCEEDED = map(
+    SOLUTION_STATUSES.index, ("converged", "not_converged", "load_exceeded")
+)
 
 
 def solve(load, viscosity, parameters, diameter=DIAMETER, rtol=RTOL):
@@ -134,7 +137,8 @@ def test_the_dry_gap_closes_at_the_load_of_touching_mean_planes(reading, zero_lo
 def test_a_dry_load_beyond_zero_separation_is_not_solved(parameters, zero_load, rtol, excess):
     load = zero_load(parameters) * np.array([0.9, 1.0 + excess])
     solution = solve(load, 0.0, parameters, rtol=rtol)
-    assert solution.solution_status.tolist() == [CONVERGED, FAILED]
+    assert solution.solution_status.tolist() == [CONVERGED, EXCEEDED]
+    assert solution.separation_count.tolist() == [1, 0]
     assert np.isnan(solution.separation[1])
 
 
