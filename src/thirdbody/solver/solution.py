@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit, log_expit
 
+from thirdbody.model.computed_once import computed_once
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     contact_mode,
@@ -22,7 +22,6 @@ from thirdbody.solver.several import may_be_several
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
 NO_FLAG = np.int8(-1)  # regime and mode of a point without values
-CONVERGED, OUTSIDE_FILM_FORMULA, COVERAGE_EXCEEDED, NOT_CONVERGED = range(4)
 
 
 @dataclass(frozen=True)
@@ -50,8 +49,9 @@ class Solution:
         At how many separations the forces balance; of several the largest is given, which closing
         surfaces meet first.
     error_bound : array
-        What the relative error of every quantity stays below [1].  Where rounding keeps it above
-        the ``rtol`` that was asked for, the status is ``not_converged``, but the values stand.
+        What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308,
+        below which float64 loses digits.  Where rounding keeps it above the ``rtol`` that was asked
+        for, the status is ``not_converged``, but the values stand.
     """
 
     total_contact_area: NDArray | None = None
@@ -119,7 +119,7 @@ class SolvedPoints:
         self._void = np.isnan(self._balance.separation) | self._leave_no_room()
         self._complete = not self._void.any()
 
-    @cached_property
+    @computed_once
     def _touching(self):
         """What ``ParticleLayer.contact`` returns there."""
         return self.points.contact.particles.contact(self._balance.separation)
@@ -139,7 +139,7 @@ class SolvedPoints:
             return np.zeros(self._balance.separation.shape, bool)
         return particles.leave_no_room(self._touching[2])
 
-    @cached_property
+    @computed_once
     def solution_status(self):
         points, balance = self.points, self._balance
         applies = {
@@ -177,25 +177,25 @@ class SolvedPoints:
     def separation_count(self):
         return self._valid(self._balance.count, 0)
 
-    @cached_property
+    @computed_once
     def _areas(self):
         """A_sa/A_n and ln(A_ss/A_n)."""
         touching = self.points.contact.particles and self._touching
         particles, log_summits = self.points.contact.areas(self._balance.separation, touching)
         return self._valid(particles), self._valid(log_summits)
 
-    @cached_property
+    @computed_once
     def _log_area_odds(self):
         """ln(A_sa/A_ss)."""
         particles, log_summits = self._areas
         return np.log(particles) - log_summits
 
-    @cached_property
+    @computed_once
     def total_contact_area(self):
         particles, log_summits = self._areas
         return particles + np.exp(log_summits)  # Eq. 3
 
-    @cached_property
+    @computed_once
     def particle_contact_area_ratio(self):
         return expit(self._log_area_odds)
 
@@ -203,7 +203,7 @@ class SolvedPoints:
     def surface_contact_area_ratio(self):
         return expit(-self._log_area_odds)
 
-    @cached_property
+    @computed_once
     def solid_load_fraction(self):
         return self._valid(expit(self._balance.logit))
 
@@ -211,7 +211,7 @@ class SolvedPoints:
     def fluid_load_fraction(self):
         return self._valid(expit(-self._balance.logit))
 
-    @cached_property
+    @computed_once
     def separation(self):
         return self._valid(self._balance.separation)
 
