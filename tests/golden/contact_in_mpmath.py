@@ -4,6 +4,9 @@ The model is written here a second time, straight from the equations of Chen & H
 (2000) and Masjedi & Khonsari (2015), with slow and plain means only: numerical integrals and a bracketed root search.
 It shares nothing with the library that is tested against it.
 
+Where the print leaves a choice, the readings are those of the list at the head of `tests/oracle/contact.c`. Of several
+separations that balance the forces the largest is taken; `status` is the `solution_status` that belongs to it.
+
 Inputs are exact: the float64 that is passed is the number that is solved. Constants that an equation prints (0.663,
 0.884, ...) are exact decimals. Units are SI. Loads are divided by A_n E_ss, areas by A_n.
 """
@@ -16,6 +19,7 @@ from mpmath import mp
 DIGITS = 36  # working precision: 25 printed digits, and what the steep Gaussian tails and tiny film loads cost
 SEARCH_DIGITS = 16  # precision of the search that only narrows the bracket
 MAX_COVERAGE = 0.9  # Eq. 4 loses its meaning at 1
+STEPS = 200  # of a search for several separations, from d = 0 to where the largest particles touch
 
 READINGS = ("phi_a", "surface_offset", "elastic_limits", "coverage_limits", "film_load")
 COORDINATES = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
@@ -100,9 +104,14 @@ def solve(function, low, high):
 
 
 # ---------------------------------------------------------------------------------------------------- two-body contact
+def softer(p):
+    """Hardness [Pa] of the surface that yields where two of them touch."""
+    return min(p.H_s1, p.H_s2)
+
+
 def critical_interferences(p):
     """Interferences [m] at which yielding begins and at which it is complete (Zhao, Maietta & Chang)."""
-    omega_1 = (3 * mp.pi * p.k * p.H_s2 / (4 * p.E_ss)) ** 2 * p.R
+    omega_1 = (3 * mp.pi * p.k * softer(p) / (4 * p.E_ss)) ** 2 * p.R
     return omega_1, p.omega_ratio * omega_1
 
 
@@ -126,7 +135,7 @@ def asperity_load(p):
     """Load of one summit divided by E_ss [m2] as a function of its interference [m]."""
     omega_1, omega_2 = critical_interferences(p)
     ln_1, ln_2 = mp.log(omega_1), mp.log(omega_2)
-    area, hertz, hardness = asperity_area(p), mp.mpf(4) / 3 * mp.sqrt(p.R), p.H_s2 / p.E_ss
+    area, hertz, hardness = asperity_area(p), mp.mpf(4) / 3 * mp.sqrt(p.R), softer(p) / p.E_ss
 
     def load(omega):
         if omega <= omega_1:
@@ -156,18 +165,19 @@ def population(single, d, p):
 
 # ----------------------------------------------------------------------------------------------------- third particles
 def particle_distribution(p):
-    """Mean m, spread S and largest size X_max [m] of phi_a."""
+    """Mean m, spread S, smallest and largest size X_min and X_max [m] of phi_a."""
     m = mp.zero if p.phi_a == "uncentred" else p.mean_ratio * p.particle_diameter
     S = p.sigma_a_ratio * p.particle_diameter
     if p.phi_a == "gap_convolved":
         S = mp.sqrt(S**2 + (p.gap_ratio * p.roughness) ** 2)
-    return m, S, m + p.truncation * S
+    X_min = -mp.inf if p.phi_a == "gap_convolved" else mp.zero
+    return m, S, X_min, m + p.truncation * S
 
 
 def moment(a, b, p):
-    """I(a, b): second moment [m2] of the particle sizes between a and min(b, X_max) [m] (Eq. 6)."""
-    m, S, X_max = particle_distribution(p)
-    b = min(b, X_max)
+    """I(a, b): second moment [m2] of the particle sizes between a and b [m], as far as there are any (Eq. 6)."""
+    m, S, X_min, X_max = particle_distribution(p)
+    a, b = max(a, X_min), min(b, X_max)
     if a >= b:
         return mp.zero
     reach = mp.sqrt(max(a - m, m - b, 0) ** 2 + 2 * negligible_exponent() * S**2)
@@ -190,11 +200,13 @@ def load_coverage(d, p):
     """Coverage in the load, in the reading that `coverage_limits` names (Eq. 4)."""
     if p.two_body:
         return mp.zero
-    if p.coverage_limits == "contacting":
-        return coverage(moment(d, mp.inf, p), p)
-    if p.phi_a == "gap_convolved":
-        return coverage(p.particle_diameter**2 * (1 + p.sigma_a_ratio**2), p)  # I(-inf, inf)
-    return coverage(moment(mp.zero, mp.inf, p), p)
+    least = d if p.coverage_limits == "contacting" else -mp.inf
+    return coverage(moment(least, mp.inf, p), p)
+
+
+def elastic_factor(p):
+    """What elastic particles have of the area and load of plastic ones (Eqs. 4 and 5)."""
+    return 9 * mp.pi**2 / 4 * (p.H_s1**2 / p.E_sa**2 + p.H_s2**2 / p.E_ss**2)
 
 
 def particle_area(d, p):
@@ -202,16 +214,16 @@ def particle_area(d, p):
     if p.two_body:
         return mp.zero
     h_e = p.h_e_ratio * p.particle_diameter
-    elastic = (d - h_e, d) if p.elastic_limits == "printed" else (d, d + h_e)
-    factor = 9 * mp.pi**2 / 4 * (p.H_s1**2 / p.E_sa**2 + p.H_s2**2 / p.E_ss**2)
+    least, plastic = (d - h_e, d) if p.elastic_limits == "printed" else (d, d + h_e)
     density = mp.pi * p.H_s2 * p.participation * p.particle_density / (p.H_s1 + p.H_s2)
-    return density * (factor * moment(*elastic, p) + moment(d, mp.inf, p))
+    elastic = elastic_factor(p) * moment(least, plastic, p)
+    return density * (elastic + moment(plastic, mp.inf, p))
 
 
 def solid_load(d, p):
-    """F_s/(A_n E_ss) at the separation d [m] (Eq. 4); Meaningless where the coverage makes it negative."""
+    """F_s/(A_n E_ss) at the separation d [m] (Eq. 4); Meaningless where it is none."""
     F_sa = p.H_s1 / p.E_ss * particle_area(d, p)
-    F_s = population(asperity_load(p), d, p) * (1 - load_coverage(d, p)) + F_sa
+    F_s = population(asperity_load(p), d, p) * max(1 - load_coverage(d, p), 0) + F_sa
     if F_s <= 0:
         raise Meaningless
     return F_s
@@ -249,49 +261,103 @@ def film_separation(load, p):
     return p.R_x * smooth * (1 + r)
 
 
-def outside_film_formula(load, p):
-    """1 where dH_c/dU <= 0 at this load, else 0."""
+def film_counts(in_film, solution, p):
+    """Whether the film bears more than a thousandth, and grows with falling viscosity or is thicker than R_x/100."""
     e = mp.mpf("0.663") * p.kappa ** mp.mpf("0.025")
-    return int(film_terms(load, p)[1] >= e / (mp.mpf("0.884") - e))
+    falls = film_terms(in_film, p)[1] >= e / (mp.mpf("0.884") - e)
+    thick = solution["film_thickness"] > mp.mpf("0.01")
+    return solution["fluid_load_fraction"] > mp.mpf("0.001") and (falls or thick)
 
 
-def dry_separation(p):
-    """d [m] at which the solids carry the whole load; Meaningless where it is below a thousandth of the roughness."""
+def may_rise(p):
+    """Whether F_s may rise with d, so that several separations may balance the load."""
+    factor = elastic_factor(p)
+    if p.two_body or factor > 1:
+        return not p.two_body
+    rest = 1 - factor if p.elastic_limits == "printed" else factor
+    return p.coverage_limits == "contacting" and p.load > rest * p.H_s2 / p.E_ss
+
+
+def largest_root(function, low, high, p):
+    """The largest root in [low, high], and the number of roots."""
+    if not may_rise(p):
+        return solve(function, low, high), 1
+    with mp.workdps(SEARCH_DIGITS):
+        places = mp.linspace(low, high, STEPS + 1)
+        above = [function(x) > 0 for x in places]
+    changes = [step for step in range(STEPS) if above[step] != above[step + 1]]
+    if not changes:
+        raise Meaningless
+    return solve(function, places[changes[-1]], places[changes[-1] + 1]), len(changes)
+
+
+def touches(d, p):
+    """Whether particles, if they can make F_s rise, may touch at separations larger than d [m]."""
+    return may_rise(p) and d < particle_distribution(p)[-1] + p.h_e_ratio * p.particle_diameter
+
+
+def dry_separation(p, least="1e-3"):
+    """d [m] at which the solids carry the whole load, in units of the roughness above `least`, and how many there are;
+    Meaningless where there is none."""
+
+    def separation(ln_d):
+        return p.roughness * mp.exp(ln_d)
 
     def imbalance(ln_d):
-        return mp.log(solid_load(p.roughness * mp.exp(ln_d), p) / p.load)
+        return mp.log(solid_load(separation(ln_d), p) / p.load)
 
-    low, high = mp.log(mp.mpf("1e-3")), mp.mpf(1)
+    low = mp.log(mp.mpf(least))
+    high = max(mp.mpf(1), low + 1)
     with mp.workdps(SEARCH_DIGITS):
-        if imbalance(low) <= 0:
+        if imbalance(low) <= 0 and not may_rise(p):
             raise Meaningless
-        while imbalance(high) > 0:
+        while imbalance(high) > 0 or touches(separation(high), p):
             high += 1
-    return p.roughness * mp.exp(solve(imbalance, low, high))
+    root, count = largest_root(imbalance, low, high, p)
+    return separation(root), count
 
 
 def balance_fluid(p):
-    """L_s, L_f, d [m] with the fluid's own load in Eq. 7; the unknown is ln(F_f/F_t) (Eqs. 1 and 8)."""
+    """L_s, L_f, d [m] and their number with the fluid's own load in Eq. 7; the unknown is ln(F_t/F_f) (Eqs. 1 and 8)."""
 
-    def imbalance(y):
-        return mp.log(solid_load(film_separation(p.load * mp.exp(y), p), p) / p.load + mp.exp(y))
+    def separation(x):
+        return film_separation(p.load * mp.exp(-x), p)
 
-    low = -mp.one
+    def imbalance(x):
+        return mp.log(solid_load(separation(x), p) / p.load + mp.exp(-x))
+
+    high = mp.one
     with mp.workdps(SEARCH_DIGITS):
-        while imbalance(low) > 0:
-            low *= 2
-    L_f = mp.exp(solve(imbalance, low, mp.zero))
-    d = film_separation(p.load * L_f, p)
-    return solid_load(d, p) / p.load, L_f, d
+        while imbalance(high) > 0 or touches(separation(high), p):
+            high *= 2
+    root, count = largest_root(imbalance, mp.zero, high, p)
+    d = separation(root)
+    return solid_load(d, p) / p.load, mp.exp(-root), d, count
 
 
 def balance_total(p):
-    """L_s, L_f, d [m] with the total load in Eq. 7 and L_s clipped at 1 by the dry separation."""
+    """L_s, L_f, d [m] and their number with the total load in Eq. 7; where the solids hold the surfaces farther apart
+    than that film they carry everything."""
     d = film_separation(p.load, p)
     L_s = solid_load(d, p) / p.load
-    if L_s < 1:
-        return L_s, 1 - L_s, d
-    return mp.one, mp.zero, dry_separation(p)
+    if L_s >= 1 or touches(d, p):
+        try:
+            dry, count = dry_separation(p, d / p.roughness if L_s < 1 else "1e-3")
+            return mp.one, mp.zero, dry, count + int(L_s < 1)
+        except Meaningless:
+            if L_s >= 1:
+                raise
+    return L_s, 1 - L_s, d, 1
+
+
+def status_of(solution, p, count=1):
+    """The gravest `solution_status` that applies to a solution, one of `count`."""
+    in_film = p.load * (solution["fluid_load_fraction"] if p.film_load == "fluid" else 1)
+    if solution["total_contact_area"] > 1:
+        return "area_exceeded"
+    if p.viscosity and film_counts(in_film, solution, p):
+        return "outside_film_formula"
+    return "several_separations" if count > 1 else "converged"
 
 
 def solve_contact(row, rule=RULE):
@@ -302,15 +368,10 @@ def solve_contact(row, rule=RULE):
     if p.coverage_limits == "printed" and load_coverage(mp.zero, p) > MAX_COVERAGE:
         raise Meaningless
     if p.viscosity == 0:
-        L_s, L_f, d = mp.one, mp.zero, dry_separation(p)
+        L_s, L_f, d, count = mp.one, mp.zero, *dry_separation(p)
     else:
-        L_s, L_f, d = (balance_fluid if p.film_load == "fluid" else balance_total)(p)
+        L_s, L_f, d, count = (balance_fluid if p.film_load == "fluid" else balance_total)(p)
     if load_coverage(d, p) > MAX_COVERAGE:
         raise Meaningless
-    in_film = p.load * (L_f if p.film_load == "fluid" else 1)
     solution = dict(zip(OUTPUTS, (*contact_areas(d, p), L_s, L_f, d, d / p.R_x)))
-    return (
-        row
-        | solution
-        | {"outside_film_formula": outside_film_formula(in_film, p) if p.viscosity else 0}
-    )
+    return row | solution | {"status": status_of(solution, p, count)}

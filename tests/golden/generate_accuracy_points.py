@@ -31,7 +31,7 @@ COLUMNS = (
     *model.COORDINATES,
     *model.PARAMETERS,
     *model.OUTPUTS,
-    "outside_film_formula",
+    "status",
 )
 SEED = 20241
 POINTS = 64  # rows of a class
