@@ -39,6 +39,9 @@ INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
 FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
+NEXT_TO_LARGEST = 0.25  # in alpha
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
+NODES, WEIGHTS = 0.5 * (NODES + 1.0), 0.5 * WEIGHTS  # of the interval from 0 to 1
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
 
@@ -170,13 +173,12 @@ class ParticleLayer:
         Returns
         -------
         array
-            [1]; 0 where no particle touches.  Near the largest size, where the moment is a small
-            difference, most of the digits may be lost.
+            [1]; 0 where no particle touches.  Next to the largest size it is that of the place.
         """
         weight = self.parameters.readings.elastic_limits.weight(self.parameters.elastic_factor)
-        subtracted = self.share * self.parameters.hardness_surface_2 * self.moment.of_largest
-        terms = (8.0 + self.moment.largest**2) * (1.0 + 2.0 * abs(weight)) * (area + subtracted)
-        placed = 8.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
+        terms = (8.0 + self.moment.largest**2) * (1.0 + 2.0 * abs(weight))
+        terms = terms * self.moment.cancellation * area
+        placed = 2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
         lost = EPSILON * (terms + placed) + LEAST
         return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
 
@@ -238,15 +240,31 @@ class Moment:
         return cls.of(parameters.readings.size_distribution.law(one, one, parameters), parameters)
 
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
-        """The moment and its slope d/dalpha [1] at an array ``alpha``."""
+        """The moment and its slope d/dalpha [1] at an array ``alpha``.
+
+        Next to the largest size it is an integral of its slope, since a difference would lose its
+        digits.
+        """
         value, slope = self._untruncated(np.clip(alpha, self.smallest, self.largest))
         within = (alpha > self.smallest) & (alpha < self.largest)
-        return np.maximum(value - self.of_largest, 0.0), np.where(within, slope, 0.0)
+        moment = np.array(np.maximum(value - self.of_largest, 0.0))
+        next_to_it = within & (alpha > self.largest - NEXT_TO_LARGEST)
+        if next_to_it.any():
+            length = self.largest - alpha[next_to_it]
+            _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
+            moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
+        return moment, np.where(within, slope, 0.0)
 
     @computed_once
     def of_largest(self) -> float:
         """M of X_max [1]."""
         return float(self._untruncated(np.array(self.largest))[0])
+
+    @computed_once
+    def cancellation(self) -> float:
+        """By how much rounding of M is magnified in the moment at most [1]."""
+        nearest = max(self.largest - NEXT_TO_LARGEST, self.smallest)
+        return 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
 
     @computed_once
     def of_all(self) -> float:

@@ -140,9 +140,8 @@ def _particles(parameters, degree, real) -> ParticleModel:
     lowest = max(moment.smallest, LOWEST)
     pieces = math.ceil((moment.largest - lowest) * PIECES[degree][1])
     scale = -pieces / (moment.largest - lowest)
-    table, error = _table(
-        _exact_next_to_its_end(moment), moment.largest, lowest, scale, degree, real, outside=0.0
-    )
+    size = moment.largest, lowest, scale, degree, real
+    table, error = _table(lambda alpha: moment(alpha)[0], *size, outside=0.0)
     below = np.zeros(
         (1, degree + 1), real
     )  # a piece for all smaller sizes, which there are none of
@@ -190,21 +189,6 @@ def _third_of_smallest(moment):
     alpha = np.linspace(moment.smallest, moment.smallest + 0.5, 101)
     _, slopes = moment(alpha[1:-1])
     return np.abs(np.diff(slopes, 2)).max() / (alpha[1] - alpha[0]) ** 2
-
-
-def _exact_next_to_its_end(moment):
-    """The function of alpha that is the moment.
-
-    Next to the largest size it is an integral of its slope, since a difference would lose its digits.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(16)
-
-    def above(alpha):
-        half = 0.5 * (moment.largest - alpha)
-        _, slopes = moment(moment.largest - half[..., None] * (1.0 - nodes))
-        return np.where(half < 0.5, -half * (weights * slopes).sum(-1), moment(alpha)[0])
-
-    return above
 
 
 def _root_of(logarithm):
