@@ -12,14 +12,13 @@ import thirdbody as tb
 from benchmarks.extremes import beyond_float64, judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
 from thirdbody.configuration.inputs import read_entries
-from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.model.regimes import SOLUTION_STATUSES, has_values, is_as_asked
 
 pytestmark = pytest.mark.filterwarnings("error")
 
 ROWS = read_rows(Path(__file__).parents[1] / "golden" / "extremes.csv")
 ITEMS = list(dict.fromkeys(row["item"] for row in ROWS))
 RTOLS = [1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-11]
-COVERED = SOLUTION_STATUSES.index("coverage_exceeded")
 POINT = {
     "load": 1e-5,
     "viscosity": 90e-6,
@@ -28,12 +27,27 @@ POINT = {
     "particle_density": 1e11,
 }
 # particles of next to no width: refused by the name of the input
-REFUSED = ("1e-09 dry", "1e-09 wet", "0 uncentred dry", "0 uncentred wet")
-# a film that bears 4e-299 of the load: its logarithm has few digits left for 1e-11
-REFUSED += ("x_a 1e+43, 0.01",)
-# next to rigid particles, which a gap in float64 does not resolve to 1e-9 with certainty
-REFUSED += ("psi 0.001 three-body wet",)
-REFUSED += tuple(f"0 {load} {medium}" for load in ("1e-05", "0.0001") for medium in ("dry", "wet"))
+REFUSED = {
+    f"{case} {medium}"
+    for case in ("1e-09", "0 uncentred", "0 1e-05", "0 0.0001")
+    for medium in ("dry", "wet")
+}
+# what the bounds of float64 allow no more than this error: its digits are those of a small
+# difference, of the sizes that just touch, or of what particles leave of the interface
+LOST = {
+    1e-6: {"coverage 0.999999999 dry", "coverage 0.999999999 wet"},
+    1e-9: {
+        "1e-12 three-body dry",
+        "1e-10 three-body wet",
+        "psi 0.001 three-body dry",
+        "psi 0.001 three-body wet",
+        "1e-06 dry",
+        "1e-06 wet",
+    },
+}
+# |d ln d/d ln F_s| below which loads change so fast with d that 1e-11 may be too much; soft
+# particles multiply differences of moments
+STEEP = 0.1
 
 
 def solve(parameters, rtol=1e-9, way=None, **given):
@@ -56,7 +70,11 @@ def test_each_extreme_is_right_or_says_why_not(item, rtol):
     wrong = [found for found in judged if found["verdict"].startswith("wrong")]
     assert not wrong, "\n".join(map(str, wrong))
     refused = {found["case"] for found in judged if found["verdict"].startswith("refused")}
-    assert refused <= set(REFUSED)
+    allowed = REFUSED.union(*(cases for least, cases in LOST.items() if rtol <= least))
+    if rtol == 1e-11:
+        allowed |= {row["case"] for row in rows if float(row["gap_conditioning"] or 1.0) < STEEP}
+        allowed |= {row["case"] for row in rows if row["item"] == "soft_particles"}
+    assert refused <= allowed
 
 
 NEARLY_CLOSED = [row for row in ROWS if nearly_closes(row)]
@@ -79,8 +97,9 @@ def test_what_rounding_makes_impossible_says_so(rtol):
 
 def test_every_item_has_its_rows():
     count = {item: sum(row["item"] == item for row in ROWS) for item in ITEMS}
-    assert len(count) == 13
+    assert len(count) == 15
     assert min(count.values()) >= 8
+    assert {row["status"] for row in ROWS} == set(SOLUTION_STATUSES) - {"not_converged"}
 
 
 @pytest.mark.parametrize("bad", [0.0, -1e-9, np.nan])
@@ -148,8 +167,9 @@ def test_no_point_harms_another(reading, rtol, way):
 @pytest.mark.parametrize("rtol", [1e-2, 1e-11])
 def test_a_number_or_a_status_over_the_whole_domain(reading, rtol, way):
     solution = solve(reading, rtol, way=way, **extreme_points(1000, seed=2))
-    solved = np.isfinite(solution.error_bound)
-    assert np.array_equal(solution.error_bound <= rtol, solution.solution_status < COVERED)
+    solved = has_values(solution.solution_status)
+    assert np.array_equal(solution.error_bound <= rtol, is_as_asked(solution.solution_status))
+    assert np.array_equal(solution.separation_count == 0, ~solved)
     for name in VARIABLES:
         values = getattr(solution, name)
         assert np.array_equal(np.isfinite(values), solved), name
@@ -246,7 +266,7 @@ def test_the_equations_hold_over_the_whole_domain(parameters, equations, rtol, s
         inputs, points = random_inputs(parameters, random), random_points(random)
         roughness = 10.0 ** random.uniform(-9.0, -5.0)
         solution = solve(inputs, rtol, way=way, **points, roughness=roughness)
-        known = solution.solution_status < COVERED
+        known = is_as_asked(solution.solution_status)
         solved += known.sum()
         load, viscosity, diameter, density = (values[known] for values in points.values())
         value = {name: getattr(solution, name)[known] for name in VARIABLES}
