@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import EPSILON, TINY, VANISHED, ParticleLayer, log_bare_share
 
+FARTHEST = 1e60  # t beyond which nothing changes, and float64 would not hold its square
 NOTHING = VANISHED - 50.0  # ln of a load F_ss* that has no area either
 
 
@@ -99,12 +100,14 @@ class Contact:
 
     def summit_separation(self, separation: NDArray) -> NDArray:
         """Separation t [1] from the plane of the summits, in their standard deviations."""
-        return (separation - self.summits.offset) / self.summits.deviation
+        t = (separation - self.summits.offset) / self.summits.deviation
+        return np.minimum(t, FARTHEST)
 
     def log_solid_load(self, separation: NDArray) -> SolidLoad:
         """Load that summits and particles bear together at ``separation`` d [m]."""
-        log_summits, slope = self.summits.log_load(self.summit_separation(separation))
-        slope = slope / self.summits.deviation
+        t = self.summit_separation(separation)
+        log_summits, slope = self.summits.log_load(t)
+        slope = np.where(t < FARTHEST, slope / self.summits.deviation, 0.0)
         placed = EPSILON * np.abs(slope) * (np.abs(separation) + np.abs(self.summits.offset))
         rounded = EPSILON * (24.0 + 4.0 * np.abs(log_summits)) + 2.0 * placed
         if self.particles is None:

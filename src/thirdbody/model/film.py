@@ -175,14 +175,12 @@ class Film:
         return log_parameter
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Whether Eq. 7 can be believed under the load ln W [1].
+        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does.
 
-        H_c has to rise with viscosity there, as that of any oil does: Eq. 7 lets the film grow
-        without bound as U goes to zero, and where dH_c/dU < 0 it has lost its meaning.  At kappa = 1
-        that is where the roughness term exceeds 3.  And the film has to be thin beside the bodies.
+        Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
+        meaning.  At kappa = 1 that is where the roughness term exceeds 3.
         """
-        thickness, _ = self.thickness(log_load_parameter)
-        return (log_load_parameter > self.turning()) & (thickness <= THICKEST)
+        return log_load_parameter > self.turning()
 
     def turning(self) -> NDArray:
         """ln W [1] below which H_c falls with viscosity."""

@@ -34,6 +34,7 @@ from thirdbody.model.readings import SizeLaw
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
+MOST = 1e300  # a share of the interface beyond all bounds, which float64 still holds
 FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
@@ -113,6 +114,7 @@ class ParticleLayer:
         moment = Moment.of(sizes, parameters)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         share = np.pi * parameters.participation / hardness * density * sizes.square
+        share = np.minimum(share, MOST)
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         log_bare = np.zeros_like(share)
         if not parameters.readings.coverage_limits.contacting:

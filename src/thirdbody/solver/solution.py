@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.special import expit, log_expit
 
 from thirdbody.model.computed_once import computed_once
+from thirdbody.model.film import THICKEST
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     contact_mode,
@@ -152,8 +153,9 @@ class SolvedPoints:
         if points.film is not None:
             share = points.parameters.readings.film_load.log_share(log_expit(-balance.logit))
             meaningful = points.film.is_meaningful(points.log_load_parameter(share))
+            outside = ~meaningful | (self.film_thickness > THICKEST)
             counts = expit(-balance.logit) > FILM_COUNTS
-            applies["outside_film_formula"] = ~meaningful & counts
+            applies["outside_film_formula"] = outside & counts
         return gravest_status(**applies)
 
     def _cannot_bear(self):
