@@ -2,7 +2,7 @@
 
 import os
 import sys
-from dataclasses import replace
+from dataclasses import fields, replace
 from subprocess import run
 
 import numpy as np
@@ -10,6 +10,7 @@ import pytest
 
 import thirdbody as tb
 from benchmarks.points import relative_errors
+from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.film import Film
 from thirdbody.model.particles import Moment
 from thirdbody.solver.compiled import machine_code
@@ -18,8 +19,9 @@ from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.plan import LOOP_WORTH, TABLE_WORTH
+from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
-from thirdbody.solver.surfaces import prepare_surface
+from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
 
 ROUGHNESS = 300e-9
 QUADRATURE = 5e-12  # what is left of errors by the other ways
@@ -52,19 +54,27 @@ def conditions(count, seed=0):
 
 def compiled(parameters, rtol, real=None, **given):
     """The points by the loop, in numbers of type ``real`` or those that are tried first."""
-    rough = prepare_surface(ROUGHNESS, parameters, rtol)
-    names = "load", "viscosity", "particle_diameter", "particle_density"
+    given = {"roughness": ROUGHNESS} | given
+    names = [field.name for field in fields(Conditions)]
     columns = map(np.ascontiguousarray, np.broadcast_arrays(*(given[name] for name in names)))
-    real = real or precisions(rtol)[0]
+    conditions, real = Conditions(*columns), real or precisions(rtol)[0]
+    sheet = sheet_of(parameters, cell=np.ndim(given["roughness"]) > 0)
     with np.errstate(all="ignore"):
-        return CompiledPoints(rough, parameters, *columns, rtol, real, areas=True)
+        return CompiledPoints(sheet, conditions, parameters, rtol, real, areas=True)
+
+
+def sheet_of(parameters, cell=False):
+    """The sheet of the roughness alone, or of the cell in which it is."""
+    summits = SummitPopulation.of(parameters.surface(ROUGHNESS), parameters)
+    if cell:
+        return Sheet.of_cell(cells_of(log_yields(summits)), summits.materials)
+    return Sheet.of_one(log_yields(summits), summits.materials)
 
 
 def best(parameters, **given):
     """The points by quadrature, each on its own."""
-    return tb.solve(
-        **given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-11, way="quadrature"
-    )
+    given = {"roughness": ROUGHNESS} | given
+    return tb.solve(**given, parameters=parameters, rtol=1e-11, way="quadrature")
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6, 1e-9, 1e-10])
@@ -110,6 +120,34 @@ def test_bounds_hold_far_beyond_the_ranges_of_the_paper(reading, medium, real, r
         assert (error[known] <= allowed[known]).all(), name
 
 
+@pytest.mark.parametrize(
+    ("real", "rtol"), [(SINGLE, 1e-3), (DOUBLE, 1e-3), (DOUBLE, 1e-6), (DOUBLE, 1e-9)]
+)
+def test_bounds_hold_on_many_surfaces_that_share_tables(reading, real, rtol):
+    given = conditions(1500)
+    given["roughness"] = ROUGHNESS * np.exp(np.random.default_rng(7).uniform(-0.02, 0.02, 1500))
+    found = compiled(reading, rtol, real, **given)
+    assert found.left.mean() < 0.06
+    known = ~found.left
+    expected = best(reading, **given)
+    errors = relative_errors(found, {name: getattr(expected, name) for name in QUANTITIES})
+    allowed = np.maximum(expected.error_bound, QUADRATURE) + found.error_bound
+    for name, error in errors.items():
+        assert (error[known] <= allowed[known]).all(), name
+
+
+def test_summits_beyond_their_tables_bear_nothing(parameters):
+    """Between large particles smooth surfaces are more than 40 sigma_s apart."""
+    given = conditions(1500) | {"roughness": 50e-9, "particle_diameter": 2e-6}
+    inputs = {"parameters": parameters, "rtol": 1e-9}
+    found = tb.solve(**given, **inputs, way="compiled")
+    expected = tb.solve(**given, **inputs, way="quadrature")
+    assert (found.separation > 45.0 * 50e-9).any()
+    for name in QUANTITIES:
+        one, other = getattr(found, name), getattr(expected, name)
+        np.testing.assert_allclose(one, other, rtol=2e-9, atol=1e-307)
+
+
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
 @pytest.mark.parametrize("limits", ["printed", "physical"])
 def test_nothing_is_extrapolated_across_first_contact(parameters, rtol, limits):
@@ -133,7 +171,7 @@ def test_nothing_is_extrapolated_across_first_contact(parameters, rtol, limits):
 def looked_up(table, x):
     """Values of a table at ``x``, as the loop finds them."""
     if hasattr(table, "scale"):
-        position = (x - table.start) * table.scale
+        position = np.minimum((x - table.start) * table.scale, len(table.rows) - 1.5)
         piece = position.astype(int)
         local = 2.0 * (position - piece) - 1.0
     else:
@@ -144,7 +182,7 @@ def looked_up(table, x):
         first_mantissa, first_exponent = np.frexp(first_of(table))
         assert first_mantissa == 0.5
         piece = (exponent - first_exponent) * table.pieces + within
-    powers = table.rows[piece].astype(float)
+    powers = table.rows[piece, 0].astype(float)
     return sum(power * local**index for index, power in enumerate(powers.T))
 
 
@@ -157,15 +195,15 @@ def first_of(table):
 @pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
 @pytest.mark.parametrize("real", [SINGLE, DOUBLE])
 def test_tables_are_as_good_as_they_say(reading, real, rtol):
-    rough = prepare_surface(ROUGHNESS, reading, rtol)
-    exact = prepare_surface(ROUGHNESS, reading, None)
-    model = prepare_model(rough, reading, rtol, real)
+    sheet = sheet_of(reading)
+    exact = sheet.population(0.0)
+    model = prepare_model(sheet, reading, rtol, real)
     random = np.random.default_rng(1)
     t = random.uniform(-5.0, 40.0, 3000)
     terms = model.degree + 1
     summits, film, particles = model.summits, model.film, model.particles
-    for start, curve in ((0, exact.population.log_load), (terms, exact.population.log_area)):
-        table = summits.table._replace(rows=summits.table.rows[:, start : start + terms])
+    for start, curve in ((0, exact.log_load), (terms, exact.log_area)):
+        table = summits.table._replace(rows=summits.table.rows[..., start : start + terms])
         error = ROOT * np.log(looked_up(table, t)) - curve(t)[0]
         assert np.abs(error).max() <= 1.5 * summits.error + 1e-12  # of curves e^-800 high
     like = Film.of(np.ones(1), np.ones(1), reading)
@@ -264,8 +302,11 @@ def test_precisions_compiled_by_different_processes_are_told_apart(tmp_path, def
 
 
 @pytest.mark.parametrize(("real", "rtol"), [(SINGLE, 1e-3), (DOUBLE, 1e-6)])
-def test_a_point_is_solved_alike_wherever_it_stands(reading, real, rtol):
+@pytest.mark.parametrize("many", [False, True])
+def test_a_point_is_solved_alike_wherever_it_stands(reading, real, rtol, many):
     given = conditions(3000)
+    if many:
+        given["roughness"] = ROUGHNESS * np.linspace(0.99, 1.01, 3000)
     later = {name: values[123:] for name, values in given.items()}
     every, some = (compiled(reading, rtol, real, **points) for points in (given, later))
     for name in QUANTITIES:

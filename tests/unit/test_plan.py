@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
+from thirdbody.model.asperity import SummitPopulation
 from thirdbody.solver import availability, plan
 from thirdbody.solver.plan import (
     COMPILING_WORTH,
@@ -18,11 +19,15 @@ from thirdbody.solver.plan import (
     WAYS,
     Group,
     fastest_ways,
+    groups_of,
     search_ways,
 )
+from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES
+from thirdbody.solver.surfaces import FEW_SURFACES, Sheet, few_surfaces, log_yields
 
 RTOL = 1e-9
+MATERIALS = (0.02, 0.4, 54.0)  # H/E, k and omega_2/omega_1
 POINT = {
     "load": 1e-5,
     "viscosity": 90e-6,
@@ -53,7 +58,9 @@ def loop(monkeypatch):
 
 def chosen(parameters, *sizes, rtol=RTOL):
     """The ways of groups of such ``sizes``, each on a roughness of its own."""
-    groups = [Group(float(index), 0, slice(0, size)) for index, size in enumerate(sizes)]
+    groups = [
+        Group(Sheet.of_one(index, MATERIALS), 0, slice(0, size)) for index, size in enumerate(sizes)
+    ]
     return list(fastest_ways(groups, parameters, rtol))
 
 
@@ -78,8 +85,43 @@ def test_coarser_tables_pay_earlier(parameters, loop):
 def test_points_on_one_roughness_share_its_tables(parameters, loop, kind):
     loop()
     half = slice(0, TABLE_WORTH // 2)
-    groups = [Group(3e-7, 0, half), Group(3e-7, kind, half)]
+    sheet = Sheet.of_one(-3.0, MATERIALS)
+    groups = [Group(sheet, 0, half), Group(sheet, kind, half)]
     assert list(fastest_ways(groups, parameters, RTOL)) == ["tables", "tables"]
+
+
+def test_the_tables_of_a_cell_are_worth_more_points_than_those_of_a_roughness(parameters, loop):
+    loop(loaded=True)
+    cell = Sheet.of_cell(-12, MATERIALS)
+    for size, way in (
+        (TABLE_WORTH, "quadrature"),
+        (TABLE_WORTH * cell.terms(RTOL), "tables"),
+        (LOOP_WORTH, "tables"),
+        (LOOP_WORTH * cell.terms(RTOL), "compiled"),
+    ):
+        assert list(fastest_ways([Group(cell, 0, slice(0, size))], parameters, RTOL)) == [way]
+
+
+def test_points_are_grouped_by_roughness_or_by_cell(parameters):
+    random = np.random.default_rng(2)
+    for surfaces in (1, 2, FEW_SURFACES, FEW_SURFACES + 1, 3000):
+        roughness = np.geomspace(1e-7, 1e-6, surfaces)[random.integers(0, surfaces, 5000)]
+        columns = POINT | {"roughness": roughness, "viscosity": random.integers(0, 2, 5000) * 9e-5}
+        conditions = Conditions(*np.broadcast_arrays(*columns.values()))
+        few = few_surfaces(roughness)
+        assert (few is None) == (surfaces > FEW_SURFACES)
+        seen = np.zeros(5000, int)
+        for group in groups_of(conditions, parameters, few):
+            seen[group.places] += 1
+            some = conditions.take(group.places)
+            assert (some.are_lubricated == some.are_lubricated[0]).all()
+            summits = SummitPopulation.of(parameters.surface(some.roughness), parameters)
+            assert group.sheet.is_cell == (few is None)
+            if group.sheet.is_cell:
+                assert np.abs(group.sheet.place(log_yields(summits))).max() <= 1.0 + 1e-12
+            else:
+                assert (some.roughness == some.roughness[0]).all()
+        assert (seen == 1).all()
 
 
 @pytest.mark.parametrize(

@@ -511,8 +511,11 @@ def test_a_two_body_scene_evaluates_no_particles(parameters, loads, monkeypatch,
 
 
 def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
-    calls = counted(monkeypatch, surfaces, "prepare_surface")
-    solve(parameters, load=loads, roughness=np.array([[1e-7], [3e-7], [1e-7]]), viscosity=0.0)
+    surfaces.prepare_tables.cache_clear()
+    calls = counted(monkeypatch, surfaces.SummitPopulation, "log_load_and_area")
+    for _ in range(2):
+        roughness = np.array([[1e-7], [3e-7], [1e-7]])
+        solve(parameters, load=loads, roughness=roughness, viscosity=0.0, way="tables")
     assert len(calls) == 2
 
 

@@ -14,7 +14,7 @@ t = (d - y_s)/sigma_s alone; an interference is w = omega/sigma_s there.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -86,7 +86,7 @@ def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:
     if plastic_ratio == 1.0:
         return np.where(ratio > 1.0, 2.0, 1.0)
     u = np.clip((ratio - 1.0) / (plastic_ratio - 1.0), 0.0, 1.0)
-    return 1.0 - 2.0 * u**3 + 3.0 * u**2
+    return 1.0 + u * u * (3.0 - 2.0 * u)
 
 
 def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float) -> NDArray:
@@ -162,6 +162,21 @@ class SummitPopulation:
             parameters.yield_pressure_ratio,
             parameters.plastic_interference_ratio,
         )
+
+    @classmethod
+    def of_unit(cls, yield_interference: float | NDArray, materials: tuple) -> SummitPopulation:
+        """The population of w_1 [1] whose eta_s R sigma_s is 1.
+
+        ``materials`` are the last three fields.  Loads and areas of any population are eta_s R sigma_s
+        times those of one such, which depend on w_1 and t alone.
+        """
+        unit = cls(1.0, 1.0, *materials)
+        return replace(unit, sharpness=unit.yield_interference / yield_interference)
+
+    @property
+    def materials(self) -> tuple[float, float, float]:
+        """H/E_ss, k and omega_2/omega_1 [1]."""
+        return self.hardness_ratio, self.yield_ratio, self.plastic_ratio
 
     @property
     def yield_interference(self) -> float | NDArray:
@@ -278,12 +293,13 @@ def _elastic_sums(t, end, quantities):
     The integral of ``elastic`` w^``power``; w = end u^2 makes half powers smooth.
     """
     u, weights = ELASTIC_NODES
-    w = _over_nodes(end) * u**2
-    decay, tail = _weight(_over_nodes(t), w), _over_nodes(t) + w
+    decay = _weight(_over_nodes(t), _over_nodes(end) * u**2)
     for quantity in quantities:
-        terms = 2.0 * u * weights * w**quantity.power * decay
-        scale = quantity.elastic * end
-        yield scale * terms.sum(-1), -scale * (terms * tail).sum(-1)
+        measure = 2.0 * weights * u ** (2.0 * quantity.power + 1.0)
+        scale = quantity.elastic * end ** (quantity.power + 1.0)
+        terms = decay * measure
+        total, farther = terms.sum(-1), (terms * u**2).sum(-1)
+        yield scale * total, -scale * (t * total + end * farther)
 
 
 def _elastoplastic_sums(t, start, end, plastic_ratio, quantities):
@@ -295,12 +311,13 @@ def _elastoplastic_sums(t, start, end, plastic_ratio, quantities):
     width = np.sqrt(end) - np.sqrt(start)
     root = _over_nodes(np.sqrt(start)) + _over_nodes(width) * u
     w = root**2
-    decay, tail = _weight(_over_nodes(t), w), _over_nodes(t) + w
-    ratio, measure = w / _over_nodes(start), 2.0 * weights * root * w
+    decay = _weight(_over_nodes(t), w)
+    ratio, measure = w / _over_nodes(start), 2.0 * weights * root * w * decay
     growth = area_growth(ratio, plastic_ratio)
     for quantity in quantities:
-        terms = measure * quantity.elastoplastic(ratio, growth) * decay
-        yield width * terms.sum(-1), -width * (terms * tail).sum(-1)
+        terms = measure * quantity.elastoplastic(ratio, growth)
+        total, farther = terms.sum(-1), (terms * w).sum(-1)
+        yield width * total, -width * (t * total + farther)
 
 
 def _plastic_sums(t, start, quantities):

@@ -7,6 +7,9 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.readings import LEAST_SPREAD, Readings
 
@@ -50,23 +53,27 @@ LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 
 @dataclass(frozen=True)
 class Surface:
-    """Summits of the equivalent rough surface at one roughness.
+    """Summits of the equivalent rough surface at one roughness, or at each of several.
 
     Attributes
     ----------
-    roughness : float
+    roughness : float or array
         sigma [m].
-    summit_density, summit_radius : float
+    summit_density, summit_radius : float or array
         eta_s [m-2] and R [m].
-    summit_deviation, summit_offset : float
+    summit_deviation, summit_offset : float or array
         sigma_s and y_s [m]: scatter and height of the summits about the mean plane.
     """
 
-    roughness: float
-    summit_density: float
-    summit_radius: float
-    summit_deviation: float
-    summit_offset: float
+    roughness: float | NDArray
+    summit_density: float | NDArray
+    summit_radius: float | NDArray
+    summit_deviation: float | NDArray
+    summit_offset: float | NDArray
+
+    def take(self, chosen) -> Surface:
+        """Those of several surfaces that an index or mask ``chosen`` picks."""
+        return Surface(*(column[chosen] for column in vars(self).values()))
 
 
 @dataclass(frozen=True)
@@ -163,20 +170,21 @@ class Parameters:
         """F_t/F_t* = A_n E_ss [N]."""
         return self.apparent_area * self.elastic_modulus_surfaces
 
-    def surface(self, roughness: float) -> Surface:
-        """Summits of a surface.
+    def surface(self, roughness: float | NDArray) -> Surface:
+        """Summits of a surface, or of several.
 
         eta_s R sigma and R follow power laws of the roughness, which are assumptions; scatter and
         height of the summits are those of the reading ``summit_offset``.
 
         Parameters
         ----------
-        roughness : float
+        roughness : float or array
             sigma [m].
 
         Returns
         -------
         Surface
+            Its fields have the shape of ``roughness``.
 
         Raises
         ------
@@ -193,9 +201,11 @@ class Parameters:
         >>> surface.summit_deviation, surface.summit_offset
         (3e-07, 0.0)
         """
-        if not LEAST_ROUGHNESS <= roughness <= MOST_ROUGHNESS:
+        inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
+        if not np.all(inside):
+            bad = np.ravel(roughness)[np.argmin(inside)]
             allowed = f"{LEAST_ROUGHNESS:g} to {MOST_ROUGHNESS:g} m"
-            raise ValueError(f"roughness is {roughness:g}; allowed: {allowed}")
+            raise ValueError(f"roughness is {bad:g}; allowed: {allowed}")
         scale = roughness / self.reference_roughness
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent

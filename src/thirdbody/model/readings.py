@@ -59,19 +59,19 @@ class SummitOffset(Reading):
     plane: ClassVar[str]
 
     def deviation_and_offset(
-        self, roughness: float, density: float, radius: float
-    ) -> tuple[float, float]:
+        self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
+    ) -> tuple[ArrayLike, ArrayLike]:
         """Place the summits.
 
         Parameters
         ----------
-        roughness, density, radius : float
-            sigma [m], eta_s [m-2] and R [m] of the surface.
+        roughness, density, radius : array_like
+            sigma [m], eta_s [m-2] and R [m] of the surfaces, scalars or of one shape.
 
         Returns
         -------
-        deviation, offset : float
-            sigma_s and y_s [m].
+        deviation, offset : array_like
+            sigma_s and y_s [m], of that shape.
 
         Raises
         ------
@@ -89,13 +89,15 @@ class SummitsAboveTheMeanPlane(SummitOffset, word=True):
     def deviation_and_offset(self, roughness, density, radius):
         curvature_length = 1.0 / (density * radius)
         variance = roughness**2 - SUMMIT_VARIANCE * curvature_length**2
-        if not variance > 0.0:
+        if not np.all(variance > 0.0):
+            bad = np.argmin(variance > 0.0)
+            parameter, sigma = (np.ravel(x)[bad] for x in (roughness / curvature_length, roughness))
             raise ValueError(
-                f"summit_parameter is {roughness / curvature_length:.4g} at roughness "
-                f"{roughness:g} m; allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits "
+                f"summit_parameter is {parameter:.4g} at roughness "
+                f"{sigma:g} m; allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits "
                 "keep a variance"
             )
-        return math.sqrt(variance), SUMMIT_PLANE * curvature_length
+        return np.sqrt(variance), SUMMIT_PLANE * curvature_length
 
 
 class SummitsAtTheMeanPlane(SummitOffset, word=False):
@@ -104,7 +106,7 @@ class SummitsAtTheMeanPlane(SummitOffset, word=False):
     plane = "plane"
 
     def deviation_and_offset(self, roughness, density, radius):
-        return roughness, 0.0
+        return roughness, 0.0 * roughness
 
 
 # --- third particles ---

@@ -20,11 +20,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.extras import require
+from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver import availability
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import OF_AREAS, SolvedPoints, type_of
-from thirdbody.solver.surfaces import TABLE_SIZES, prepare_surface, table_size
+from thirdbody.solver.surfaces import (
+    TABLE_SIZES,
+    Sheet,
+    cells_of,
+    few_surfaces,
+    log_yields,
+    table_size,
+)
 
 COMPILED, TABLES, QUADRATURE = WAYS = "compiled", "tables", "quadrature"  # each more precise
 
@@ -40,7 +48,7 @@ COMPILING_WORTH = 6_000_000
 CHEAP_TABLES = 1e-5
 
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
-QUADRATURE_CHUNK = 256  # the same without tables, where each has some hundred nodes
+QUADRATURE_CHUNK = 1024  # the same without tables, where each has some hundred nodes
 
 
 def check_way(way: str | None) -> None:
@@ -126,8 +134,9 @@ def solve_points(
         A 1-D array of each variable, one element a point.
     """
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
-    task = _Task(conditions, parameters, rtol, result)
-    groups = list(groups_of(conditions))
+    few = few_surfaces(conditions.roughness)
+    task = _Task(conditions, parameters, rtol, few is None, result)
+    groups = list(groups_of(conditions, parameters, few))
     ways = [way] * len(groups) if way else fastest_ways(groups, parameters, rtol)
     first = {each: [] for each in WAYS}
     for group, chosen in zip(groups, ways, strict=True):
@@ -142,10 +151,14 @@ def solve_points(
 
 @dataclass(frozen=True)
 class Group:
-    """Points of one roughness [m] and one kind: all with a film or all without, all with particles
-    or all without.  ``places`` are their indices, or the slice of all points."""
+    """Points on one sheet and of one kind: all with a film or all without, all with particles or
+    all without.
 
-    roughness: float
+    ``places`` are their indices, or the slice of all points.  On the sheet of one w_1 they have one
+    roughness.
+    """
+
+    sheet: Sheet
     kind: int
     places: slice | NDArray
 
@@ -156,16 +169,34 @@ class Group:
         return places.stop - places.start if isinstance(places, slice) else places.size
 
 
-def groups_of(conditions: Conditions) -> Iterator[Group]:
-    """The groups of points, by roughness and then by kind."""
+def groups_of(
+    conditions: Conditions, parameters: Parameters, few: NDArray | None
+) -> Iterator[Group]:
+    """The groups of points, by sheet and then by kind; ``few`` is as ``few_surfaces`` says."""
     wet, three_body = conditions.are_lubricated, conditions.have_particles
     kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
-    roughness = conditions.roughness
-    if (roughness != roughness[:1]).any():
-        labels = 4 * np.unique(roughness, return_inverse=True)[1] + kinds
+    if few is None:
+        cells = np.concatenate(
+            [
+                cells_of(log_yields(_summits(conditions.take(piece).roughness, parameters)))
+                for piece in _pieces(slice(0, conditions.size), CHUNK)
+            ]
+        )
+        labels = (4 * (cells - cells.min()) + kinds).astype(np.int16)
+    elif few.size > 1:
+        labels = (4 * np.searchsorted(few, conditions.roughness) + kinds).astype(np.int16)
     for places in _runs(labels):
         first = places.start if isinstance(places, slice) else places[0]
-        yield Group(float(roughness[first]), int(kinds[first]), places)
+        summits = _summits(float(conditions.roughness[first]), parameters)
+        if few is None:
+            sheet = Sheet.of_cell(cells[first], summits.materials)
+        else:
+            sheet = Sheet.of_one(log_yields(summits), summits.materials)
+        yield Group(sheet, int(kinds[first]), places)
+
+
+def _summits(roughness, parameters):
+    return SummitPopulation.of(parameters.surface(roughness), parameters)
 
 
 def _runs(labels):
@@ -192,20 +223,23 @@ def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> It
     Groups that repay the tables of the loop count together for what it takes to load it.
     """
     sizes = np.array([group.size for group in groups])
-    many = (sizes >= LOOP_WORTH) & _loop_solves(parameters)
+    terms = np.array([group.sheet.terms(rtol) for group in groups])
+    many = (sizes >= LOOP_WORTH * terms) & _loop_solves(parameters)
     compiled = many & _loop_pays(sizes[many].sum())
-    on_surface = Counter()
+    on_sheet = Counter()
     for group in groups:
-        on_surface[group.roughness] += group.size
+        on_sheet[group.sheet] += group.size
     for group, by_loop in zip(groups, compiled, strict=True):
-        tables = TABLES if _tables_pay(on_surface[group.roughness], rtol) else QUADRATURE
+        shared = on_sheet[group.sheet] // group.sheet.terms(rtol)
+        tables = TABLES if _tables_pay(shared, rtol) else QUADRATURE
         yield COMPILED if by_loop else tables
 
 
 def _tables_pay(points, rtol):
     """Whether so many ``points`` on one roughness are worth a table that is good for ``rtol``;
     tables cost in proportion to their samples."""
-    finest, table = (pieces * degree for pieces, degree in (TABLE_SIZES[-1][1:], table_size(rtol)))
+    sizes = TABLE_SIZES[-1][1:], table_size(rtol)
+    finest, table = (pieces * degree for pieces, degree, _ in sizes)
     return points * finest >= TABLE_WORTH * table
 
 
@@ -234,10 +268,11 @@ class _Task:
     conditions: Conditions
     parameters: Parameters
     rtol: float
+    shared: bool  # whether surfaces share tables
     result: dict[str, NDArray]
 
     def solve_by_loop(self, groups: list[Group]) -> list[Group]:
-        """As the other methods, but for groups, because each roughness has tables of its own."""
+        """As the other methods, but for groups, because the points of a call share a sheet."""
         if not groups or not _loop_solves(self.parameters):
             return groups
         from thirdbody.solver.compiled.points import CompiledPoints
@@ -245,16 +280,14 @@ class _Task:
 
         areas = not OF_AREAS.isdisjoint(self.result)
 
-        def solved(rough, real, some):
-            columns = some.load, some.viscosity, some.particle_diameter, some.particle_density
-            return CompiledPoints(rough, self.parameters, *columns, self.rtol, real, areas)
+        def solved(sheet, real, some):
+            return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
 
         left = []
         for group in groups:
-            rough = prepare_surface(group.roughness, self.parameters, self.rtol)
             places = group.places
             for real in precisions(self.rtol):
-                places = self._settle(places, CHUNK, partial(solved, rough, real))
+                places = self._settle(places, CHUNK, partial(solved, group.sheet, real))
             left.append(replace(group, places=places))
         return left
 
@@ -267,7 +300,7 @@ class _Task:
         return self._settle(places, QUADRATURE_CHUNK, partial(self._solved, None))
 
     def _solved(self, table_rtol, some):
-        return SolvedPoints(some.points(self.parameters, table_rtol), self.rtol)
+        return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
 
     def _settle(self, places, size, solved):
         """Solve points in pieces of ``size`` at most by ``solved(conditions)``."""

@@ -57,12 +57,13 @@ class Conditions:
         """Those of the points that a slice, an index or a mask ``chosen`` picks."""
         return Conditions(*(column[chosen] for column in vars(self).values()))
 
-    def points(self, parameters: Parameters, table_rtol: float | None) -> Points:
+    def points(
+        self, parameters: Parameters, table_rtol: float | None, shared: bool | None = None
+    ) -> Points:
         """The interface at points that all have particles or all have none, and all have a film
-        or all have none; ``table_rtol`` is as in ``make_contact``."""
-        contact = make_contact(
-            self.particle_diameter, self.roughness, self.particle_density, parameters, table_rtol
-        )
+        or all have none; ``table_rtol`` and ``shared`` are as in ``make_contact``."""
+        given = self.particle_diameter, self.roughness, self.particle_density
+        contact = make_contact(*given, parameters, table_rtol, shared)
         film = None
         if self.are_lubricated[0]:
             film = Film.of(self.viscosity, self.roughness, parameters)
@@ -75,6 +76,7 @@ def make_contact(
     particle_density: NDArray,
     parameters: Parameters,
     table_rtol: float | None,
+    shared: bool | None = None,
 ) -> Contact:
     """The solids of points that all have particles or all have none.
 
@@ -86,11 +88,13 @@ def make_contact(
         Inputs of the model.
     table_rtol : float or None
         Relative error for which tables of the summits are good; None: by quadrature.
+    shared : bool, optional
+        Whether surfaces share tables; by default if they are many.
     """
     particles = None
     if has_particles(particle_diameter[0], particle_density[0]):
         particles = ParticleLayer.of(particle_diameter, roughness, particle_density, parameters)
-    surfaces = RoughSurfaces.of(roughness, parameters, table_rtol)
+    surfaces = RoughSurfaces.of(roughness, parameters, table_rtol, shared)
     return Contact(surfaces, particles, parameters)
 
 

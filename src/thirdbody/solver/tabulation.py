@@ -50,15 +50,39 @@ class PiecewisePolynomial:
             values = function(x)[0]
         *at_nodes, middle = values.reshape(pieces, degree + 2).T
         self.centres = x[degree + 1 :: degree + 2]
-        # local variable 2(x - centre)/width in [-1, 1]
-        self.coefficients = interpolants(at_nodes)
+        # of powers of the place, of which there is one, and of 2(x - centre)/width in [-1, 1]
+        self.coefficients = interpolants(at_nodes)[None]
         self.error = float(np.abs(self(self.centres)[0] - middle).max())
 
-    def __call__(self, x):
-        """Value and slope at ``x``, each of its shape."""
-        return self.evaluated(x, 0, lambda beyond, _: self.function(beyond))
+    def __call__(self, x, place=0.0):
+        """Value and slope at ``x``, each of its shape; ``place`` is as in ``between``."""
+        return self.evaluated(x, 0, place, lambda beyond, _: self.function(beyond))
 
-    def evaluated(self, x, member, function):
+    @classmethod
+    def between(cls, members, middle) -> PiecewisePolynomial:
+        """A function that also depends on a variable from -1 to 1, its ``place``.
+
+        Parameters
+        ----------
+        members : sequence of PiecewisePolynomial
+            The function of x at the places ``chebyshev_points``, on the same pieces.
+        middle : PiecewisePolynomial
+            The function at place 0, which tells the error; the number of members is even.
+
+        Returns
+        -------
+        PiecewisePolynomial
+            A polynomial in the place too.  Beyond the interval it is not defined.
+        """
+        found = copy(members[0])
+        found.function = None
+        found.coefficients = interpolants([member.coefficients[0] for member in members])
+        x = sample_points(found.start, found.end, found.pieces, found.degree)
+        error = np.abs(found(x)[0] - middle(x)[0]).max()
+        found.error = float(error) + max(member.error for member in (*members, middle))
+        return found
+
+    def evaluated(self, x, member, place, function):
         """Value and slope at ``x`` of joined polynomials.
 
         Parameters
@@ -67,8 +91,11 @@ class PiecewisePolynomial:
             Of any shape.
         member : int or array of int
             Which of the joined functions, for all or for each element of the last axes of ``x``.
+        place : float or array
+            As in ``between``, for all or for each such element.
         function : callable
-            ``function(x, member)`` is evaluated for the elements beyond the interval.
+            ``function(x[chosen], chosen)`` is evaluated for the elements beyond the interval, which
+            a mask ``chosen`` tells.
 
         Returns
         -------
@@ -77,24 +104,22 @@ class PiecewisePolynomial:
         """
         position, inside = self.located(x)
         if inside.all():
-            return self.interpolate(position, member)
+            return self.interpolate(position, member, place)
         value = np.empty_like(position)
         slope = np.empty_like(position)
-        for chosen, evaluate, places in (
-            (inside, self.interpolate, position),
-            (~inside, function, x),
-        ):
-            some = member
-            if np.ndim(member):
-                some = np.broadcast_to(member, x.shape)[chosen]
-            value[chosen], slope[chosen] = evaluate(places[chosen], some)
+        some = (
+            np.broadcast_to(each, x.shape)[inside] if np.ndim(each) else each
+            for each in (member, place)
+        )
+        value[inside], slope[inside] = self.interpolate(position[inside], *some)
+        value[~inside], slope[~inside] = function(x[~inside], ~inside)
         return value, slope
 
     @classmethod
     def joined(cls, members) -> PiecewisePolynomial:
         """The polynomials of several functions on the same pieces, side by side for ``evaluated``."""
         together = copy(members[0])
-        together.coefficients = np.hstack([member.coefficients for member in members])
+        together.coefficients = np.concatenate([each.coefficients for each in members], axis=-1)
         return together
 
     def located(self, x):
@@ -102,20 +127,29 @@ class PiecewisePolynomial:
         position = (x - self.start) * self.scale
         return position, (position >= 0.0) & (position < self.pieces)
 
-    def interpolate(self, position, member=0):
-        """Value and slope at a ``position`` of ``located``, within the interval, of a ``member``."""
+    def interpolate(self, position, member=0, place=0.0):
+        """Value and slope at a ``position`` of ``located``, within the interval, of a ``member`` at
+        its ``place``."""
         piece = position.astype(np.intp)
         local = 2.0 * (position - piece) - 1.0
         piece = piece + member * self.pieces
-        value = self.coefficients[-1].take(piece)
+        value = self._coefficient(self.degree, piece, place)
         slope = np.zeros_like(value)
-        for row in self.coefficients[-2::-1]:
+        for power in range(self.degree - 1, -1, -1):
             slope *= local
             slope += value
             value *= local
-            value += row.take(piece)
+            value += self._coefficient(power, piece, place)
         slope *= 2.0 * self.scale
         return value, slope
+
+    def _coefficient(self, power, piece, place):
+        """Coefficients of a power of the place within each ``piece``."""
+        value = self.coefficients[-1, power].take(piece)
+        for term in self.coefficients[-2::-1, power]:
+            value *= place
+            value += term.take(piece)
+        return value
 
 
 def chebyshev_points(degree: int):
@@ -128,16 +162,18 @@ def interpolants(at_nodes):
 
     Parameters
     ----------
-    at_nodes : array, shape (degree + 1, pieces)
-        Values at these points, a column for each piece.
+    at_nodes : array_like, shape (degree + 1, ...)
+        Values at these points, for each of any number of polynomials.
 
     Returns
     -------
-    array, shape (degree + 1, pieces)
-        Row k holds the coefficients of the k-th power.
+    array, shape (degree + 1, ...)
+        Element k of the first axis holds the coefficients of the k-th power.
     """
-    nodes = chebyshev_points(len(at_nodes) - 1)
-    return np.ascontiguousarray(np.linalg.solve(np.vander(nodes, increasing=True), at_nodes))
+    at_nodes = np.asarray(at_nodes)
+    powers = np.vander(chebyshev_points(len(at_nodes) - 1), increasing=True)
+    solved = np.linalg.solve(powers, at_nodes.reshape(len(at_nodes), -1))
+    return np.ascontiguousarray(solved.reshape(at_nodes.shape))
 
 
 def sample_points(start: float, end: float, pieces: int, degree: int):

@@ -1,4 +1,4 @@
-"""What the compiled loop works on: rows of numbers, tables of a surface, and the block of points.
+"""What the compiled loop works on: rows of numbers, tables of a sheet, and the block of points.
 
 Lengths are in units of sigma, loads in units of F_t, areas in units of A_n.  Tables hold not a load
 or an area but its root of order ``ROOT``, which is an ordinary number where the load is e^-800.
@@ -15,6 +15,7 @@ WIDTH = 496
 SQUARINGS = 4
 ROOT = 2**SQUARINGS
 MOST_COEFFICIENTS = 8  # of a polynomial
+CELL_TERMS = {3: 4, 5: 8, 7: 10}  # powers of the place in a cell, by degree
 
 # Rows of ``given`` and of the columns that it is taken from: what is known of a point.
 PER_LOAD = 0  # 1/F_t*
@@ -25,7 +26,11 @@ PLASTIC_AREA = 4  # A_sa/A_n where all particles are plastic and the moment is 1
 BARE = 5  # the bracket of Eq. 4 if it counts all sizes; 1 if it counts those that touch
 PER_CROSSING = 6  # sigma/h_c where both terms of Eq. 7 are equal
 CROSSING_ROOT = 7  # root of F_f/F_t there
-GIVEN = 8
+OFFSET = 8  # y_s/sigma
+PER_DEVIATION = 9  # sigma/sigma_s
+SUMMIT_PARAMETER = 10  # eta_s R sigma_s
+PLACE = 11  # of w_1 between the ends of the sheet's cell, from -1 to 1
+GIVEN = 12
 
 # Rows of ``work``: single numbers that change from step to step.
 SEPARATION = 0  # d/sigma
@@ -69,9 +74,13 @@ RESULTS = 7
 
 
 class Table(NamedTuple):
-    """Polynomials on pieces of equal width; the last row is what holds outside of all pieces."""
+    """Polynomials on pieces of equal width; the last row is what holds outside of all pieces.
 
-    rows: np.ndarray  # one piece a row: coefficients of powers of the place within it, -1 to 1
+    A row holds coefficients of powers of where a point is in its piece, -1 to 1, for each power of
+    its ``PLACE`` on the sheet.
+    """
+
+    rows: np.ndarray  # shape (pieces + 1, terms, coefficients)
     start: float
     scale: float  # pieces a unit, negative where they are counted downwards
 
@@ -80,10 +89,11 @@ class OctaveTable(NamedTuple):
     """Polynomials on pieces of equal width within each octave of a positive variable.
 
     The leading bits of a number tell its piece, so that no logarithm is needed.  The last row is
-    what holds outside of all pieces.
+    what holds outside of all pieces.  Rows are those of a ``Table``, or, where first guesses are
+    read off, pairs of a value and its change over the piece.
     """
 
-    rows: np.ndarray  # one piece a row
+    rows: np.ndarray
     first: int  # leading bits of the number at which the first piece begins
     shift: int  # how many bits are left to tell the place within a piece
     within: float  # width of a piece over the number of places in it
@@ -91,13 +101,11 @@ class OctaveTable(NamedTuple):
 
 
 class SummitModel(NamedTuple):
-    """Summits in contact with no particles between the surfaces."""
+    """Summits in contact with no particles between the surfaces, whose eta_s R sigma_s is 1."""
 
     table: Table  # roots of F_ss* and A_ss/A_n, side by side in a row, of t = (d - y_s)/sigma_s
-    alone: OctaveTable  # first guess of d of F_t*, if they bear it alone
+    alone: OctaveTable  # first guess of t of F_t*, if they bear it alone
     error: float  # relative, of loads and areas
-    per_deviation: float  # sigma/sigma_s
-    offset: float  # y_s/sigma
     area_root: float  # factor of the root of areas: the smallest must stay ordinary numbers
     area_unit: float  # factor by which an area so enlarged becomes one of A_n
 
@@ -140,7 +148,7 @@ class Limits(NamedTuple):
 
 
 class Model(NamedTuple):
-    """What all points on one surface share; numbers are of the type of the points'."""
+    """What all points on one sheet share; numbers are of the type of the points'."""
 
     degree: int  # 3, 5 or 7, of all polynomials but first guesses, which are lines
     summits: SummitModel

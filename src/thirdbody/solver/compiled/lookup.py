@@ -8,9 +8,11 @@ from __future__ import annotations
 import numpy as np
 
 from thirdbody.solver.compiled.layout import (
+    CELL_TERMS,
     CURVE,
     HALF_PIECES,
     LOCAL,
+    PLACE,
     POSITION,
     ROOT,
     SLOPE,
@@ -67,18 +69,22 @@ def find_octave_piece(block, count, table):
         work[HALF_PIECES, k] = local + (before + real(2 * (place & (table.pieces - 1))))
 
 
-def _reader(degree):
-    """Stage that evaluates polynomials of a degree: the compiler unrolls loops of known length."""
+def _reader(degree, terms):
+    """Stage that evaluates polynomials of a degree, and so many terms in the place on the sheet: the
+    compiler unrolls loops of known length."""
 
     @stage
     def read(block, count, rows, first, into):
-        work, series = block.work, block.series
+        given, work, series = block.given, block.work, block.series
         coefficients, pieces = block.coefficients, block.pieces
         zero = work.dtype.type(0)
         for k in range(count):
-            piece = np.uintp(pieces[k])
+            piece, place = np.uintp(pieces[k]), given[PLACE, k]
             for power in range(degree + 1):
-                coefficients[power, k] = rows[piece, first + power]
+                coefficient = rows[piece, terms - 1, first + power]
+                for term in range(2, terms + 1):
+                    coefficient = coefficient * place + rows[piece, terms - term, first + power]
+                coefficients[power, k] = coefficient
         for k in range(count):
             local = work[LOCAL, k]
             value, slope, curve = coefficients[degree, k], zero, zero
@@ -93,7 +99,10 @@ def _reader(degree):
     return read
 
 
-_read_3, _read_5, _read_7 = _reader(3), _reader(5), _reader(7)
+# of tables of one variable,
+_read_3, _read_5, _read_7 = _reader(3, 1), _reader(5, 1), _reader(7, 1)
+# and of the summits of a cell
+_read_cell_3, _read_cell_5, _read_cell_7 = (_reader(each, CELL_TERMS[each]) for each in (3, 5, 7))
 
 
 @stage
@@ -105,6 +114,19 @@ def look_up(block, count, rows, degree, first, into):
         _read_5(block, count, rows, first, into)
     else:
         _read_7(block, count, rows, first, into)
+
+
+@stage
+def look_up_summits(block, count, rows, degree, first, into):
+    """The same in the table of the summits, of one w_1 or of a cell."""
+    if rows.shape[1] == 1:
+        look_up(block, count, rows, degree, first, into)
+    elif degree == 3:
+        _read_cell_3(block, count, rows, first, into)
+    elif degree == 5:
+        _read_cell_5(block, count, rows, first, into)
+    else:
+        _read_cell_7(block, count, rows, first, into)
 
 
 @stage

@@ -1,4 +1,4 @@
-"""Many points on one surface, solved by the compiled loop.
+"""Many points on one sheet, solved by the compiled loop.
 
 The loop balances loads (Eqs. 1, 2 and 4) where ``thirdbody.solver.balance`` balances their
 logarithms, which hold the smallest and the largest.  Points at which the loop cannot promise the
@@ -12,8 +12,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film
 from thirdbody.model.parameters import Parameters
@@ -28,14 +28,18 @@ from thirdbody.solver.compiled.layout import (
     GAP,
     GIVEN,
     MEAN,
+    OFFSET,
     PARTICLE_SHARE,
     PER_CROSSING,
+    PER_DEVIATION,
     PER_LOAD,
     PER_SPREAD,
+    PLACE,
     PLASTIC_AREA,
     RESULTS,
     ROOT,
     SOLID_SHARE,
+    SUMMIT_PARAMETER,
     SURFACE_SHARE,
     TOTAL_AREA,
     make_block,
@@ -43,9 +47,13 @@ from thirdbody.solver.compiled.layout import (
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.machine_code import compiled
 from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
-from thirdbody.solver.surfaces import RoughSurface
+from thirdbody.solver.points import Conditions
+from thirdbody.solver.surfaces import Sheet, log_yields
 
 OIL_VISCOSITIES = 1e-9, 1e-3  # [m2/s], of any oil
+# F_t* of which the summits would bear a share in float64 even beyond their tables
+LEAST_LOAD = 1e-20
+ROUGHER = 1e6  # by a factor
 
 
 class CompiledPoints:
@@ -56,16 +64,12 @@ class CompiledPoints:
 
     Parameters
     ----------
-    rough : RoughSurface
-        The surface of all points, with tables.
+    sheet : Sheet
+        The sheet of their surfaces.  On one that is no cell all points have one roughness.
+    conditions : Conditions
+        The points.
     parameters : Parameters
         Inputs of the model.
-    load : array, shape (points,)
-        F_t* [1].
-    viscosity : array, shape (points,)
-        [m2/s], 0 without film.
-    diameter, density : array, shape (points,)
-        x_a [m] and eta_a [m-2] of the particles.
     rtol : float
         Relative error asked for.
     real : type
@@ -83,33 +87,34 @@ class CompiledPoints:
 
     def __init__(
         self,
-        rough: RoughSurface,
+        sheet: Sheet,
+        conditions: Conditions,
         parameters: Parameters,
-        load: NDArray,
-        viscosity: NDArray,
-        diameter: NDArray,
-        density: NDArray,
         rtol: float,
         real: type,
         areas: bool,
     ):
-        roughness = rough.surface.roughness
+        load, viscosity = conditions.load, conditions.viscosity
+        diameter, density = conditions.particle_diameter, conditions.particle_density
+        roughness = conditions.roughness if sheet.is_cell else float(conditions.roughness[0])
         self._parameters = parameters
         self._has_particles = bool(has_particles(diameter[0], density[0]))
-        self._scales = _film_scales(roughness, parameters) if viscosity[0] > 0.0 else None
+        self._has_film = viscosity[0] > 0.0
         columns = np.empty((GIVEN, load.size), real)
         columns[PER_LOAD] = 1.0 / load.astype(real)
+        _fill_summits(columns, sheet, parameters.surface(roughness), parameters)
         if self._has_particles:
-            sizes = diameter.astype(real), roughness, density.astype(real)
-            _fill_particles(columns, ParticleLayer.of(*sizes, parameters), roughness)
-        if self._scales:
-            _fill_film(columns, self._scales, viscosity.astype(real))
+            sigma = roughness.astype(real) if sheet.is_cell else roughness
+            sizes = diameter.astype(real), sigma, density.astype(real)
+            _fill_particles(columns, ParticleLayer.of(*sizes, parameters), sigma)
+        if self._has_film:
+            _fill_film(columns, roughness, viscosity.astype(real), parameters)
         found = np.empty((RESULTS, load.size))
         compiled(solve_points)(
-            prepare_model(rough, parameters, rtol, real),
+            prepare_model(sheet, parameters, rtol, real),
             columns,
             self._has_particles,
-            self._scales is not None,
+            self._has_film,
             areas,
             make_block(real, INTEGERS[real]),
             found,
@@ -124,6 +129,7 @@ class CompiledPoints:
         self.left = ~(self.error_bound <= rtol)
         if self._has_particles:
             self.left |= load > greatest_single_load(parameters)
+        self.left |= load < LEAST_LOAD
         self._over_crossing = found[GAP] * columns[PER_CROSSING]
 
     @property
@@ -145,21 +151,31 @@ class CompiledPoints:
     @property
     def solution_status(self):
         applies = {"area_exceeded": self.total_contact_area > 1.0}
-        if self._scales:
-            outside = self._over_crossing > self._scales.thickest
+        if self._has_film:
+            outside = self._over_crossing > _film_scales(self._parameters).thickest
             outside |= self.film_thickness > THICKEST
             applies["outside_film_formula"] = outside & (self.fluid_load_fraction > FILM_COUNTS)
         return gravest_status(**applies)
 
 
 class FilmScales(NamedTuple):
-    """Where both terms of Eq. 7 are equal, at a viscosity of 1 m2/s, and as a power of viscosity."""
+    """Where both terms of Eq. 7 are equal, at a viscosity of 1 m2/s and the reference roughness, and
+    as a power of both."""
 
     root: float  # root of F_f* there
-    root_exponent: float
+    root_exponents: tuple[float, float]
     per_crossing: float  # sigma/h_c there
-    per_crossing_exponent: float
+    per_crossing_exponents: tuple[float, float]
     thickest: float  # h_c up to which Eq. 7 has a meaning, over that there
+
+
+def _fill_summits(columns, sheet, surface, parameters):
+    """Fill the rows that say what is known of the summits."""
+    summits = SummitPopulation.of(surface, parameters)
+    columns[OFFSET] = surface.summit_offset / surface.roughness
+    columns[PER_DEVIATION] = surface.roughness / surface.summit_deviation
+    columns[SUMMIT_PARAMETER] = summits.summit_parameter
+    columns[PLACE] = sheet.place(log_yields(summits))
 
 
 def _fill_particles(columns, layer, roughness):
@@ -172,30 +188,43 @@ def _fill_particles(columns, layer, roughness):
     columns[BARE] = np.exp(layer.log_bare)
 
 
-def _fill_film(columns, scales, viscosity):
+def _fill_film(columns, roughness, viscosity, parameters):
     """Fill the rows that say what is known of a film."""
-    columns[PER_CROSSING] = scales.per_crossing * viscosity**scales.per_crossing_exponent
-    columns[CROSSING_ROOT] = scales.root * viscosity**scales.root_exponent
+    scales, scale = _film_scales(parameters), roughness / parameters.reference_roughness
+    for row, value, (of_viscosity, of_roughness) in (
+        (PER_CROSSING, scales.per_crossing, scales.per_crossing_exponents),
+        (CROSSING_ROOT, scales.root, scales.root_exponents),
+    ):
+        columns[row] = value * scale**of_roughness * viscosity**of_viscosity
     columns[CROSSING_ROOT] *= np.sqrt(np.sqrt(np.sqrt(np.sqrt(columns[PER_LOAD]))))
 
 
 @lru_cache(maxsize=64)
-def _film_scales(roughness: float, parameters: Parameters) -> FilmScales:
-    """Lines of ln W and ln H_c over ln viscosity, drawn through the ends of what oils have."""
-    ends = np.log(OIL_VISCOSITIES)
-    films = Film.of(np.array(OIL_VISCOSITIES), roughness, parameters)
+def _film_scales(parameters: Parameters) -> FilmScales:
+    """Planes of ln W and ln H_c over ln viscosity and ln roughness.
+
+    The first is drawn through the ends of what oils have, the other from there to another roughness.
+    """
+    sigma = parameters.reference_roughness
+    viscosities = np.array([*OIL_VISCOSITIES, OIL_VISCOSITIES[0]])
+    roughness = sigma * np.array([1.0, 1.0, ROUGHER])
+    films = Film.of(viscosities, roughness, parameters)
     log_parameters, log_thicknesses = films.crossing()
-    parameter_slope, thickness_slope = (
-        float(np.diff(values)[0] / np.diff(ends)[0]) for values in (log_parameters, log_thicknesses)
-    )
+    ends = math.log(viscosities[0]), math.log(viscosities[1]) - math.log(viscosities[0])
+
+    def plane(values):
+        start, other, rougher = map(float, values)
+        slopes = (other - start) / ends[1], (rougher - start) / math.log(ROUGHER)
+        return start - slopes[0] * ends[0], *slopes
+
+    log_parameter, *parameter_slopes = plane(log_parameters)
+    log_thickness, *thickness_slopes = plane(log_thicknesses)
     thickest, _ = films.thickness(films.turning())
     log_area = math.log(parameters.apparent_area / parameters.ball_radius**2)
     return FilmScales(
-        root=math.exp((log_parameters[0] - parameter_slope * ends[0] - log_area) / ROOT),
-        root_exponent=parameter_slope / ROOT,
-        per_crossing=math.exp(thickness_slope * ends[0] - log_thicknesses[0])
-        * roughness
-        / parameters.ball_radius,
-        per_crossing_exponent=-thickness_slope,
+        root=math.exp((log_parameter - log_area) / ROOT),
+        root_exponents=tuple(slope / ROOT for slope in parameter_slopes),
+        per_crossing=math.exp(-log_thickness) * sigma / parameters.ball_radius,
+        per_crossing_exponents=(-thickness_slopes[0], 1.0 - thickness_slopes[1]),
         thickest=float(thickest[0] / math.exp(log_thicknesses[0])),
     )

@@ -29,9 +29,11 @@ from thirdbody.solver.compiled.layout import (
     LOCAL,
     MEAN,
     MOMENT,
+    OFFSET,
     PART_ERROR,
     PARTICLE_SHARE,
     PER_CROSSING,
+    PER_DEVIATION,
     PER_LOAD,
     PER_SPREAD,
     PLASTIC_AREA,
@@ -45,6 +47,7 @@ from thirdbody.solver.compiled.layout import (
     STEEPEST,
     STEP,
     SUMMIT_AREA,
+    SUMMIT_PARAMETER,
     SUMMITS,
     SURFACE_SHARE,
     TOTAL_AREA,
@@ -57,10 +60,13 @@ from thirdbody.solver.compiled.lookup import (
     find_piece,
     look_up,
     look_up_guess,
+    look_up_summits,
     power,
     relative_terms,
 )
 from thirdbody.solver.compiled.machine_code import stage
+
+PLAIN = 1e-30  # an area A_t* in which one of zero in float64 has no share
 
 
 @stage
@@ -69,10 +75,10 @@ def start(block, count, model, has_particles, has_film):
     given, work = block.given, block.work
     one = work.dtype.type(1)
     for k in range(count):
-        work[POSITION, k] = one / given[PER_LOAD, k]
+        work[POSITION, k] = one / (given[PER_LOAD, k] * given[SUMMIT_PARAMETER, k])
     look_up_guess(block, count, model.summits.alone, POSITION)
     for k in range(count):
-        work[SEPARATION, k] = work[LOCAL, k]
+        work[SEPARATION, k] = given[OFFSET, k] + work[LOCAL, k] / given[PER_DEVIATION, k]
     if has_film:
         for k in range(count):
             work[POSITION, k] = given[CROSSING_ROOT, k]
@@ -103,21 +109,23 @@ def summits_bear(block, count, model):
     given, work, series = block.given, block.work, block.series
     summits, rounding = model.summits, model.limits.rounding
     one = work.dtype.type(1)
-    pieces = summits.table.scale * summits.per_deviation
-    inner, misplacement = pieces + pieces, (rounding + rounding) / pieces
-    subtracted = abs(summits.offset) * pieces
+    last = work.dtype.type(summits.table.rows.shape[0] - 1.5)
     for k in range(count):
-        t = (work[SEPARATION, k] - summits.offset) * summits.per_deviation
-        work[POSITION, k] = (t - summits.table.start) * summits.table.scale
+        t = (work[SEPARATION, k] - given[OFFSET, k]) * given[PER_DEVIATION, k]
+        work[POSITION, k] = min((t - summits.table.start) * summits.table.scale, last)
     find_piece(block, count, summits.table, POSITION)
-    look_up(block, count, summits.table.rows, model.degree, 0, SUMMITS)
+    look_up_summits(block, count, summits.table.rows, model.degree, 0, SUMMITS)
     for k in range(count):
-        load = power(series[SUMMITS, VALUE, k]) * given[PER_LOAD, k]
+        per_load = given[PER_LOAD, k] * given[SUMMIT_PARAMETER, k]
+        pieces = summits.table.scale * given[PER_DEVIATION, k]
+        inner, misplacement = pieces + pieces, (rounding + rounding) / pieces
+        load = power(series[SUMMITS, VALUE, k]) * per_load
         slope, curve = relative_terms(series, SUMMITS, k, inner)
         series[SOLID, VALUE, k] = load
         series[SOLID, SLOPE, k] = slope * load
         series[SOLID, CURVE, k] = curve * load
         # the place in the table is known to rounding
+        subtracted = abs(given[OFFSET, k]) * pieces
         misplaced = misplacement * (work[POSITION, k] + subtracted) * abs(slope)
         work[PART_ERROR, k] = misplaced
         work[LOAD_ERROR, k] = (summits.error + misplaced) * load
@@ -127,13 +135,15 @@ def summits_bear(block, count, model):
 @stage
 def summits_touch(block, count, model):
     """A_ss, the area of Eq. 3 where there are no particles, in the pieces that hold the load."""
-    series, summits = block.series, model.summits
+    given, series, summits = block.given, block.series, model.summits
     invalid = series.dtype.type(np.nan)
-    pieces = summits.table.scale * summits.per_deviation
-    inner = pieces + pieces
-    look_up(block, count, summits.table.rows, model.degree, model.degree + 1, SUMMIT_AREA)
+    first = model.degree + 1
+    look_up_summits(block, count, summits.table.rows, model.degree, first, SUMMIT_AREA)
     for k in range(count):
+        pieces = summits.table.scale * given[PER_DEVIATION, k]
+        inner = pieces + pieces
         area = power(series[SUMMIT_AREA, VALUE, k] * summits.area_root)
+        area = area * given[SUMMIT_PARAMETER, k]
         area = area if area >= model.limits.least else invalid
         slope, curve = relative_terms(series, SUMMIT_AREA, k, inner)
         series[SUMMIT_AREA, VALUE, k] = area
@@ -423,10 +433,12 @@ def move_areas(block, count, model):
         )
         touching = series[TOUCHING, VALUE, k] + series[TOUCHING, SLOPE, k] * step
         touching = max(touching + series[TOUCHING, CURVE, k] * square, zero)
-        particles, surfaces = np.float64(touching), np.float64(bare) * model.summits.area_unit
-        together = particles + surfaces  # Eq. 5
+        particles, surfaces = np.float64(touching), np.float64(bare)
+        together = particles + surfaces * model.summits.area_unit  # Eq. 5
         results[TOTAL_AREA, k] = together
         results[PARTICLE_SHARE, k] = particles / together  # Eq. 10
-        results[SURFACE_SHARE, k] = surfaces / together  # Eq. 10
+        results[SURFACE_SHARE, k] = surfaces / together * model.summits.area_unit  # Eq. 10
         bound = results[BOUND, k]
-        results[BOUND, k] = bound if together > model.limits.least_area else np.nan
+        counts = together > model.limits.least_area
+        counts &= (surfaces * model.summits.area_unit > 0.0) | (together > PLAIN)
+        results[BOUND, k] = bound if counts else np.nan

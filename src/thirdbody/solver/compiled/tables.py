@@ -1,4 +1,4 @@
-"""What the compiled loop knows of a surface: a table of whatever depends on one variable.
+"""What the compiled loop knows of a sheet: a table of whatever depends on one variable.
 
 These are the summits' load and area, functions of t = (d - y_s)/sigma_s; the second moment M of the
 sizes of particles, a function of alpha = (d - m)/S; and the load of a film, a function of its
@@ -19,6 +19,7 @@ from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LOWEST, Moment, parts_bearing
 from thirdbody.solver.compiled.layout import (
+    CELL_TERMS,
     ROOT,
     FilmModel,
     Limits,
@@ -29,7 +30,7 @@ from thirdbody.solver.compiled.layout import (
     Table,
 )
 from thirdbody.solver.solution import ROOT_SHARE
-from thirdbody.solver.surfaces import RoughSurface
+from thirdbody.solver.surfaces import Sheet, prepare_tables, table_size
 from thirdbody.solver.tabulation import chebyshev_points, interpolants
 
 SINGLE, DOUBLE = np.float32, np.float64
@@ -40,20 +41,24 @@ SINGLE_RTOL = 1e-3  # from which single precision has digits enough for most poi
 PIECES = {3: (16, 48, 32), 5: (32, 16, 64), 7: (16, 16, 32)}
 # Tables over octaves reach from one power of two to another:
 FILM_OCTAVES = -9, 21  # of h_c over that where both terms of Eq. 7 are equal,
-LOAD_OCTAVES = -110, 2  # of F_t*,
+LOAD_OCTAVES = -110, 8  # of F_t* over eta_s R sigma_s,
 ROOT_OCTAVES = -12, 12  # of the root of W where both terms are equal, over W of F_t,
 AREA_OCTAVES = -24, 2  # and of the area of particles over that where M = 1.
 GUESS_PIECES = 8  # of an octave
 
+# Root of loads and areas beyond the last t: an area that is a number 2^256-fold, and zero in float64
+NOTHING = 3e-23
+
 NOISE = 1e-14  # of a load in double precision
 CROSSING_ERROR = 5e-14  # of where the terms of Eq. 7 are equal, a quotient of small differences
 
-# Numbers smaller than these have lost digits, or will.  Single precision holds areas 2^96-fold.
+# Numbers smaller than these have lost digits, or will.
 SMALLEST = {
     SINGLE: {"least": 1e-36, "least_bare": 0.05, "least_area": 1e-30},
     DOUBLE: {"least": 1e-290, "least_bare": 1e-6, "least_area": 1e-290},
 }
-AREA_ROOT = {SINGLE: 64.0, DOUBLE: 1.0}
+# Areas are held 2^96-fold and 2^256-fold: they are smaller than numbers can be.
+AREA_ROOT = {SINGLE: 64.0, DOUBLE: 65536.0}
 
 
 def precisions(rtol: float) -> tuple[type, ...]:
@@ -72,14 +77,14 @@ def precisions(rtol: float) -> tuple[type, ...]:
     return (SINGLE, DOUBLE) if rtol >= SINGLE_RTOL else (DOUBLE,)
 
 
-@lru_cache(maxsize=64)
-def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real: type) -> Model:
-    """What all points on one surface share, prepared once.
+@lru_cache(maxsize=512)
+def prepare_model(sheet: Sheet, parameters: Parameters, rtol: float, real: type) -> Model:
+    """What all points on one sheet share, prepared once.
 
     Parameters
     ----------
-    rough : RoughSurface
-        The surface, with tables that are good for ``rtol``.
+    sheet : Sheet
+        The sheet of their surfaces.
     parameters : Parameters
         Inputs of the model.
     rtol : float
@@ -92,10 +97,10 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     Model
         Tables and numbers for the loop.
     """
-    degree = 3 if real is SINGLE else rough.tables.log_load.degree
+    degree = 3 if real is SINGLE else table_size(rtol)[1]
     return Model(
         degree=degree,
-        summits=_summits(rough, degree, real),
+        summits=_summits(sheet, rtol, degree, real),
         particles=_particles(parameters, degree, real),
         film=_film(parameters, degree, real),
         limits=Limits(
@@ -107,46 +112,58 @@ def prepare_model(rough: RoughSurface, parameters: Parameters, rtol: float, real
     )
 
 
-def _summits(rough, degree, real) -> SummitModel:
-    """The summits of a surface."""
-    tables, surface, rounding = rough.tables, rough.surface, _rounding(real)
+@lru_cache(maxsize=512)
+def _summits(sheet, rtol, degree, real) -> SummitModel:
+    """The summits of the surfaces on a sheet."""
+    tables, rounding = prepare_tables(sheet, rtol), _rounding(real)
     first, last = tables.log_load.start, tables.log_load.end
-    size = first, last, PIECES[degree][0], degree, real
-    load, load_error = _table(_root_of(lambda t: tables.log_load(t)[0]), *size)
-    area, area_error = _table(_root_of(lambda t: tables.log_area(t)[0]), *size)
-    error = tables.error + ROOT * max(load_error, area_error)
+    size = first, last, PIECES[degree][0], degree
+    places = chebyshev_points(CELL_TERMS[degree] - 1) if sheet.is_cell else [0.0]
+    sides, errors = zip(
+        *(_summit_rows(curve, places, *size) for curve in (tables.log_load, tables.log_area)),
+        strict=True,
+    )
+    error = tables.error + ROOT * max(errors)
+    t = np.linspace(*tables.log_load.centres[[-1, 0]], 1000)
+    loads = tables.log_load(t)[0]
     # rounding of t: this is at the largest, but the loop counts it where a point is
-    rounded = 3.0 * np.finfo(float).eps * abs(tables.log_load(np.full(1, last))[0][0])
-    deviation = surface.summit_deviation / surface.roughness
-    offset = surface.summit_offset / surface.roughness
-    t = np.linspace(last, first, 1000)
-    loads, separations = tables.log_load(t)[0], offset + deviation * t
+    rounded = 3.0 * np.finfo(float).eps * abs(loads[0])
     return SummitModel(
-        table=load._replace(rows=np.hstack([load.rows, area.rows])),
-        alone=_guesses(
-            lambda load: np.interp(np.log(load), loads, separations), LOAD_OCTAVES, real
+        table=Table(
+            np.concatenate(sides, axis=-1).astype(real), real(first), real(PIECES[degree][0])
         ),
+        alone=_guesses(lambda load: np.interp(np.log(load), loads, t), LOAD_OCTAVES, real),
         error=real(max(error - rounded, 0.0) + 2.0 * ROOT * rounding),
-        per_deviation=real(1.0 / deviation),
-        offset=real(offset),
         area_root=real(AREA_ROOT[real]),
         area_unit=AREA_ROOT[real] ** -ROOT,
     )
 
 
+def _summit_rows(curve, places, *size):
+    """Rows of the root of a ``curve`` of t that is known at some places on a sheet, and their error."""
+    found = [
+        _rows(_root_of(lambda t, place=place: curve(t, place)[0]), *size)
+        for place in (*places, 0.0)
+    ]
+    (*at_places, middle), errors = zip(*found, strict=True)
+    rows = interpolants(at_places)
+    ends_and_centre = np.vander([-1.0, 0.0, 1.0], rows.shape[-1], increasing=True)
+    between = np.abs((rows[0] - middle) @ ends_and_centre.T).max(axis=-1) / middle[:, 0]
+    return _with_outside(rows.swapaxes(0, 1), NOTHING, np.nan), max(errors) + between.max()
+
+
+@lru_cache(maxsize=64)
 def _particles(parameters, degree, real) -> ParticleModel:
     """Particles of any size and density."""
     moment = Moment.of_all_layers(parameters)
     lowest = max(moment.smallest, LOWEST)
     pieces = math.ceil((moment.largest - lowest) * PIECES[degree][1])
     scale = -pieces / (moment.largest - lowest)
-    size = moment.largest, lowest, scale, degree, real
-    table, error = _table(lambda alpha: moment(alpha)[0], *size, outside=0.0)
-    below = np.zeros(
-        (1, degree + 1), real
-    )  # a piece for all smaller sizes, which there are none of
-    below[0, 0] = moment.of_all
-    table = table._replace(rows=np.concatenate([table.rows[:-1], below, table.rows[-1:]]))
+    size = moment.largest, lowest, scale, degree
+    rows, error = _rows(lambda alpha: moment(alpha)[0], *size)
+    # a piece for all smaller sizes, which there are none of, and one for the larger ones
+    rows = _with_outside(rows[:, None], moment.of_all, 0.0).astype(real)
+    table = Table(rows, real(moment.largest), real(scale))
     error += _rounding(real)
     limits, contacting = parameters.readings.elastic_limits, parameters.readings.coverage_limits
     here, there = parts_bearing(parameters)
@@ -166,6 +183,7 @@ def _particles(parameters, degree, real) -> ParticleModel:
     )
 
 
+@lru_cache(maxsize=64)
 def _film(parameters, degree, real) -> FilmModel:
     """Films of any viscosity: seen from where both terms of Eq. 7 are equal, all are one curve."""
     rounding, one = _rounding(real), np.ones(1)
@@ -196,15 +214,14 @@ def _root_of(logarithm):
     return lambda x: np.exp(logarithm(x) / ROOT)
 
 
-def _table(function, start, end, pieces, degree, real, outside=np.nan) -> tuple[Table, float]:
-    """Table of a function, and its largest relative error in the middle of a piece.
+def _rows(function, start, end, pieces, degree) -> tuple[NDArray, float]:
+    """Rows of a ``Table`` of a function, but for those outside, and its largest relative error in the
+    middle of a piece.
 
     It has so many ``pieces`` a unit, negative if they are counted downwards from ``start``.
     """
     centres = start + (np.arange(round((end - start) * pieces)) + 0.5) / pieces
-    halves = np.full(centres.size, 0.5 / pieces)
-    rows, error = _rows_and_error(function, centres, halves, degree, real, outside)
-    return Table(rows, real(start), real(pieces)), error
+    return _polynomials(function, centres, np.full(centres.size, 0.5 / pieces), degree)
 
 
 def _octave_table(function, pieces, degree, real) -> tuple[OctaveTable, float]:
@@ -214,18 +231,24 @@ def _octave_table(function, pieces, degree, real) -> tuple[OctaveTable, float]:
     """
     edges = _octave_edges(*FILM_OCTAVES, pieces)
     halves = 0.5 * np.diff(edges)
-    rows, error = _rows_and_error(function, edges[:-1] + halves, halves, degree, real, np.nan)
+    rows, error = _polynomials(function, edges[:-1] + halves, halves, degree)
+    rows = _with_outside(rows[:, None], np.nan).astype(real)
     return OctaveTable(rows, *_bits(FILM_OCTAVES[0], pieces, real), pieces), error
 
 
-def _rows_and_error(function, centres, halves, degree, real, outside):
-    """Polynomials on pieces of given centres and half widths, one a row; the last is ``outside``."""
+def _polynomials(function, centres, halves, degree):
+    """Polynomials on pieces of given centres and half widths, one a row, and their error."""
     x = centres + halves * np.append(chebyshev_points(degree), 0.0)[:, None]
     *at_nodes, middle = function(x)
     powers = interpolants(at_nodes)
-    rows = np.concatenate([powers.T, np.zeros((1, degree + 1))]).astype(real)
-    rows[-1, 0] = outside
-    return rows, np.abs(middle / powers[0] - 1.0).max()
+    return powers.T, np.abs(middle / powers[0] - 1.0).max()
+
+
+def _with_outside(rows, *values):
+    """Rows followed by one for each of the constant ``values``, which hold outside of them."""
+    outside = np.zeros((len(values), *rows.shape[1:]))
+    outside[:, 0, 0] = values
+    return np.concatenate([rows, outside])
 
 
 def _guesses(function: Callable, octaves, real) -> OctaveTable:
