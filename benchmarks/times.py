@@ -18,11 +18,12 @@ from benchmarks.measuring import (
     peak_megabytes,
     processor_seconds,
 )
+from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.compiled.tables import precisions, prepare_model
 from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
-from thirdbody.solver.surfaces import prepare_surface
+from thirdbody.solver.surfaces import Sheet, log_yields, prepare_tables
 
 
 def time_rows(
@@ -84,11 +85,12 @@ def _rows_of(kind: PointClass, parameters, budget, plain):
 
 def _prepare(given, parameters, rtol):
     """Prepare a surface anew: everything that is done once for all of its points."""
-    prepare_surface.cache_clear()
-    roughness = float(given["roughness"][0])
-    rough = prepare_surface(roughness, parameters, rtol)
+    prepare_tables.cache_clear()
+    prepare_model.cache_clear()
+    summits = SummitPopulation.of(parameters.surface(float(given["roughness"][0])), parameters)
+    sheet = Sheet.of_one(log_yields(summits), summits.materials)
     for real in precisions(rtol):
-        prepare_model(rough, parameters, rtol, real)
+        prepare_model(sheet, parameters, rtol, real)
 
 
 def _elementwise(given, parameters, rtol):
