@@ -3,12 +3,14 @@
 import os
 import sys
 from dataclasses import replace
+from functools import partial
 from subprocess import run
 
 import numpy as np
 import pytest
 
 import thirdbody as tb
+from benchmarks.measuring import least_seconds
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.solver import availability, plan
 from thirdbody.solver.plan import (
@@ -16,11 +18,13 @@ from thirdbody.solver.plan import (
     LOADING_WORTH,
     LOOP_WORTH,
     TABLE_WORTH,
+    THREADS_WORTH,
     WAYS,
     Group,
     fastest_ways,
     groups_of,
     search_ways,
+    threads_worth,
 )
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES
@@ -40,6 +44,7 @@ IS_LOADED = """
 import sys
 import numpy as np
 import thirdbody as tb
+from benchmarks.measuring import least_seconds
 tb.solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, tb.load_parameters())
 print("numba" in sys.modules)
 """
@@ -192,6 +197,60 @@ def test_the_loop_is_kept_where_numba_is_told_to_keep_it(monkeypatch, tmp_path):
     version = "".join(map(str, sys.version_info[:2]))
     (folder / f"loop.solve_points-1.py{version}.nbi").touch()
     assert availability.is_kept()
+
+
+def test_the_loop_solves_one_point_where_it_knows_the_surface(parameters, loop, monkeypatch):
+    inputs = replace(parameters, participation=0.01)
+    tb.solve(**POINT, parameters=inputs, way="compiled")
+    conditions = Conditions(*np.broadcast_arrays(*(np.atleast_1d(x) for x in POINT.values())))
+    groups = list(groups_of(conditions, inputs, conditions.roughness))
+    assert list(fastest_ways(groups, inputs, RTOL)) == ["compiled"]
+    assert list(fastest_ways(groups, inputs, 1e-8)) == ["quadrature"]
+    loop()
+    assert list(fastest_ways(groups, inputs, RTOL)) == ["quadrature"]
+
+
+def test_threads_are_those_that_the_process_may_use(monkeypatch):
+    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
+    assert threads_worth(THREADS_WORTH - 1) == 1
+    monkeypatch.setattr(os, "sched_getaffinity", lambda process: {0, 3, 5}, raising=False)
+    assert threads_worth(THREADS_WORTH) == 3
+    monkeypatch.setenv("OMP_NUM_THREADS", "1")
+    assert threads_worth(THREADS_WORTH) == 1
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("surfaces", [1, 500])
+def test_threads_change_no_bit(parameters, monkeypatch, surfaces):
+    random = np.random.default_rng(8)
+    given = POINT | {
+        "load": np.exp(random.uniform(*np.log([1e-9, 1e-2]), THREADS_WORTH)),
+        "roughness": np.geomspace(1e-7, 5e-7, surfaces)[
+            random.integers(0, surfaces, THREADS_WORTH)
+        ],
+    }
+    solutions = []
+    for threads in ("1", "3"):
+        monkeypatch.setenv("OMP_NUM_THREADS", threads)
+        solutions.append(tb.solve(**given, parameters=parameters, way="compiled"))
+    for name in VARIABLES:
+        one, other = (getattr(solution, name) for solution in solutions)
+        assert np.array_equal(one, other, equal_nan=True), name
+
+
+@pytest.mark.parametrize("count", [50, 5000])
+def test_many_surfaces_take_about_the_time_of_one(parameters, count):
+    """Once their tables are there; the real factor is below 3, noise of the machine included."""
+    random = np.random.default_rng(9)
+    loads = np.exp(random.uniform(*np.log([1e-7, 1e-4]), 200_000))
+    seconds = []
+    for surfaces in (1, count):
+        roughness = np.geomspace(2e-7, 6e-7, surfaces)[random.integers(0, surfaces, loads.size)]
+        given = POINT | {"load": loads, "roughness": roughness}
+        run = partial(tb.solve, **given, parameters=parameters, way="compiled")
+        run()
+        seconds.append(least_seconds({"run": run}, 3)["run"])
+    assert seconds[1] < 6.0 * seconds[0]
 
 
 # ---- what can be asked for

@@ -1,8 +1,8 @@
 """How points are solved: the only place that chooses a way, for the solver and for its searches.
 
 There are three ways.  By *quadrature* each load and area of the summits is an integral: the most
-precise, and the fastest for a few points.  By *tables* they are read off tables of one roughness,
-which many points repay.  The *compiled* loop solves in machine code, which very many points repay:
+precise, and the fastest for a few points.  By *tables* they are read off tables of a roughness, or of
+a cell that many roughnesses share, which many points repay.  The *compiled* loop solves in machine code, which very many points repay:
 a process has to import the compiler first, and to compile where no earlier one did.
 
 A way leaves the points for which it cannot promise the error that is asked for to the next, more
@@ -11,8 +11,10 @@ precise one; every point is stored once, by the way that settles it.
 
 from __future__ import annotations
 
+import os
 from collections import Counter, defaultdict
 from collections.abc import Collection, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -44,6 +46,8 @@ LOOP_WORTH = 5_000
 # and in all, from which it does to load the loop from disk, or to compile it.
 LOADING_WORTH = 600_000
 COMPILING_WORTH = 6_000_000
+# Points from which it does to start threads.
+THREADS_WORTH = 100_000
 # A search looks at a surface so often that tables as coarse as for this rtol always pay.
 CHEAP_TABLES = 1e-5
 
@@ -220,11 +224,13 @@ def _of_each_kind(groups):
 def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> Iterator[str]:
     """The way that takes least time, for each of ``groups``, which are solved in one call.
 
-    Groups that repay the tables of the loop count together for what it takes to load it.
+    Groups that repay the tables of the loop count together for what it takes to load it.  Where it has
+    solved points on their sheet before, one more point is worth it.
     """
     sizes = np.array([group.size for group in groups])
     terms = np.array([group.sheet.terms(rtol) for group in groups])
-    many = (sizes >= LOOP_WORTH * terms) & _loop_solves(parameters)
+    ready = [_loop_knows(group.sheet, parameters, rtol) for group in groups]
+    many = ((sizes >= LOOP_WORTH * terms) | ready) & _loop_solves(parameters)
     compiled = many & _loop_pays(sizes[many].sum())
     on_sheet = Counter()
     for group in groups:
@@ -250,6 +256,26 @@ def _loop_pays(points):
     if points < LOADING_WORTH or not availability.is_installed():
         return False
     return points >= COMPILING_WORTH or availability.is_kept()
+
+
+def _loop_knows(sheet, parameters, rtol):
+    """Whether the loop is in this process and has solved points on a sheet."""
+    if not availability.is_loaded():
+        return False
+    from thirdbody.solver.compiled.tables import precisions, prepare_model
+
+    return prepare_model.has(sheet, parameters, rtol, precisions(rtol)[0])
+
+
+def threads_worth(points: int) -> int:
+    """How many threads solve so many points by the loop: no more than the process has processors, or
+    than ``OMP_NUM_THREADS`` allows, as for other libraries."""
+    if points < THREADS_WORTH:
+        return 1
+    given = os.environ.get("OMP_NUM_THREADS", "")
+    if given.isdecimal() and int(given) > 0:
+        return int(given)
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _loop_solves(parameters):
@@ -283,13 +309,17 @@ class _Task:
         def solved(sheet, real, some):
             return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
 
-        left = []
-        for group in groups:
+        def settled(group, each=map):
             places = group.places
             for real in precisions(self.rtol):
-                places = self._settle(places, CHUNK, partial(solved, group.sheet, real))
-            left.append(replace(group, places=places))
-        return left
+                places = self._settle(places, CHUNK, partial(solved, group.sheet, real), each)
+            return replace(group, places=places)
+
+        threads = threads_worth(sum(group.size for group in groups))
+        if threads == 1:
+            return [settled(group) for group in groups]
+        with ThreadPoolExecutor(threads) as pool:
+            return [settled(group, pool.map) for group in groups]
 
     def solve_by_tables(self, places):
         """Points of one kind, by tables of their surfaces."""
@@ -302,17 +332,19 @@ class _Task:
     def _solved(self, table_rtol, some):
         return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
 
-    def _settle(self, places, size, solved):
-        """Solve points in pieces of ``size`` at most by ``solved(conditions)``."""
-        left = [np.zeros(0, np.intp)]
-        for piece in _pieces(places, size):
-            found = solved(self.conditions.take(piece))
-            if found.left.any():
-                left.append(_chosen(piece, found.left))
+    def _settle(self, places, size, solved, each=map):
+        """Solve points in pieces of ``size`` at most by ``solved(conditions)``, ``each`` by itself."""
+
+        def left_of(piece):
+            with np.errstate(all="ignore"):  # which is that of a thread
+                found = solved(self.conditions.take(piece))
+                if not found.left.any():
+                    self._store(piece, found, slice(None))
+                    return np.zeros(0, np.intp)
                 self._store(_chosen(piece, ~found.left), found, ~found.left)
-            else:
-                self._store(piece, found, slice(None))
-        return np.concatenate(left)
+                return _chosen(piece, found.left)
+
+        return np.concatenate([np.zeros(0, np.intp), *each(left_of, _pieces(places, size))])
 
     def _store(self, places, found, chosen):
         """Store at ``places`` what is ``found`` of the ``chosen`` points of a piece."""
