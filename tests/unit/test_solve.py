@@ -495,9 +495,9 @@ def counted(monkeypatch, owner, name):
 
 def test_a_dry_scene_evaluates_no_film(parameters, loads, monkeypatch):
     calls = counted(monkeypatch, Film, "of")
-    solve(parameters, load=loads, viscosity=0.0)
+    solve(parameters, load=loads, viscosity=0.0, way="tables")
     assert not calls
-    solve(parameters, load=loads)
+    solve(parameters, load=loads, way="tables")
     assert calls
 
 
@@ -533,7 +533,8 @@ WITHOUT_AREAS = ("solid_load_fraction", "fluid_load_fraction", "separation", "lu
 @pytest.mark.parametrize("names", [WITHOUT_AREAS, ("contact_mode",), ("total_contact_area",)])
 def test_areas_are_evaluated_where_asked_for_alone(parameters, loads, monkeypatch, names):
     calls = counted(monkeypatch, Contact, "areas")
-    tb.solve(**POINT | {"load": loads}, parameters=parameters, variables=names)
+    given = POINT | {"load": loads, "variables": names}
+    tb.solve(**given, parameters=parameters, way="tables")
     assert len(calls) == (names != WITHOUT_AREAS)
 
 

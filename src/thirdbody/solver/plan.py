@@ -229,7 +229,7 @@ def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> It
     """
     sizes = np.array([group.size for group in groups])
     terms = np.array([group.sheet.terms(rtol) for group in groups])
-    ready = [_loop_knows(group.sheet, parameters, rtol) for group in groups]
+    ready = np.array([_loop_knows(group.sheet, parameters, rtol) for group in groups], bool)
     many = ((sizes >= LOOP_WORTH * terms) | ready) & _loop_solves(parameters)
     compiled = many & _loop_pays(sizes[many].sum())
     on_sheet = Counter()
