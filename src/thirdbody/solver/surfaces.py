@@ -128,7 +128,7 @@ class SummitTables:
         return max(self.log_load.error, self.log_area.error)
 
 
-@lru_cache(maxsize=512)
+@lru_cache(maxsize=128)
 def prepare_tables(sheet: Sheet, rtol: float) -> SummitTables:
     """The tables of a sheet that are good for a relative error ``rtol``, made once."""
     density, degree, terms = table_size(rtol)

@@ -78,7 +78,7 @@ def precisions(rtol: float) -> tuple[type, ...]:
     return (SINGLE, DOUBLE) if rtol >= SINGLE_RTOL else (DOUBLE,)
 
 
-@partial(Kept, most=512)
+@partial(Kept, most=128)
 def prepare_model(sheet: Sheet, parameters: Parameters, rtol: float, real: type) -> Model:
     """What all points on one sheet share, prepared once.
 
@@ -113,7 +113,7 @@ def prepare_model(sheet: Sheet, parameters: Parameters, rtol: float, real: type)
     )
 
 
-@lru_cache(maxsize=512)
+@lru_cache(maxsize=128)
 def _summits(sheet, rtol, degree, real) -> SummitModel:
     """The summits of the surfaces on a sheet."""
     tables, rounding = prepare_tables(sheet, rtol), _rounding(real)
