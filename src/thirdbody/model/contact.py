@@ -189,13 +189,13 @@ def greatest_single_load(parameters: Parameters) -> float:
     F_s falls with d, but for two reasons.  Elastic particles of a factor above 1 bear more than
     plastic ones: so F_s may rise anywhere.  And where contacting particles alone take room from the
     summits, F_ss (1 - coverage) may rise with d.  Particles of a coverage c bear at least
-    (1 - w) (H_s2/E_ss) c, so that F_s cannot rise unless F_ss* > (1 - w) H_s2/E_ss, and is itself
-    above that there.
+    u (H_s2/E_ss) c, where u is the weight of the sizes above d, so that F_s cannot rise unless
+    F_ss* > u H_s2/E_ss, and is itself above that there.
     """
     limits, coverage = parameters.readings.elastic_limits, parameters.readings.coverage_limits
-    rest = 1.0 - limits.weight(parameters.elastic_factor)
-    if not 0.0 <= rest <= 1.0:
+    weight, _ = limits.weights(parameters.elastic_factor)
+    if not 0.0 <= weight <= 1.0:
         return 0.0
     if not coverage.contacting:
         return np.inf
-    return rest * parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces
+    return weight * parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces

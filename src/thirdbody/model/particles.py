@@ -17,7 +17,7 @@ proportional to
     printed,  d' = d - h_e:   e (moment(d') - moment(d)) + moment(d)
     physical, d' = d + h_e:   e (moment(d) - moment(d')) + moment(d')
 
-which is moment(d) + w (moment(d') - moment(d)), with the weight w = e or w = 1 - e.
+In either case the moments have weights, e and 1 - e, that add up to 1.
 """
 
 from __future__ import annotations
@@ -153,13 +153,13 @@ class ParticleLayer:
         alpha = (separation - self.mean) / self.spread
         here, here_slope = self.moment(alpha)  # I(d, X_max) over c_1
         there, there_slope = self.moment(alpha + limits.side * self.depth)
-        weight = limits.weight(self.parameters.elastic_factor)
-        moment = np.maximum(here + weight * (there - here), 0.0)
+        own, other = limits.weights(self.parameters.elastic_factor)
+        moment = np.maximum(own * here + other * there, 0.0)
         area_factor = self.share * self.parameters.hardness_surface_2
         load_factor = self.share * self.parameters.hardness_surface_1
         return (
             area_factor * moment,  # Eq. 5
-            area_factor / self.spread * (here_slope + weight * (there_slope - here_slope)),
+            area_factor / self.spread * (own * here_slope + other * there_slope),
             load_factor * here,
             load_factor / self.spread * here_slope,
         )
@@ -177,8 +177,8 @@ class ParticleLayer:
         array
             [1]; 0 where no particle touches.  Next to the largest size it is that of the place.
         """
-        weight = self.parameters.readings.elastic_limits.weight(self.parameters.elastic_factor)
-        terms = (8.0 + self.moment.largest**2) * (1.0 + 2.0 * abs(weight))
+        weights = self.parameters.readings.elastic_limits.weights(self.parameters.elastic_factor)
+        terms = (8.0 + self.moment.largest**2) * sum(map(abs, weights))
         terms = terms * self.moment.cancellation * area
         placed = 2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
         lost = EPSILON * (terms + placed) + LEAST
@@ -332,7 +332,7 @@ def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
 
 
 def parts_bearing(parameters: Parameters) -> tuple[float, float]:
-    """1/(1 - w) and 1/w: by how much more moment either limit needs to have an area by itself [1];
-    infinite where it cannot."""
-    weight = parameters.readings.elastic_limits.weight(parameters.elastic_factor)
-    return tuple(1.0 / part if part > 0.0 else np.inf for part in (1.0 - weight, weight))
+    """By how much more moment either limit needs to have an area by itself [1]; infinite where it
+    cannot."""
+    weights = parameters.readings.elastic_limits.weights(parameters.elastic_factor)
+    return tuple(1.0 / weight if weight > 0.0 else np.inf for weight in weights)

@@ -229,9 +229,9 @@ class ElasticLimits(Reading):
 
     side: ClassVar[float]
 
-    def weight(self, elastic_factor: float) -> float:
-        """How much of the sizes from d on counts at d + ``side`` h_e instead: the w at the head of
-        ``thirdbody.model.particles`` [1], for the factor of elastic particles [1]."""
+    def weights(self, elastic_factor: float) -> tuple[float, float]:
+        """How much the sizes above d count in A_sa, and those above d + ``side`` h_e [1], for the
+        factor of elastic particles [1]: see the head of ``thirdbody.model.particles``."""
         raise NotImplementedError
 
 
@@ -240,8 +240,8 @@ class ElasticBelowTheSeparation(ElasticLimits, word="printed"):
 
     side = -1.0
 
-    def weight(self, elastic_factor):
-        return elastic_factor
+    def weights(self, elastic_factor):
+        return 1.0 - elastic_factor, elastic_factor
 
 
 class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
@@ -249,8 +249,8 @@ class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
 
     side = 1.0
 
-    def weight(self, elastic_factor):
-        return 1.0 - elastic_factor
+    def weights(self, elastic_factor):
+        return elastic_factor, 1.0 - elastic_factor
 
 
 class CoverageLimits(Reading):

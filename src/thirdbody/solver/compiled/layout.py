@@ -119,9 +119,10 @@ class ParticleModel(NamedTuple):
     slope_error: float  # of its slope
     next_to_smallest: float  # alpha below which sizes are small beside the spread
     smallest_third: float  # and what the third derivative of the moment has there, besides
-    weight: float  # w, of the moment at the other limit of the elastic integral
-    bears_here: float  # 1/(1 - w), by how much more moment d needs to bear a load by itself
-    bears_there: float  # 1/w, the same for the other limit
+    own_weight: float  # of the moment at d in A_sa
+    other_weight: float  # and of that at the other limit of the elastic integral
+    bears_here: float  # by how much more moment d needs to bear a load by itself
+    bears_there: float  # the same for the other limit
     pressure: float  # F_sa/(A_sa E_ss)
     coverage: float  # coverage of Eq. 5 over the area of particles that are all plastic
     contacting: float  # 1 if the bracket of Eq. 4 is that of Eq. 5, else 0

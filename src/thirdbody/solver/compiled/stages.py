@@ -172,7 +172,8 @@ def find_moments(block, count, model):
 def particles_touch(block, count, particles):
     """A_sa and the coverage of Eq. 5 become ``TOUCHING`` and ``COVERED``."""
     given, series = block.given, block.series
-    scale, weight, coverage = particles.table.scale, particles.weight, particles.coverage
+    own, other = particles.own_weight, particles.other_weight
+    scale, coverage = particles.table.scale, particles.coverage
     for k in range(count):
         inner = (scale + scale) * given[PER_SPREAD, k]
         here, here_1 = series[MOMENT, VALUE, k], series[MOMENT, SLOPE, k] * inner
@@ -181,9 +182,9 @@ def particles_touch(block, count, particles):
         there_2 = series[ELASTIC_MOMENT, CURVE, k] * inner * inner
         here_2, there_2 = here_2 + here_2, there_2 + there_2
         plastic = given[PLASTIC_AREA, k]
-        series[TOUCHING, VALUE, k] = plastic * (here + weight * (there - here))  # Eq. 5, A_sa
-        series[TOUCHING, SLOPE, k] = plastic * (here_1 + weight * (there_1 - here_1))
-        series[TOUCHING, CURVE, k] = plastic * (here_2 + weight * (there_2 - here_2))
+        series[TOUCHING, VALUE, k] = plastic * (own * here + other * there)  # Eq. 5, A_sa
+        series[TOUCHING, SLOPE, k] = plastic * (own * here_1 + other * there_1)
+        series[TOUCHING, CURVE, k] = plastic * (own * here_2 + other * there_2)
         covering = coverage * plastic
         series[COVERED, VALUE, k] = covering * here  # Eq. 5, what is subtracted from 1
         series[COVERED, SLOPE, k] = covering * here_1
@@ -223,7 +224,8 @@ def bound_particle_errors(block, count, model):
     of a place in the table scale with the slope there.
     """
     given, work, series = block.given, block.work, block.series
-    particles, weight = model.particles, model.particles.weight
+    particles = model.particles
+    own, other = particles.own_weight, particles.other_weight
     scale, rounding = particles.table.scale, model.limits.rounding
     zero, one, four = work.dtype.type(0), work.dtype.type(1), work.dtype.type(4)
     endless = work.dtype.type(np.inf)
@@ -231,18 +233,18 @@ def bound_particle_errors(block, count, model):
         inner = (scale + scale) * given[PER_SPREAD, k]
         here, there = series[MOMENT, VALUE, k], series[ELASTIC_MOMENT, VALUE, k]
         first, second = abs(series[MOMENT, SLOPE, k]), abs(series[ELASTIC_MOMENT, SLOPE, k])
-        moment = here + weight * (there - here)
+        moment = own * here + other * there
         area, area_1 = series[TOUCHING, VALUE, k], series[TOUCHING, SLOPE, k]
         bare = given[BARE, k] - particles.contacting * series[COVERED, VALUE, k]
         bears, plastic = particles.pressure * given[PER_LOAD, k], given[PLASTIC_AREA, k]
-        size = abs(here) + first + abs(weight) * (abs(here) + first + abs(there) + second)
-        moved = work[POSITION, k] * first * (one + abs(weight))
-        moved += work[ELASTIC_POSITION, k] * second * abs(weight)
+        size = abs(own) * (abs(here) + first) + abs(other) * (abs(there) + second)
+        moved = work[POSITION, k] * first * abs(own)
+        moved += work[ELASTIC_POSITION, k] * second * abs(other)
         unsure = four * particles.error * size + (moved + moved) * rounding
         room = one - series[COVERED, VALUE, k]
-        own = four * particles.error * (abs(here) + first)
-        own += (rounding + rounding) * work[POSITION, k] * first
-        room_error = particles.coverage * plastic * own / room
+        unsure_here = four * particles.error * (abs(here) + first)
+        unsure_here += (rounding + rounding) * work[POSITION, k] * first
+        room_error = particles.coverage * plastic * unsure_here / room
         part_error = unsure / moment if moment > zero else endless
         part_error = part_error if unsure > zero else zero  # no particle touches
         work[SLOPE_ERROR, k] = particles.slope_error * size * plastic * abs(inner) * bears
@@ -342,9 +344,10 @@ def add_moment_remainders(block, count, model):
     alpha^2 times the slope where x is above a half, and than a number for sizes next to zero.
     """
     given, work, series, particles = block.given, block.work, block.series, model.particles
-    scale, weight = particles.table.scale, particles.weight
+    own, other = particles.own_weight, particles.other_weight
+    scale = particles.table.scale
     real = work.dtype.type
-    zero, one, eight, per_six = real(0), real(1), real(8), real(1.0 / 6.0)
+    zero, eight, per_six = real(0), real(8), real(1.0 / 6.0)
     inner = abs(scale + scale)
     for k in range(count):
         per_spread = given[PER_SPREAD, k]
@@ -358,7 +361,7 @@ def add_moment_remainders(block, count, model):
         there_3 += particles.smallest_third if shifted < particles.next_to_smallest else zero
         moved = abs(work[STEP, k]) * per_spread
         area, total_1 = series[TOUCHING, VALUE, k], series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
-        third = abs(one - weight) * here_3 + abs(weight) * there_3
+        third = abs(own) * here_3 + abs(other) * there_3
         left = third * moved * moved * moved * per_six * given[PLASTIC_AREA, k]
         bears = left * particles.pressure * given[PER_LOAD, k]
         error = left / area + work[STEEPEST, k] * bears / abs(total_1)
@@ -377,14 +380,15 @@ def stop_before_contact(block, count, model):
     """
     given, work, series, limits = block.given, block.work, block.series, model.limits
     particles, start = model.particles, model.particles.table.start
-    scale, weight = particles.table.scale, particles.weight
-    one, eight, endless = work.dtype.type(1), work.dtype.type(8), work.dtype.type(np.inf)
+    own, other = particles.own_weight, particles.other_weight
+    scale = particles.table.scale
+    eight, endless = work.dtype.type(8), work.dtype.type(np.inf)
     for k in range(count):
         separation, per_spread = work[SEPARATION, k], given[PER_SPREAD, k]
         bears = particles.pressure * given[PER_LOAD, k] * given[PLASTIC_AREA, k]
         inner = bears * (scale + scale) * per_spread
-        here_1 = inner * (one - weight) * series[MOMENT, SLOPE, k]
-        there_1 = inner * weight * series[ELASTIC_MOMENT, SLOPE, k]
+        here_1 = inner * own * series[MOMENT, SLOPE, k]
+        there_1 = inner * other * series[ELASTIC_MOMENT, SLOPE, k]
         total_1 = series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
         rounded = abs(work[STEP, k]) + eight * limits.rounding * separation
         unsure_here = rounded + work[UNSURE, k] / min(abs(total_1), abs(total_1 - here_1))

@@ -167,6 +167,7 @@ def _particles(parameters, degree, real) -> ParticleModel:
     table = Table(rows, real(moment.largest), real(scale))
     error += _rounding(real)
     limits, contacting = parameters.readings.elastic_limits, parameters.readings.coverage_limits
+    own, other = limits.weights(parameters.elastic_factor)
     here, there = parts_bearing(parameters)
     return ParticleModel(
         table=table,
@@ -175,7 +176,8 @@ def _particles(parameters, degree, real) -> ParticleModel:
         slope_error=real(2.0 * degree**2 * error),
         next_to_smallest=real(moment.smallest + 0.5),
         smallest_third=real(_third_of_smallest(moment)),
-        weight=real(limits.weight(parameters.elastic_factor)),
+        own_weight=real(own),
+        other_weight=real(other),
         bears_here=real(here),
         bears_there=real(there),
         pressure=real(parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces),
