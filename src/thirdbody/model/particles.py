@@ -34,7 +34,7 @@ from thirdbody.model.readings import SizeLaw
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
-MOST = 1e300  # a share of the interface beyond all bounds, which float64 still holds
+LARGEST_DIAMETER = 1e100  # x_a [m] whose powers float64 holds; larger ones are taken for it
 FULL = -700.0  # logarithm of a share that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
@@ -110,11 +110,11 @@ class ParticleLayer:
         >>> bool(layer.contact(layer.reach)[0] < 1e-12 * area[1])
         True
         """
+        diameter = np.minimum(diameter, LARGEST_DIAMETER)
         sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
         moment = Moment.of(sizes, parameters)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         share = np.pi * parameters.participation / hardness * density * sizes.square
-        share = np.minimum(share, MOST)
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         log_bare = np.zeros_like(share)
         if not parameters.readings.coverage_limits.contacting:
