@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 MAX_ITERATIONS = 200
 CAUTION = 30.0  # the next step may be this much larger than the last two make it
 DOUBT = 4.0  # by which an enclosure grows that did not hold its root
+FAR = 30.0  # a larger residual may fall by half at each of very many steps
 NEAR = 0.1  # a larger residual is not yet where steps shrink quadratically
 EPSILON = np.finfo(float).eps
 ROUNDING = 4.0 * EPSILON  # a bracket this narrow holds a jump, or nothing
@@ -100,8 +101,8 @@ def decreasing_roots(
 
     Notes
     -----
-    Each iteration takes Newton's step if it stays within the bracket and at least halves either
-    the step or the function, and else the middle of the bracket.  Newton's steps shrink
+    Each iteration takes Newton's step if it stays within the bracket and at least halves the step,
+    or the function where that is not ``FAR`` from zero, and else the middle of the bracket.  Newton's steps shrink
     quadratically near a root: the next one is estimated from the last two, with ``CAUTION``.  An
     element settles once that next step is too small to matter to the function or to what is wanted,
     or its steps are rounding, or its bracket is as narrow as float64 allows.  It is finished when
@@ -120,7 +121,8 @@ def decreasing_roots(
         size, steepness = np.abs(here.value), np.abs(slope)
         new = x - here.value / slope
         step = np.abs(new - x)
-        newton = (new >= low) & (new <= high) & ((step <= 0.5 * last) | (size <= 0.5 * least))
+        falls = (size <= 0.5 * least) & (size <= FAR)
+        newton = (new >= low) & (new <= high) & ((step <= 0.5 * last) | falls)
         new = np.where(newton, new, 0.5 * (low + high))
         step = np.where(newton, step, 0.5 * (high - low))
         shrinking = np.where(quadratic, CAUTION * (step / last) ** 2, 1.0)
