@@ -166,7 +166,7 @@ def test_what_is_wanted_is_as_exact_as_its_bound_says(gain):
         residual, start, start - 10.0, start + 10.0, tolerance, targets
     )
     assert (gain * np.abs(found - roots) <= error).all()
-    assert_allclose(error, gain * width)
+    assert_allclose(error, np.expm1(gain * width))
     assert (error <= 1.01 * tolerance).all()
 
 

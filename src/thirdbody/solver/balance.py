@@ -67,8 +67,8 @@ class Balance:
 def _moved(load: SolidLoad, separation: NDArray, error: ArrayLike) -> tuple[NDArray, NDArray]:
     """What the load and all variables may be wrong by, where rounding has moved the ``separation`` by
     a relative ``error``."""
-    moved = error * load.steepest * np.abs(separation)
-    return load.noise + moved, load.rounding + moved + error
+    moved = error * np.abs(separation)
+    return load.noise + moved * np.abs(load.slope), load.rounding + moved * load.steepest + error
 
 
 def _places_to_search(points):

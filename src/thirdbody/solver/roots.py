@@ -132,7 +132,7 @@ def decreasing_roots(
         spacing = ROUNDING * (1.0 + np.abs(x))
         narrow = ~(high - low > spacing)
         settled = narrow | newton & (exact & (size <= NEAR) | (step <= noise))
-        finished = narrow
+        finished = settled
         if settled.any():
             chosen = np.flatnonzero(settled)
             width = doubt * np.where(narrow, spacing, np.maximum(coming, 2.0 * noise))
@@ -140,20 +140,24 @@ def decreasing_roots(
             place = active[chosen]
             middle, about = new[chosen], width[chosen]
             ends = np.fmax(middle - about, lower[place]), np.fmin(middle + about, upper[place])
-            enclosed, below, above = _enclosed(
-                residual, middle, ends, tolerance, _some(points, chosen, x.size)
+            seen, beyond = _enclosed(
+                residual,
+                middle,
+                ends,
+                (lower[place], upper[place]),
+                tolerance,
+                _some(points, chosen, x.size),
             )
-            for values, column in zip(enclosed, found, strict=True):
+            for values, column in zip(seen, found, strict=True):
                 column[place] = values
             # where a sign is wrong, the search goes on from there
-            beyond = np.where(above > 0.0, 1, np.where(below >= 0.0, 0, -1))
             new[chosen] = np.choose(beyond + 1, (ends[0], middle, ends[1]))
             low[chosen] = np.where(beyond > 0, new[chosen], low[chosen])
             high[chosen] = np.where(beyond < 0, new[chosen], high[chosen])
             doubt = np.where(settled, DOUBT * doubt, np.maximum(0.5 * doubt, 1.0))
             step, size = np.where(settled, high - low, step), np.where(settled, np.inf, size)
-            finished = narrow.copy()
-            finished[chosen] |= np.isfinite(enclosed.root)
+            finished = np.zeros_like(narrow)
+            finished[chosen] = np.isfinite(seen.root) | narrow[chosen] & (beyond != 0)
         left = np.flatnonzero(~finished)
         if not left.size:
             break
@@ -168,17 +172,25 @@ def _some(points, chosen, count):
     return points if chosen.size == count else points.take(chosen)
 
 
-def _enclosed(residual, root, ends, tolerance, points):
-    """``Roots`` if the function changes its sign between two ``ends`` about ``root``, else nan; and
-    the function at both."""
+def _enclosed(residual, root, ends, bounds, tolerance, points):
+    """Whether the function changes its sign between two ``ends`` about ``root``.
+
+    Returns ``Roots``, nan where it is not seen to, and the side on which the root lies beyond them: 1
+    above, -1 below, 0 if they are too close to tell.  At a bound the sign alone decides, elsewhere
+    a value has to be larger than what it may be wrong by.
+    """
     at_ends = [residual(end, points) for end in ends]
     below, above = (end.value for end in at_ends)
-    holds = (below >= 0.0) & ~(above > 0.0)
+    doubts = [
+        np.where(place == bound, 0.0, end.noise + end.known_within)
+        for end, place, bound in zip(at_ends, ends, bounds, strict=True)
+    ]
+    holds = (below >= doubts[0]) & ~(above > -doubts[1])
+    beyond = np.where(above > doubts[1], 1, np.where(below >= -doubts[0], 0, -1))
     width = np.maximum(root - ends[0], ends[1] - root)
-    steepness = [np.abs(end.slope) for end in at_ends]
-    jumps = ~(below - above <= 4.0 * np.maximum(tolerance, np.maximum(*steepness) * width))
-    width += np.maximum(*(end.known_within for end in at_ends)) / np.minimum(*steepness)
-    error = width * np.maximum(*(end.gain for end in at_ends))
+    steepest = np.maximum(*(np.abs(end.slope) for end in at_ends))
+    jumps = ~(below - above <= 4.0 * np.maximum(tolerance, steepest * width))
+    error = np.expm1(width * np.maximum(*(end.gain for end in at_ends)))
     error += np.maximum(*(end.rounding for end in at_ends))
     found = root, width, np.where(jumps, np.inf, error)
-    return Roots(*np.where(holds, found, np.nan)), below, above
+    return Roots(*np.where(holds, found, np.nan)), np.where(holds, 0, beyond)
