@@ -20,6 +20,7 @@ SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
 LEAST_TURN = 1e-10  # of a load: less than that is rounding
+ROUNDED = 1e-12  # of a load: so near F_t a sample does not tell on which side it is
 
 
 class Enclosures(NamedTuple):
@@ -82,10 +83,13 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     which = np.repeat(every, places.shape[1])
     values = excess(places.ravel(), which).reshape(places.shape)
     above = values > 0.0
-    last = places.shape[1] - 1 - above[:, ::-1].argmax(axis=1)
+    farthest = places.shape[1] - 1
+    last = farthest - above[:, ::-1].argmax(axis=1)
+    undecided = farthest - (values > -ROUNDED)[:, ::-1].argmax(axis=1)
     found = above.any(axis=1)
     low = np.where(found, places[every, last], np.nan)
-    high = np.where(found, places[every, np.minimum(last + 1, places.shape[1] - 1)], np.nan)
+    beyond = np.minimum(np.maximum(last, undecided) + 1, farthest)
+    high = np.where(found, places[every, beyond], np.nan)
     count = (above[:, 1:] != above[:, :-1]).sum(axis=1)
     point, inside, outside = _hidden_pairs(excess, places, values)
     np.add.at(count, point, 2)
