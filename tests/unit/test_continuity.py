@@ -76,7 +76,8 @@ def test_no_jump_at_the_limits_of_regimes_and_modes(parameters, name, level, end
 def test_no_jump_between_the_pieces_of_the_tables(parameters, rtol):
     inputs = replace(parameters, summit_parameter=0.05, summit_parameter_exponent=0.0)
     population = SummitPopulation.of(inputs.surface(POINT["roughness"]), inputs)
-    for count in sorted({size[1] for size in TABLE_SIZES}):
+    for pieces in sorted({size[1] for size in TABLE_SIZES}):
+        count = round(pieces * (TABLE_END - TABLE_START))
         edges = np.linspace(TABLE_START, TABLE_END, count + 1)
         edges = edges[(edges > -0.5) & (edges < 37.0)]
         load = np.exp(population.log_load(edges)[0])

@@ -199,17 +199,6 @@ def test_the_loop_is_kept_where_numba_is_told_to_keep_it(monkeypatch, tmp_path):
     assert availability.is_kept()
 
 
-def test_the_loop_solves_one_point_where_it_knows_the_surface(parameters, loop, monkeypatch):
-    inputs = replace(parameters, participation=0.01)
-    tb.solve(**POINT, parameters=inputs, way="compiled")
-    conditions = Conditions(*np.broadcast_arrays(*(np.atleast_1d(x) for x in POINT.values())))
-    groups = list(groups_of(conditions, inputs, conditions.roughness))
-    assert list(fastest_ways(groups, inputs, RTOL)) == ["compiled"]
-    assert list(fastest_ways(groups, inputs, 1e-8)) == ["quadrature"]
-    loop()
-    assert list(fastest_ways(groups, inputs, RTOL)) == ["quadrature"]
-
-
 def test_threads_are_those_that_the_process_may_use(monkeypatch):
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
     assert threads_worth(THREADS_WORTH - 1) == 1

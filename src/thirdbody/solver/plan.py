@@ -224,13 +224,11 @@ def _of_each_kind(groups):
 def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> Iterator[str]:
     """The way that takes least time, for each of ``groups``, which are solved in one call.
 
-    Groups that repay the tables of the loop count together for what it takes to load it.  Where it has
-    solved points on their sheet before, one more point is worth it.
+    Groups that repay the tables of the loop count together for what it takes to load it.
     """
     sizes = np.array([group.size for group in groups])
     terms = np.array([group.sheet.terms(rtol) for group in groups])
-    ready = np.array([_loop_knows(group.sheet, parameters, rtol) for group in groups], bool)
-    many = ((sizes >= LOOP_WORTH * terms) | ready) & _loop_solves(parameters)
+    many = (sizes >= LOOP_WORTH * terms) & _loop_solves(parameters)
     compiled = many & _loop_pays(sizes[many].sum())
     on_sheet = Counter()
     for group in groups:
@@ -256,15 +254,6 @@ def _loop_pays(points):
     if points < LOADING_WORTH or not availability.is_installed():
         return False
     return points >= COMPILING_WORTH or availability.is_kept()
-
-
-def _loop_knows(sheet, parameters, rtol):
-    """Whether the loop is in this process and has solved points on a sheet."""
-    if not availability.is_loaded():
-        return False
-    from thirdbody.solver.compiled.tables import precisions, prepare_model
-
-    return prepare_model.has(sheet, parameters, rtol, precisions(rtol)[0])
 
 
 def threads_worth(points: int) -> int:

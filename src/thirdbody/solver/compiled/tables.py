@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,6 @@ from thirdbody.solver.compiled.layout import (
     SummitModel,
     Table,
 )
-from thirdbody.solver.kept import Kept
 from thirdbody.solver.solution import ROOT_SHARE
 from thirdbody.solver.surfaces import Sheet, prepare_tables, table_size
 from thirdbody.solver.tabulation import chebyshev_points, interpolants
@@ -78,7 +77,7 @@ def precisions(rtol: float) -> tuple[type, ...]:
     return (SINGLE, DOUBLE) if rtol >= SINGLE_RTOL else (DOUBLE,)
 
 
-@partial(Kept, most=128)
+@lru_cache(maxsize=128)
 def prepare_model(sheet: Sheet, parameters: Parameters, rtol: float, real: type) -> Model:
     """What all points on one sheet share, prepared once.
 
