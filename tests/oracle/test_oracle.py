@@ -7,23 +7,9 @@ from mpmath import mp, mpf
 from tests.oracle.extended import QUANTITIES, Oracle, why_not
 from tests.oracle.in_mpmath import Interface
 from tests.oracle.points import PUBLISHED, draw, one
+from tests.summit_reference import PRINTED
 
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
-
-TABLE = {  # psi: F*, and A*, at d/sigma_s of 0, 1, 2, 3, for eta_s R sigma_s = 0.05, H/E = 5/112
-    0.5: (
-        (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
-        (6.2666e-2, 1.3087e-2, 1.3337e-3, 6.0029e-5),
-    ),
-    1.0: (
-        (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),
-        (6.2708e-2, 1.3090e-2, 1.3338e-3, 6.0030e-5),
-    ),
-    2.5: (
-        (2.1256e-3, 3.9565e-4, 3.6730e-5, 1.5304e-6),
-        (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
-    ),
-}
 
 
 @pytest.fixture(scope="module")
@@ -43,14 +29,14 @@ def surface_of(psi):
     return {"R": radius, "eta_s": 0.05 / (radius * 3e-7), "sigma_s": 3e-7, "y_s": 0.0}
 
 
-@pytest.mark.parametrize("psi", TABLE)
+@pytest.mark.parametrize("psi", PRINTED)
 def test_summits_bear_what_the_table_of_reference_says(oracle, psi):
     model = PUBLISHED | surface_of(psi)
     bare = dict(viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0)
     separation = 3e-7 * np.arange(4)
     load, area, particles = oracle.evaluate(model, separation, **bare)
-    assert load.astype(float) == pytest.approx(TABLE[psi][0], rel=5e-5)
-    assert area.astype(float) == pytest.approx(TABLE[psi][1], rel=5e-5)
+    assert load.astype(float) == pytest.approx(PRINTED[psi][0], rel=5e-5)
+    assert area.astype(float) == pytest.approx(PRINTED[psi][1], rel=5e-5)
     assert (particles == 0.0).all()
 
 

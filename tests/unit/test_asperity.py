@@ -5,27 +5,13 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
+from tests.summit_reference import PRINTED
 from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
 
 RADIUS, MODULUS, HARDNESS, YIELD, PLASTIC = 10e-6, 112e9, 5e9, 0.4, 54.0
 OMEGA_1 = (0.75 * np.pi * YIELD * HARDNESS / MODULUS) ** 2 * RADIUS
 OMEGA_2 = PLASTIC * OMEGA_1
 SUMMIT_PARAMETER = 0.05
-# psi: F/(A_n E) and A/A_n at d/sigma_s of 0, 1, 2 and 3, to five digits
-PRINTED = {
-    0.5: (
-        (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
-        (6.2666e-2, 1.3087e-2, 1.3337e-3, 6.0029e-5),
-    ),
-    1.0: (
-        (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),
-        (6.2708e-2, 1.3090e-2, 1.3338e-3, 6.0030e-5),
-    ),
-    2.5: (
-        (2.1256e-3, 3.9565e-4, 3.6730e-5, 1.5304e-6),
-        (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
-    ),
-}
 SEPARATIONS = np.array([-3.0, -0.5, 0.0, 2.0, 8.0, 30.0])
 # what the quadrature promises; the reference integrals are as good
 QUADRATURE_ERROR = 2e-12

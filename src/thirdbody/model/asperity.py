@@ -276,15 +276,15 @@ def _over_nodes(values):
     return np.asarray(values)[..., None]
 
 
-def _gauss_legendre(count):
-    """Nodes and weights of the interval from 0 to 1."""
+def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
+    """``count`` nodes and weights [1] of the interval from 0 to 1, each 1-D."""
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return 0.5 * (nodes + 1.0), 0.5 * weights
 
 
 # Errors below 1e-12 for t > -5 and any material; half of the nodes would do for t > 0.
-ELASTIC_NODES = _gauss_legendre(48)
-ELASTOPLASTIC_NODES = _gauss_legendre(48)
+ELASTIC_NODES = gauss_legendre(48)
+ELASTOPLASTIC_NODES = gauss_legendre(48)
 
 
 def _elastic_sums(t, end, quantities):

@@ -28,6 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr
 
+from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import SizeLaw
@@ -41,8 +42,7 @@ LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
 FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # in alpha
-NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
-NODES, WEIGHTS = 0.5 * (NODES + 1.0), 0.5 * WEIGHTS  # of the interval from 0 to 1
+NODES, WEIGHTS = gauss_legendre(8)
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
 

@@ -6,8 +6,8 @@ it and whatever the equations need to know of it.  This module alone knows these
 ask the objects that ``Parameters.readings`` holds.
 
 A new way to read a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
-reading in both independent implementations: ``verification/plain_model.py`` and
-``tests/golden/contact_in_mpmath.py``.
+reading in the independent implementations: ``verification/plain_model.py``,
+``tests/oracle/contact.c`` and ``tests/golden/contact_in_mpmath.py``.
 """
 
 from __future__ import annotations

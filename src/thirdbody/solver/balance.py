@@ -178,8 +178,8 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
             some.surfaces.table_error,
         )
 
-    guess = _first_logit(points)
     alone, _ = points.film_separation(0.0)
+    guess = _first_logit(points, alone)
     lowest = points.contact.log_solid_load(alone).value - points.log_load
     lower = np.minimum(1.001 * lowest, FILM_ALONE) - 10.0
     upper = np.full_like(guess, LOGIT_LIMIT)
@@ -190,11 +190,11 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         start = (1.0 - 1e-9) * alone[several]  # where the film bears more than F_t
         found = enclose_largest(some, start, first_separation(some), with_film=True)
         count[several] = found.count
-        ends = _logit_at(some, found.low), _logit_at(some, found.high)
+        ends = _logit(some.log_film_load(found.low)), _logit(some.log_film_load(found.high))
         doubt = 1e-9 * (1.0 + np.abs(ends))
         lower[several] = np.fmax(ends[0] - doubt[0], lower[several])
         upper[several] = np.fmin(ends[1] + doubt[1], LOGIT_LIMIT)
-        middle = _logit_at(some, 0.5 * (found.low + found.high))
+        middle = _logit(some.log_film_load(0.5 * (found.low + found.high)))
         guess[several] = np.where(np.isfinite(middle), middle, guess[several])
     found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     log_fluid = log_expit(-found.root)
@@ -204,27 +204,22 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     return Balance(found.root, separation, width, found.error, count)
 
 
-def _logit_at(points, separation):
-    """ln(L_s/L_f) where the film is as thick as ``separation`` [m]."""
-    thickness = separation / points.parameters.ball_radius
-    log_parameter = points.film.load_parameter(thickness)
-    log_fluid = np.minimum(log_parameter - points.log_load_parameter(0.0), 0.0)
+def _logit(log_fluid):
+    """ln(L_s/L_f) for ln L_f; a film that bears more than everything counts as bearing all."""
+    log_fluid = np.minimum(log_fluid, 0.0)
     return np.log(-np.expm1(log_fluid)) - log_fluid
 
 
-def _first_logit(points: Points):
+def _first_logit(points: Points, alone: NDArray):
     """About the logit of L_s: that at the larger of the separations which the solids alone and the
-    film alone would have.
+    film ``alone`` would have [m].
 
     Where the film's share there is the smaller one, the logit follows from it, so that the
     separation stays on the same side of the largest particle; else from the loads of both.
     """
-    alone, _ = points.film_separation(0.0)
     separation = np.maximum(alone, first_separation(points))
-    thickness = separation / points.parameters.ball_radius
-    log_parameter = points.film.load_parameter(thickness, steps=2)
-    log_fluid = np.minimum(log_parameter - points.log_load_parameter(0.0), 0.0)
-    logit = np.log(-np.expm1(log_fluid)) - log_fluid
+    log_fluid = np.minimum(points.log_film_load(separation, steps=2), 0.0)
+    logit = _logit(log_fluid)
     wet = np.flatnonzero(~(logit > 0.0))
     some = points.take(wet)
     log_solid = some.contact.log_solid_load(separation[wet]).value

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film
+from thirdbody.model.film import INVERSE_STEPS, Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.solver.surfaces import RoughSurfaces
@@ -128,6 +128,12 @@ class Points:
         """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
         thickness, slope = self.film.thickness(self.log_load_parameter(log_fluid_fraction))
         return self.parameters.ball_radius * thickness, self.parameters.ball_radius * slope
+
+    def log_film_load(self, separation, steps=INVERSE_STEPS):
+        """ln of the load over F_t under which the film is as thick as ``separation`` d [m]; ``steps``
+        are those of ``Film.load_parameter``."""
+        thickness = separation / self.parameters.ball_radius
+        return self.film.load_parameter(thickness, steps) - self.log_load_parameter(0.0)
 
     def log_load_parameter(self, log_fluid_fraction):
         """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""

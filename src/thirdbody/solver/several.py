@@ -103,9 +103,7 @@ def _excess(separation, points, with_film):
     """ln of the load that is borne at ``separation`` [m] over F_t."""
     value = points.contact.log_solid_load(separation).value - points.log_load
     if with_film:
-        thickness = separation / points.parameters.ball_radius
-        film = points.film.load_parameter(thickness) - points.log_load_parameter(0.0)
-        value = np.logaddexp(value, film)
+        value = np.logaddexp(value, points.log_film_load(separation))
     return value
 
 

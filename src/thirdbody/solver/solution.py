@@ -117,7 +117,7 @@ class SolvedPoints:
         self.left = ~(self._error <= rtol) | may_be_several(points)
         self.left &= points.surfaces.is_tabulated
         self._rtol = rtol
-        self._void = np.isnan(self._balance.separation) | self._leave_no_room()
+        self._void = np.isnan(self._balance.separation) | self._leave_no_room
         self._complete = not self._void.any()
 
     @computed_once
@@ -133,6 +133,7 @@ class SolvedPoints:
         beside = np.abs(particles.reach - self._balance.separation)
         return np.where(beside <= self._balance.width, np.inf, 0.0)
 
+    @computed_once
     def _leave_no_room(self):
         """Whether particles cover the whole interface."""
         particles = self.points.contact.particles
@@ -147,7 +148,7 @@ class SolvedPoints:
             "several_separations": balance.count > 1,
             "area_exceeded": self.total_contact_area > 1.0,
             "not_converged": ~(self._error <= self._rtol),
-            "coverage_exceeded": self._leave_no_room(),
+            "coverage_exceeded": self._leave_no_room,
             "load_exceeded": self._cannot_bear(),
         }
         if points.film is not None:
