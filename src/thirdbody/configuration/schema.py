@@ -66,8 +66,9 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
     return content
 
 
+@cache
 def read_schema(kind: str) -> dict:
-    """The JSON Schema of one kind of file."""
+    """The JSON Schema of one kind of file, which nobody changes."""
     return read_yaml(config_directory() / f"{kind}.schema.yaml", strict=False)
 
 

@@ -42,7 +42,7 @@ LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
 FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
 NEXT_TO_LARGEST = 0.25  # in alpha
-NODES, WEIGHTS = gauss_legendre(8)
+NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that length
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
 
@@ -253,7 +253,7 @@ class Moment:
         next_to_it = within & (alpha > self.largest - NEXT_TO_LARGEST)
         if next_to_it.any():
             length = self.largest - alpha[next_to_it]
-            _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
+            slopes = self._slope(self.largest - length[:, None] * NODES)
             moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
 
@@ -281,10 +281,17 @@ class Moment:
 
     def _untruncated(self, alpha):
         """M(alpha) and dM/dalpha."""
-        phi = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)
-        polynomial = self.constant + self.linear * alpha
-        value = ndtr(-alpha) + polynomial * phi
-        return value, -phi * (1.0 - self.linear + polynomial * alpha)
+        density, polynomial = self._terms(alpha)
+        return ndtr(-alpha) + polynomial * density, self._slope(alpha)
+
+    def _slope(self, alpha):
+        """dM/dalpha."""
+        density, polynomial = self._terms(alpha)
+        return -density * (1.0 - self.linear + polynomial * alpha)
+
+    def _terms(self, alpha):
+        """phi(alpha) and c_2 + c_3 alpha."""
+        return INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha), self.constant + self.linear * alpha
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:

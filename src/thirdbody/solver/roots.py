@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 MAX_ITERATIONS = 200
+MAX_ENCLOSURES = 100
 CAUTION = 30.0  # the next step may be this much larger than the last two make it
 DOUBT = 4.0  # by which an enclosure grows that did not hold its root
 FAR = 30.0  # a larger residual may fall by half at each of very many steps
@@ -102,18 +103,64 @@ def decreasing_roots(
     Notes
     -----
     Each iteration takes Newton's step if it stays within the bracket and at least halves the step,
-    or the function where that is not ``FAR`` from zero, and else the middle of the bracket.  Newton's steps shrink
-    quadratically near a root: the next one is estimated from the last two, with ``CAUTION``.  An
+    or the function where that is not ``FAR`` from zero, and else the middle of the bracket.
+    Newton's steps shrink quadratically near a root: the next one is estimated from the last two,
+    with ``CAUTION``.  An
     element settles once that next step is too small to matter to the function or to what is wanted,
-    or its steps are rounding, or its bracket is as narrow as float64 allows.  It is finished when
-    the function changes its sign within the error that is then promised; if not, because a kink
-    lies between, the search goes on from the end that disagrees.
+    or its steps are rounding, or its bracket is as narrow as float64 allows.  When all have, an
+    element is finished if the function changes its sign within the error that is then promised; if
+    not, because a kink lies between, its search goes on from the end that disagrees.
     """
     found = Roots(*np.full((3, guess.size), np.nan))
     active = np.arange(guess.size)
-    x, low, high = np.clip(guess, lower, upper), lower, upper
-    last, quadratic = high - low, np.zeros(guess.shape, dtype=bool)
-    least, doubt = np.full_like(guess, np.inf), np.ones_like(guess)
+    x, low, high, doubt = np.clip(guess, lower, upper), lower, upper, np.ones_like(guess)
+    for _ in range(MAX_ENCLOSURES):
+        near = _approach(residual, x, low, high, doubt, tolerance, points)
+        bounds = lower[active], upper[active]
+        ends = (
+            np.fmax(near.root - near.width, bounds[0]),
+            np.fmin(near.root + near.width, bounds[1]),
+        )
+        seen, beyond = _enclose(residual, near.root, ends, bounds, tolerance, points)
+        for values, column in zip(seen, found, strict=True):
+            column[active] = values
+        # where a sign is wrong, the search goes on from there
+        x = np.choose(beyond + 1, (ends[0], near.root, ends[1]))
+        low, high = np.where(beyond > 0, x, near.low), np.where(beyond < 0, x, near.high)
+        doubt = DOUBT * near.doubt
+        lost = np.isnan(near.root) | (near.narrow == 1) & (beyond != 0)
+        left = np.flatnonzero(~(lost | np.isfinite(seen.root)))
+        if not left.size:
+            break
+        points = _some(points, left, active.size)
+        active, x, low, high, doubt = (each[left] for each in (active, x, low, high, doubt))
+    return found
+
+
+class _Approach(NamedTuple):
+    """Where steps towards some roots have ended: nan in all where they have not.
+
+    The root is within ``width`` if steps told the truth, ``low`` and ``high`` are where the function
+    was seen to be positive and not to be; ``narrow`` is 1 where nothing lies between them.
+    """
+
+    root: NDArray
+    low: NDArray
+    high: NDArray
+    doubt: NDArray
+    width: NDArray
+    narrow: NDArray
+
+
+def _approach(residual, x, low, high, doubt, tolerance, points):
+    """Step from ``x`` towards roots between ``low`` and ``high`` until they are settled.
+
+    Of steps ``doubt`` times as much is left as they make believe; it wanes with every step.
+    """
+    near = _Approach(*np.full((6, x.size), np.nan))
+    active = np.arange(x.size)
+    last, quadratic = high - low, np.zeros(x.shape, dtype=bool)
+    least = np.full_like(x, np.inf)
     for _ in range(MAX_ITERATIONS):
         here = residual(x, points)
         slope = np.where(np.isfinite(here.slope), here.slope, 0.0)
@@ -132,39 +179,19 @@ def decreasing_roots(
         spacing = ROUNDING * (1.0 + np.abs(x))
         narrow = ~(high - low > spacing)
         settled = narrow | newton & (exact & (size <= NEAR) | (step <= noise))
-        finished = settled
         if settled.any():
-            chosen = np.flatnonzero(settled)
             width = doubt * np.where(narrow, spacing, np.maximum(coming, 2.0 * noise))
             width += 1.5 * here.known_within / steepness
-            place = active[chosen]
-            middle, about = new[chosen], width[chosen]
-            ends = np.fmax(middle - about, lower[place]), np.fmin(middle + about, upper[place])
-            seen, beyond = _enclosed(
-                residual,
-                middle,
-                ends,
-                (lower[place], upper[place]),
-                tolerance,
-                _some(points, chosen, x.size),
-            )
-            for values, column in zip(seen, found, strict=True):
-                column[place] = values
-            # where a sign is wrong, the search goes on from there
-            new[chosen] = np.choose(beyond + 1, (ends[0], middle, ends[1]))
-            low[chosen] = np.where(beyond > 0, new[chosen], low[chosen])
-            high[chosen] = np.where(beyond < 0, new[chosen], high[chosen])
-            doubt = np.where(settled, DOUBT * doubt, np.maximum(0.5 * doubt, 1.0))
-            step, size = np.where(settled, high - low, step), np.where(settled, np.inf, size)
-            finished = np.zeros_like(narrow)
-            finished[chosen] = np.isfinite(seen.root) | narrow[chosen] & (beyond != 0)
-        left = np.flatnonzero(~finished)
+            for column, values in zip(near, (new, low, high, doubt, width, narrow), strict=True):
+                column[active[settled]] = values[settled]
+        left = np.flatnonzero(~settled)
         if not left.size:
             break
         points = _some(points, left, active.size)
-        columns = active, new, low, high, step, newton & ~settled, size, doubt
+        doubt = np.maximum(0.5 * doubt, 1.0)
+        columns = active, new, low, high, step, newton, size, doubt
         active, x, low, high, last, quadratic, least, doubt = (column[left] for column in columns)
-    return found
+    return near
 
 
 def _some(points, chosen, count):
@@ -172,14 +199,16 @@ def _some(points, chosen, count):
     return points if chosen.size == count else points.take(chosen)
 
 
-def _enclosed(residual, root, ends, bounds, tolerance, points):
+def _enclose(residual, root, ends, bounds, tolerance, points):
     """Whether the function changes its sign between two ``ends`` about ``root``.
 
     Returns ``Roots``, nan where it is not seen to, and the side on which the root lies beyond them: 1
     above, -1 below, 0 if they are too close to tell.  At a bound the sign alone decides, elsewhere
     a value has to be larger than what it may be wrong by.
     """
-    at_ends = [residual(end, points) for end in ends]
+    both = residual(np.concatenate(ends), points.take(np.tile(np.arange(root.size), 2)))
+    columns = [np.broadcast_to(each, 2 * root.size).reshape(2, root.size) for each in both]
+    at_ends = [Residual(*(column[end] for column in columns)) for end in (0, 1)]
     below, above = (end.value for end in at_ends)
     doubts = [
         np.where(place == bound, 0.0, end.noise + end.known_within)
