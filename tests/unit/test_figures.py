@@ -187,6 +187,18 @@ def test_limits_of_modes_and_regimes_are_drawn(name, limits, datasets):
     assert {line.get_ydata()[0] for line in thin} == limits
 
 
+def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
+    data = datasets["fig11"]
+    *over_load, over_film = CURVE_FIGURES["fig11"].plot(data).axes
+    newtons = data["normal_load"].values
+    for panel in over_load:
+        ticks = {text.get_text(): text.get_position()[0] for text in panel.texts}
+        for label, value in (("0.1 N", 0.1), ("1 N", 1.0), ("10 N", 10.0)):
+            load = np.interp(np.log(value), np.log(newtons), np.log(data["load"].values))
+            assert ticks[label] == pytest.approx(np.exp(load), rel=1e-9)
+    assert not any(text.get_text().endswith(" N") for text in over_film.texts)
+
+
 def test_dry_is_dashed_in_the_colour_of_its_lubricated_counterpart(datasets):
     panel = CURVE_FIGURES["fig06"].plot(datasets["fig06"]).axes[0]
     lines = {line.get_label(): line for line in data_lines(panel)}

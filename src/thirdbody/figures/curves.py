@@ -87,6 +87,7 @@ class CurveFigure:
         conditions = [curve.condition for curve in curves]
         styles = Styles(conditions, self.parameter)
         common = shared_notes(conditions)
+        newtons_per_load = float(data["normal_load"][-1] / data["load"][-1])
         figure = panel_figure([(content.x, content.y) for content in contents])
         for panel, content in zip(figure.axes, contents, strict=True):
             chosen = _on_surface(curves, data, content.surface)
@@ -96,7 +97,7 @@ class CurveFigure:
             for curve in chosen:
                 draw_curve(panel, data, curve, styles)
             _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
-            panel.frame()
+            panel.frame(newtons_per_load)
         marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
         title = parameter_title(self.parameter)
         draw_key(figure, title, ", ".join(common), styles.key(conditions), marks)

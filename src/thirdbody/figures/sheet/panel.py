@@ -16,19 +16,27 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.markers import TICKRIGHT, TICKUP
+from matplotlib.markers import TICKDOWN, TICKRIGHT, TICKUP
 from matplotlib.patches import PathPatch
 from matplotlib.text import Text
 from matplotlib.transforms import Affine2D
 from numpy.typing import NDArray
 
-from thirdbody.figures.sheet.scales import SCALES, Scale
+from thirdbody.figures.sheet.scales import NEWTONS, SCALES, Scale
 from thirdbody.figures.sheet.symbols import Symbol, outline
 
 FURNITURE = "_furniture"  # label of artists that carry no data
+TITLE_RISE = 4.0  # of titles above the axes, points
+NEWTONS_RISE = 12.0  # what the ticks in newtons take of that room besides, points
 POINTS_PER_INCH = 72.0
 COLUMNS = 2
 KEY_INCHES = 0.75  # strip below the panels that holds the key if they leave no cell free
+# side of a panel: axis, place along the other axis, ticks inwards, how their labels stand
+SIDES = {
+    "bottom": ("x", 0.0, TICKUP, {"ha": "center", "va": "top"}),
+    "top": ("x", 1.0, TICKDOWN, {"ha": "center", "va": "bottom"}),
+    "left": ("y", 0.0, TICKRIGHT, {"ha": "right", "va": "center"}),
+}
 
 
 class NamedOutlines(PolyCollection):
@@ -92,7 +100,8 @@ class Panel(Axes):
 
     def add_title(self, title: str) -> None:
         """The letter of the panel and ``title`` beside it."""
-        above = {"y_points": 4, "va": "bottom"}
+        newtons = NEWTONS_RISE * (self.x_name == "load")
+        above = {"y_points": TITLE_RISE + newtons, "va": "bottom"}
         self.write(0.0, 1.0, f"({self.letter})", fontweight="bold", **above)
         self.write(0.0, 1.0, title, x_points=20, **above)
 
@@ -101,16 +110,26 @@ class Panel(Axes):
         self.add_collection(NamedOutlines(outlines, names, **style), autolim=False)
         self.update_datalim(np.concatenate(outlines))
 
-    def frame(self) -> None:
+    def frame(self, newtons_per_load: float) -> None:
         """Scales, limits, ticks and labels for what has been drawn: call it last.
 
-        Both variables must stand in ``SCALES``.
+        Both variables must stand in ``SCALES``.  An axis of loads has its counterpart in newtons at
+        the upper edge.
+
+        Parameters
+        ----------
+        newtons_per_load : float
+            F_t/F_t* [N].
         """
         x, y = SCALES[self.x_name], SCALES[self.y_name]
         self._set_limits(x, y)
         self._draw_limit_lines(y)
-        for side, scale in (("x", x), ("y", y)):
-            self._draw_ticks(side, *scale.ticks(*getattr(self, f"get_{side}lim")()))
+        self._draw_ticks("bottom", *x.ticks(*self.get_xlim()))
+        self._draw_ticks("left", *y.ticks(*self.get_ylim()))
+        if x.name == "load":
+            low, high = self.get_xlim()
+            major, labels, minor = NEWTONS.ticks(low * newtons_per_load, high * newtons_per_load)
+            self._draw_ticks("top", major / newtons_per_load, labels, minor / newtons_per_load)
         self._write_symbol(x.symbol, 0.5, 0.0, y_points=-22)
         self._write_symbol(y.symbol, 0.0, 0.5, x_points=-33, angle=90)
 
@@ -151,29 +170,30 @@ class Panel(Axes):
         self.text(1.012, y, text, transform=self.get_yaxis_transform(), va="center", **style)
 
     def _draw_ticks(self, side, major, labels, minor):
-        transform = getattr(self, f"get_{side}axis_transform")()
+        axis, edge, marker, style = SIDES[side]
+        transform = getattr(self, f"get_{axis}axis_transform")()
         for places, kind in ((major, "major"), (minor, "minor")):
-            ends = np.zeros(len(places))
+            ends = np.full(len(places), edge)
             self.add_artist(
                 Line2D(
-                    *((places, ends) if side == "x" else (ends, places)),
+                    *((places, ends) if axis == "x" else (ends, places)),
                     transform=transform,
                     linestyle="none",
-                    marker=TICKUP if side == "x" else TICKRIGHT,
-                    markersize=rcParams[f"{side}tick.{kind}.size"],
+                    marker=marker,
+                    markersize=rcParams[f"{axis}tick.{kind}.size"],
                     markeredgewidth=rcParams["xtick.major.width"],
                     color=rcParams["axes.edgecolor"],
                     label=FURNITURE,
                 )
             )
         width, height = self.bbox.size / self.figure.dpi * POINTS_PER_INCH
-        pad = rcParams[f"{side}tick.major.pad"]
-        style = {"fontsize": rcParams[f"{side}tick.labelsize"], "transform": transform}
+        pad = rcParams[f"{axis}tick.major.pad"] * (2.0 * edge - 1.0)  # outwards
+        style |= {"fontsize": rcParams[f"{axis}tick.labelsize"], "transform": transform}
         for place, label in zip(major, labels, strict=True):
-            if side == "x":
-                self.text(place, -pad / height, label, ha="center", va="top", **style)
+            if axis == "x":
+                self.text(place, edge + pad / height, label, **style)
             else:
-                self.text(-pad / width, place, label, ha="right", va="center", **style)
+                self.text(edge + pad / width, place, label, **style)
 
 
 def panel_figure(

@@ -34,6 +34,8 @@ class Scale:
         That unit as the label of the axis prints it.
     share : bool
         Whether the axis runs from 0 to 1 where its curves do.
+    plain : bool
+        Whether the labels of a logarithmic axis are numbers with their unit, not powers of ten.
     limits, zones : tuple
         Limits of regimes or modes, and the names of what lies between them, both from below.
     """
@@ -44,6 +46,7 @@ class Scale:
     unit: float = 1.0
     unit_text: str = ""
     share: bool = False
+    plain: bool = False
     limits: tuple[float, ...] = ()
     zones: tuple[str, ...] = ()
 
@@ -71,7 +74,15 @@ class Scale:
         major, labels, minor
             Places of the major ticks and their labels, places of the minor ones.
         """
-        return _decades(low, high) if self.logarithmic else self._steps(low, high)
+        return self._decades(low, high) if self.logarithmic else self._steps(low, high)
+
+    def _decades(self, low, high):
+        first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
+        major = 10.0 ** np.arange(first, last + 1)
+        minor = np.outer(10.0 ** np.arange(first - 1, last + 1), np.arange(2, 10)).ravel()
+        minor = minor[(minor > low) & (minor < high)]
+        text = f"{{:g}} {self.unit_text}".format if self.plain else power_text
+        return major, [text(place) for place in major], minor
 
     def _steps(self, low, high):
         places = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
@@ -79,14 +90,6 @@ class Scale:
         middle = 0.5 * (places[1:] + places[:-1])
         minor = middle[(middle > low) & (middle < high)]
         return major, [f"{place / self.unit:.6g}" for place in major], minor
-
-
-def _decades(low, high):
-    first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
-    major = 10.0 ** np.arange(first, last + 1)
-    minor = np.outer(10.0 ** np.arange(first - 1, last + 1), np.arange(2, 10)).ravel()
-    minor = minor[(minor > low) & (minor < high)]
-    return major, [power_text(place) for place in major], minor
 
 
 SCALES = {
@@ -113,3 +116,5 @@ SCALES = {
         Scale("film_thickness", "Film thickness", unit=1e-4, unit_text="10⁻⁴"),
     )
 }
+# the upper edge of panels over the load
+NEWTONS = Scale("normal_load", "Normal load", logarithmic=True, unit_text="N", plain=True)
