@@ -147,12 +147,80 @@ def test_key_explains_every_curve(name, datasets):
     drawn = {look(line) for panel in figure.axes for line in data_lines(panel)}
     if name in ("fig06", "fig07", "fig08"):  # dry curves go by their lubricated counterparts
         drawn = {each for each in drawn if each[0] != "--"}
-    assert drawn <= entries
+    # a curve is bare where it lies on another: its entry has the marker that it shows elsewhere
+    bare = {each for each in drawn if each[1] == "none"}
+    assert drawn - bare <= entries
+    assert {(line, colour) for line, _, colour in bare} <= {(e[0], e[2]) for e in entries}
     assert len(figure.texts) == 1 + len(figure.artists)
 
 
 def look(line):
-    return line.get_linestyle(), line.get_marker(), to_rgb(line.get_color())
+    return line.get_linestyle(), marker_of(line), to_rgb(line.get_color())
+
+
+def marker_of(line):
+    return "none" if line.get_marker() in ("None", "none", "", None) else line.get_marker()
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_key_shows_no_marker_that_no_panel_shows(name, datasets):
+    figure = CURVE_FIGURES[name].plot(datasets[name], turning_points_in(datasets[name]))
+    shown = {marker_of(line) for panel in figure.axes for line in data_lines(panel)}
+    assert {marker_of(line) for line in figure.artists} <= shown | {"none"}
+
+
+def test_curves_have_markers_only_where_they_part(datasets):
+    # at 500 nm all lubricated curves lie on the dry one, at 100 nm they leave it
+    parted, together = CURVE_FIGURES["fig05"].plot(datasets["fig05"]).axes
+    assert {marker_of(line) for line in data_lines(together)} == {"none"}
+    assert len({marker_of(line) for line in data_lines(parted)}) > 2
+    heights = np.array([line.get_ydata() for line in data_lines(parted)])
+    for line in data_lines(parted):
+        if marker_of(line) != "none":
+            places = line.get_markevery()
+            others = np.abs(heights - line.get_ydata())[:, places]
+            assert (np.sort(others, axis=0)[1] > 1e-3).all()
+
+
+@pytest.mark.parametrize("name", ["fig03", "fig09", "fig10"])
+def test_figures_of_dry_contact_alone_are_drawn_solid(name, datasets):
+    for panel in CURVE_FIGURES[name].plot(datasets[name]).axes:
+        assert {line.get_linestyle() for line in data_lines(panel)} == {"-"}
+
+
+@pytest.mark.parametrize("name", ["fig04", "fig05", "fig06", "fig07", "fig08", "fig11", "fig12"])
+def test_dry_curves_lie_on_top_of_lubricated_ones(name, datasets):
+    for panel in CURVE_FIGURES[name].plot(datasets[name]).axes:
+        heights = {True: [], False: []}
+        for line in data_lines(panel):
+            heights["nu = 0 cSt" in line.get_label()].append(line.get_zorder())
+        assert min(heights[True]) > max(heights[False])
+
+
+def test_points_that_are_not_plainly_converged_are_marked(datasets):
+    data = datasets["fig11"].load().copy(deep=True)
+    plain = CURVE_FIGURES["fig11"].plot(data)
+    assert not any("formula" in text.get_text() for text in plain.texts)
+    attributes = data["solution_status"].attrs
+    flags = dict(zip(attributes["flag_meanings"].split(), attributes["flag_values"], strict=True))
+    data["solution_status"][5:8, -1] = flags["outside_film_formula"]
+    data["solution_status"][20, -1] = flags["several_separations"]
+    figure = CURVE_FIGURES["fig11"].plot(data)
+    texts = " ".join(text.get_text() for text in figure.texts)
+    assert "formula" in texts
+    assert "several" in texts
+    for panel in figure.axes:
+        marked = {}
+        for label, points in drawn_points(panel):
+            meaning = label.split("; ")[0]
+            if meaning in flags:
+                assert "nu = 150 cSt" in label
+                marked.setdefault(meaning, []).append(points[0])
+        curve = shown_curves(data)[-1]
+        x, y = (curve.values(data, name) for name in (panel.x_name, panel.y_name))
+        ends = [(x[place], y[place]) for place in (5, 7)]
+        np.testing.assert_array_equal(marked["outside_film_formula"], ends)
+        np.testing.assert_array_equal(marked["several_separations"], [(x[20], y[20])])
 
 
 @pytest.mark.parametrize("name", PANELS)
@@ -213,7 +281,7 @@ def test_dry_is_dashed_in_the_colour_of_its_lubricated_counterpart(datasets):
 def test_curves_are_told_apart_in_grey(name, datasets):
     panel = CURVE_FIGURES[name].plot(datasets[name]).axes[0]
     looks = [
-        (line.get_linestyle(), line.get_marker(), round(np.dot(to_rgb(line.get_color()), GREY), 3))
+        (line.get_linestyle(), marker_of(line), round(np.dot(to_rgb(line.get_color()), GREY), 3))
         for line in data_lines(panel)
     ]
     assert len(set(looks)) == len(looks)

@@ -9,8 +9,15 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from thirdbody.figures.marks import mark_entries, mark_turning_points, turning_points_of
+from thirdbody.data.conditions import Condition
+from thirdbody.figures.marks import (
+    mark_entries,
+    mark_statuses,
+    mark_turning_points,
+    turning_points_of,
+)
 from thirdbody.figures.sheet.key import draw_key
 from thirdbody.figures.sheet.naming import parameter_title, shared_notes
 from thirdbody.figures.sheet.panel import Panel, panel_figure
@@ -18,6 +25,8 @@ from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.sheet.styles import Styles
 from thirdbody.figures.shown import Curve, shown_curves
 
+MARKERS_PER_CURVE = 7
+PARTED = 1.6  # points between curves that are told apart
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
 # of the key: the text, and a line about as wide as a band
 BAND_ENTRY = (
@@ -89,18 +98,20 @@ class CurveFigure:
         common = shared_notes(conditions)
         newtons_per_load = float(data["normal_load"][-1] / data["load"][-1])
         figure = panel_figure([(content.x, content.y) for content in contents])
+        marked: set[Condition] = set()
         for panel, content in zip(figure.axes, contents, strict=True):
             chosen = _on_surface(curves, data, content.surface)
             panel.add_title(_title(content, chosen, common))
             if band is not None and content.x == "load":
                 draw_bands(panel, band, chosen, styles)
-            for curve in chosen:
-                draw_curve(panel, data, curve, styles)
+            lines = [draw_curve(panel, data, curve, styles) for curve in chosen]
+            mark_statuses(panel, data, chosen)
             _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
             panel.frame(newtons_per_load)
+            marked |= place_markers(panel, chosen, lines, styles)
         marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
         title = parameter_title(self.parameter)
-        draw_key(figure, title, ", ".join(common), styles.key(conditions), marks)
+        draw_key(figure, title, ", ".join(common), styles.key(conditions, marked), marks)
         return figure
 
     def _panels(self, data) -> Sequence[Content]:
@@ -110,12 +121,69 @@ class CurveFigure:
         return [replace(each, surface=index) for index in surfaces for each in self.contents]
 
 
-def draw_curve(panel: Panel, data: xr.Dataset, curve: Curve, styles: Styles) -> None:
+def draw_curve(panel: Panel, data: xr.Dataset, curve: Curve, styles: Styles) -> Line2D:
     """Draw ``curve`` into ``panel``."""
     x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
-    places = styles.markers_on(curve.condition, len(x))
-    style = styles.of(curve.condition)
-    panel.add_line(Line2D(x, y, label=curve.label, markevery=places, **style))
+    return panel.add_line(Line2D(x, y, label=curve.label, **styles.of(curve.condition)))
+
+
+def place_markers(
+    panel: Panel, curves: Sequence[Curve], lines: Sequence[Line2D], styles: Styles
+) -> set[Condition]:
+    """Leave markers to ``lines`` only where they part from those of other levels.
+
+    Parameters
+    ----------
+    panel : Panel
+        One that has its frame.
+    curves, lines : sequence
+        Its curves, and how they are drawn.
+    styles : Styles
+        What tells the curves apart.
+
+    Returns
+    -------
+    set of Condition
+        Those of the curves that show markers.
+    """
+    paths = [panel.in_points(line) for line in lines]
+    marked = set()
+    for curve, line, path in zip(curves, lines, paths, strict=True):
+        if "marker" not in styles.of(curve.condition):
+            continue
+        rivals = [
+            other
+            for rival, other in zip(curves, paths, strict=True)
+            if rival is not curve and styles.are_rivals(curve.condition, rival.condition)
+        ]
+        places = _staggered(_parted(path, rivals), styles.stagger(curve.condition))
+        line.set(**({"markevery": places} if places else {"marker": "none"}))
+        if places:
+            marked.add(curve.condition)
+    return marked
+
+
+def _parted(path, rivals) -> NDArray[np.bool_]:
+    """Where ``path`` is farther than ``PARTED`` from all ``rivals``; paths in points."""
+    x, y = path.T
+    gaps = np.full(x.size, np.inf)
+    for other in rivals:
+        there, height = other.T if other[0, 0] <= other[-1, 0] else other[::-1].T
+        gap = np.abs(np.interp(x, there, height, left=np.inf, right=np.inf) - y)
+        gaps = np.fmin(gaps, gap)
+    steepness = np.gradient(y) / np.where(np.gradient(x) == 0.0, np.inf, np.gradient(x))
+    return gaps > PARTED * np.hypot(1.0, steepness)
+
+
+def _staggered(free, stagger) -> list[int]:
+    """Places of markers in equal steps where ``free`` allows, or else one where it ever does."""
+    step = max(free.size // MARKERS_PER_CURVE, 1)
+    places = [place for place in range(int(step * stagger), free.size, step) if free[place]]
+    if places or not free.any():
+        return places
+    starts = np.flatnonzero(np.diff(free, prepend=False, append=False)).reshape(-1, 2)
+    longest = starts[np.argmax(starts[:, 1] - starts[:, 0])]
+    return [int(longest.mean())]
 
 
 def draw_bands(panel: Panel, band: xr.Dataset, curves: Sequence[Curve], styles: Styles) -> None:

@@ -9,11 +9,12 @@ import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
-from thirdbody.figures.sheet.panel import Panel
+from thirdbody.figures.sheet.panel import NamedPoints, Panel
 from thirdbody.figures.shown import Curve
 from thirdbody.model.regimes import PARTICLE_LIMIT
 
@@ -25,10 +26,23 @@ TURNING_POINTS = {
     "markeredgecolor": "black",
 }
 LOCUS = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1"}
+STATUS_STEP = 6  # points of a curve from one mark of their status to the next
+# of those with values, where the status of a point is not plain ``converged``: text of the key,
+# marker
+STATUS_MARKS = {
+    "several_separations": ("balances at several separations, of which the largest", "+"),
+    "outside_film_formula": ("film outside the range of its formula", "x"),
+    "area_exceeded": ("contact area above the apparent area", "1"),
+    "not_converged": ("error asked for not reached", "2"),
+}
+STATUS_LOOK = {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A", "zorder": 3.2}
 # label of what is drawn: its text in the key, its style
 MARKS = {
     "turning points": ("turning point (TPCA)", TURNING_POINTS),
     "locus of the turning points": ("their locus", LOCUS),
+} | {
+    meaning: (text, STATUS_LOOK | {"marker": marker, "linestyle": "none"})
+    for meaning, (text, marker) in STATUS_MARKS.items()
 }
 
 
@@ -100,6 +114,29 @@ def mark_turning_points(
             for name in (panel.x_name, panel.y_name)
         )
         panel.add_line(Line2D(x, y, label=label, zorder=3, **MARKS[label][1]))
+
+
+def mark_statuses(panel: Panel, data: xr.Dataset, curves: Sequence[Curve]) -> None:
+    """Draw marks along ``curves`` where the status of their points is not plain ``converged``."""
+    status = data["solution_status"].attrs
+    values = dict(zip(status["flag_meanings"].split(), status["flag_values"], strict=True))
+    for meaning, (_, marker) in STATUS_MARKS.items():
+        points, names = [], []
+        for curve in curves:
+            places = np.flatnonzero(curve.values(data, "solution_status") == values[meaning])
+            for place in _some_of_each_run(places):
+                names.append(f"{meaning}; {curve.label}")
+                points.append(
+                    [curve.values(data, name)[place] for name in (panel.x_name, panel.y_name)]
+                )
+        if points:
+            panel.add_line(NamedPoints(points, names, label=meaning, marker=marker, **STATUS_LOOK))
+
+
+def _some_of_each_run(places) -> NDArray[np.intp]:
+    """Of ``places``, the ends of each run without gaps and every ``STATUS_STEP`` within."""
+    runs = np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)
+    return np.concatenate([np.union1d(run[::STATUS_STEP], run[-1:]) for run in runs])
 
 
 def mark_entries(figure: Figure) -> list[Entry]:

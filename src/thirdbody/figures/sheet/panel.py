@@ -110,6 +110,11 @@ class Panel(Axes):
         self.add_collection(NamedOutlines(outlines, names, **style), autolim=False)
         self.update_datalim(np.concatenate(outlines))
 
+    def in_points(self, line: Line2D) -> NDArray[np.float64]:
+        """Where ``line`` runs on the sheet once the panel has its frame, shape (n, 2), in points."""
+        pixels = self.transData.transform(line.get_xydata())
+        return pixels / self.figure.dpi * POINTS_PER_INCH
+
     def frame(self, newtons_per_load: float) -> None:
         """Scales, limits, ticks and labels for what has been drawn: call it last.
 

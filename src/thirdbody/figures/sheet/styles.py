@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import matplotlib
 import numpy as np
@@ -14,10 +14,12 @@ from thirdbody.data.conditions import Condition
 from thirdbody.figures.sheet.naming import value_text
 
 MARKERS = "osv^DX<>PphHd8"
-MARKERS_PER_CURVE = 7
 LIGHTEST = 0.87  # of the colour map: beyond it lines fade on white
 TINT = 0.22  # share of the colour, the rest is white
 TWO_BODY_GREY = "0.55"  # where black is taken by dry contact
+# Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
+DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
+DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2}
 
 
 class Styles:
@@ -33,25 +35,29 @@ class Styles:
     Notes
     -----
     The colours of an ordered parameter grow lighter with it, and each has its marker.  Two-body
-    contact is black or grey.  Dry contact is dashed, and bare of markers beside its lubricated
-    counterpart.
+    contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
+    particles, and bare of the markers of its lubricated counterpart.
     """
 
     def __init__(self, conditions: Sequence[Condition], parameter: str):
         self.parameter = parameter
         media = {condition.is_dry for condition in conditions}
         self.compares_media = parameter != "viscosity" and len(media) == 2
+        self.all_dry = media == {True}
         self.levels = sorted({getattr(each, parameter) for each in conditions} - {0.0})
         shades = np.linspace(0.0, LIGHTEST, len(self.levels))
         self.colours = matplotlib.colormaps[rcParams["image.cmap"]](shades).tolist()
 
     def of(self, condition: Condition) -> dict:
         """Line properties of the curve at ``condition``."""
-        style = {"linestyle": "--" if condition.is_dry else "-"}
+        style = {"linestyle": "-"}
+        if condition.is_dry and not self.all_dry:
+            style = dict(DRY)
         level = getattr(condition, self.parameter)
         if level == 0.0:
-            two_bodies_beside = condition.is_two_body and self.parameter == "viscosity"
-            return style | {"color": TWO_BODY_GREY if two_bodies_beside else "black"}
+            if condition.is_two_body and self.parameter == "viscosity":
+                return DRY_TWO_BODY | {"color": TWO_BODY_GREY}
+            return style | {"color": "black"}
         index = self.levels.index(level)
         style["color"] = self.colours[index]
         if not (self.compares_media and condition.is_dry):
@@ -62,23 +68,40 @@ class Styles:
         """Light variant of the colour of the curve at ``condition``: red, green, blue."""
         return 1.0 - TINT * (1.0 - np.array(to_rgb(self.of(condition)["color"])))
 
-    def markers_on(self, condition: Condition, count: int) -> tuple[int, int]:
-        """First and step of the markers among ``count`` points: those of two curves never meet."""
-        level = getattr(condition, self.parameter)
-        index = self.levels.index(level) if level in self.levels else 0
-        step = max(count // MARKERS_PER_CURVE, 1)
-        return int(step * (index + 0.5) / max(len(self.levels), 1)), step
+    def are_rivals(self, one: Condition, other: Condition) -> bool:
+        """Whether their curves need telling apart by markers: not dry from lubricated contact."""
+        if self.compares_media:
+            return one.is_dry == other.is_dry
+        return True
 
-    def key(self, conditions: Sequence[Condition]) -> list[tuple[str, dict]]:
-        """Text and line properties of each entry of the key."""
+    def stagger(self, condition: Condition) -> float:
+        """Place of its markers between 0 and 1: those of two levels never meet."""
+        index = self.levels.index(getattr(condition, self.parameter))
+        return (index + 0.5) / len(self.levels)
+
+    def key(
+        self, conditions: Sequence[Condition], marked: Collection[Condition]
+    ) -> list[tuple[str, dict]]:
+        """Text and line properties of each entry of the key.
+
+        Parameters
+        ----------
+        conditions : sequence of Condition
+            Those of the curves.
+        marked : collection of Condition
+            Those of the curves that show their markers somewhere.
+        """
         entries = {}
-        for each in conditions:
+        for each in sorted(conditions, key=lambda condition: condition not in marked):
             if not (self.compares_media and each.is_dry):
-                entries.setdefault(self._text(each), self.of(each))
+                bare = {} if each in marked else {"marker": "none"}
+                entries.setdefault(self._text(each), self.of(each) | bare)
+        entries = {text: entries[text] for text in map(self._text, conditions) if text in entries}
         if self.compares_media:
             for each in sorted(conditions, key=lambda condition: -condition.viscosity):
                 text = "dry" if each.is_dry else f"{value_text('viscosity', each.viscosity)} cSt"
-                entries[text] = {"color": "black", "linestyle": self.of(each)["linestyle"]}
+                look = self.of(each) | {"color": "black", "marker": "none"}
+                entries[text] = look
         return list(entries.items())
 
     def _text(self, condition):
