@@ -1,6 +1,7 @@
 """Figures: what each shows, that its file of data says the same, and that its bytes are stable."""
 
 import csv
+import re
 from pathlib import Path
 
 import matplotlib.style
@@ -326,6 +327,16 @@ def test_same_bytes_every_time(name, datasets, tmp_path):
         saved(CURVE_FIGURES[name].plot(datasets[name], points), tmp_path / stem) for stem in "ab"
     )
     assert first == second
+
+
+def test_text_stays_text_and_fonts_are_embedded_as_outlines(datasets, tmp_path):
+    figure = CURVE_FIGURES["fig05"].plot(datasets["fig05"])
+    files = saved(figure, tmp_path / "fig05")
+    written = re.findall(r"<text[^>]*>([^<]*)</text>", files[".svg"].decode())
+    expected = [text.get_text() for owner in (figure, *figure.axes) for text in owner.texts]
+    assert sorted(written) == sorted(expected)
+    assert b"/FontFile2" in files[".pdf"]
+    assert b"/Type3" not in files[".pdf"]
 
 
 def test_turning_points_are_marked_on_their_curves(datasets):
