@@ -1,7 +1,7 @@
 """Time from the start of a process to its answer, by each way of solving: what a person waits.
 
 ``python -m benchmarks.starts`` prints the numbers of points from which one way takes less time
-than the next; they are the constants of ``thirdbody.solver.plan``.
+than another; they are the constants of ``thirdbody.solver.plan``.
 
 A *run* is described by ``(points, start, way)``: how many points a new process solves, whether it
 finds the loop compiled on disk, and by which way it solves.
@@ -12,9 +12,9 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import count
+from itertools import count, repeat
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -25,7 +25,7 @@ from benchmarks.measuring import least_seconds, wall_seconds
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.plan import COMPILED, LOOP_WORTH, QUADRATURE, TABLE_WORTH, TABLES, WAYS
+from thirdbody.solver.plan import COMPILED, QUADRATURE, TABLES, WAYS
 from thirdbody.solver.solve import solve
 
 ACCURACY = Path(__file__).parents[1] / "config" / "accuracy.yaml"
@@ -33,6 +33,7 @@ ACCURACY = Path(__file__).parents[1] / "config" / "accuracy.yaml"
 COLD, WARM = "cold", "warm"
 AUTOMATIC = "automatic"  # the way that the library chooses
 ROUNDS = 15  # of calls that take some milliseconds each
+SIZES = [2**power for power in range(4, 12)]  # numbers of points of these calls
 NOISE = 0.5  # of the time of a process, at most
 Run = tuple[int, str, str]  # points, start, way
 PROGRAM = """
@@ -218,7 +219,7 @@ def loading_break_even(rows: Sequence[Mapping[str, Any]], start: str) -> float:
 
 
 def surface_break_even(
-    parameters: Parameters, rtol: float, ways: Sequence[str], points: int
+    parameters: Parameters, rtol: float, ways: Sequence[str], roughness: Iterator[float]
 ) -> float:
     """Number of points on a new roughness from which one way is faster than another.
 
@@ -232,19 +233,41 @@ def surface_break_even(
         Relative error asked for [1].
     ways : sequence of str
         Two ways; the second is the one that is faster for many points.
-    points : int
-        The number is sought from a quarter of this to four times as many.
+    roughness : iterator of float
+        Each sigma [m] that it gives is a new one, for which there are no tables.
     """
-    roughness = (3e-7 * (1.0 + 1e-6 * number) for number in count())
+    times = {way: _seconds_of_calls(parameters, rtol, way, SIZES, roughness) for way in ways}
+    return break_even(SIZES, *times.values())
 
-    def run(way, size):
+
+def call_worths(parameters: Parameters, rtol: float) -> tuple[float, float]:
+    """Numbers of points by quadrature that take as long as a call of quadrature does before it solves
+    any, and as long as the loop takes for one point on a roughness whose tables it has.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    rtol : float
+        Relative error asked for [1].
+    """
+    one, some, more = _seconds_of_calls(parameters, rtol, QUADRATURE, (1, 200, 600), repeat(3e-7))
+    (loop,) = _seconds_of_calls(parameters, rtol, COMPILED, (1,), repeat(3e-7))
+    point = (more - some) / 400
+    return one / point - 1.0, loop / point
+
+
+def _seconds_of_calls(parameters, rtol, way, sizes, roughness):
+    """Least times [s] of calls with so many points, each on the next ``roughness`` [m]; the process
+    has used the way before."""
+
+    def run(size):
         loads = np.geomspace(1e-7, 1e-5, size)
         solve(loads, 9e-5, 5e-7, next(roughness), 1e11, parameters, rtol, way=way)
 
-    sizes = [int(points * factor) for factor in (0.25, 0.5, 1.0, 2.0, 4.0)]
-    runs = {(way, size): partial(run, way, size) for way in ways for size in sizes}
-    times = least_seconds(runs, ROUNDS)
-    return break_even(sizes, *([times[way, size] for size in sizes] for way in ways))
+    run(1)
+    times = least_seconds({size: partial(run, size) for size in sizes}, ROUNDS)
+    return [times[size] for size in sizes]
 
 
 def break_even(sizes: Sequence[float], first: Sequence[float], second: Sequence[float]) -> float:
@@ -260,26 +283,27 @@ def break_even(sizes: Sequence[float], first: Sequence[float], second: Sequence[
     Returns
     -------
     float
-        Where the second way becomes the faster one, interpolated between the sizes.
+        Where the second way becomes the faster one, interpolated between the sizes; nan where it
+        is faster, or slower, for all of them.
 
     Examples
     --------
     >>> break_even([10, 20, 30], first=[1.0, 2.0, 3.0], second=[2.0, 2.0, 2.0])
     20.0
     """
-    saved = np.subtract(first, second)
-    return float(np.interp(0.0, np.maximum.accumulate(saved), sizes))
+    saved = np.maximum.accumulate(np.subtract(first, second))
+    return float(np.interp(0.0, saved, sizes, left=np.nan, right=np.nan))
 
 
 def main() -> None:
     """Print all break-evens, at the tolerance of ``config/accuracy.yaml``."""
     budget = read_yaml(ACCURACY)["starts"]
     inputs, rtol = load_parameters(), budget["rtol"]
-    for name, ways, points in (
-        ("TABLE_WORTH", (QUADRATURE, TABLES), TABLE_WORTH),
-        ("LOOP_WORTH", (TABLES, COMPILED), LOOP_WORTH),
-    ):
-        print(f"{name} {surface_break_even(inputs, rtol, ways, points):.2g}")
+    new = (3e-7 * (1.0 + 1e-6 * number) for number in count())
+    for name, way in (("TABLE_WORTH", TABLES), ("LOOP_WORTH", COMPILED)):
+        print(f"{name} {surface_break_even(inputs, rtol, (QUADRATURE, way), new):.2g}")
+    for name, worth in zip(("CALL_WORTH", "GROUP_WORTH"), call_worths(inputs, rtol), strict=True):
+        print(f"{name} {worth:.2g}")
     rows = start_rows(budget)
     for name, start in (("LOADING_WORTH", WARM), ("COMPILING_WORTH", COLD)):
         print(f"{name} {loading_break_even(rows, start):.2g}")

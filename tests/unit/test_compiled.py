@@ -18,12 +18,13 @@ from thirdbody.solver.compiled.layout import ROOT
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
-from thirdbody.solver.plan import LOOP_WORTH, TABLE_WORTH
+from thirdbody.solver.plan import SINGLE_WORTH, TABLE_WORTH
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
 from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
 
 ROUGHNESS = 300e-9
+MANY = 5000
 QUADRATURE = 5e-12  # what is left of errors by the other ways
 READINGS = {
     "centred": {},
@@ -221,7 +222,7 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
 
 @pytest.mark.parametrize("given", [{}, {"viscosity": 0.0}, {"particle_density": 0.0}])
 def test_what_single_precision_leaves_is_solved_in_double(parameters, given):
-    given = conditions(LOOP_WORTH) | given
+    given = conditions(SINGLE_WORTH) | given
     single = compiled(parameters, 1e-3, SINGLE, **given)
     double = compiled(parameters, 1e-3, DOUBLE, **given)
     both = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-3, way="compiled")
@@ -244,12 +245,12 @@ def test_points_beyond_the_tables_are_left(parameters):
 
 
 def test_many_points_have_the_status_and_the_flags_of_few(parameters):
-    given = conditions(LOOP_WORTH)
+    given = conditions(MANY)
     given["load"][::500] = 1e3
     given["viscosity"][1::500] = 1e-9
     given["particle_density"][2::500] = 1e22
     many = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, way="compiled")
-    some = np.flatnonzero(np.arange(LOOP_WORTH) % 500 < 5)
+    some = np.flatnonzero(np.arange(MANY) % 500 < 5)
     few = {name: values[some] for name, values in given.items()}
     assert some.size < TABLE_WORTH
     few = tb.solve(**few, roughness=ROUGHNESS, parameters=parameters)
@@ -259,7 +260,7 @@ def test_many_points_have_the_status_and_the_flags_of_few(parameters):
 
 
 def test_areas_that_nobody_asks_for_change_nothing_else(parameters):
-    given = conditions(LOOP_WORTH)
+    given = conditions(MANY)
     given |= {"roughness": ROUGHNESS, "parameters": parameters, "way": "compiled"}
     every = tb.solve(**given)
     names = ["solid_load_fraction", "separation", "error_bound"]

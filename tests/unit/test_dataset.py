@@ -189,7 +189,7 @@ def test_the_normal_load_is_the_load_in_newtons(dataset, parameters):
 def test_values_are_those_of_the_solver(dataset, parameters):
     solution = tb.solve(*np.ix_(*AXES.values()), parameters=parameters)
     for name in (*MEANINGS, *FLAGS):
-        assert np.array_equal(dataset[name].values, getattr(solution, name))
+        assert_allclose(dataset[name].values, getattr(solution, name), rtol=2e-9)
 
 
 @pytest.mark.parametrize("name", GLOBAL_ATTRIBUTES)
@@ -277,7 +277,7 @@ def test_what_a_figure_does_not_show_holds_the_fill_value_and_nothing_else(shown
 def test_what_a_figure_shows_is_what_the_solver_gives(shown, scene, parameters):
     for group in scene.groups:
         axes = [scene.load, *(getattr(group, name) for name in DIMENSIONS[1:])]
-        solution = tb.solve(*np.ix_(*axes), parameters=parameters)
+        solution = tb.solve(*np.ix_(*axes), parameters=parameters, way="repeatable")
         for name in (*MEANINGS, *FLAGS):
             values = shown[name].values[scene.placed(group)]
             assert np.array_equal(values, getattr(solution, name)), name

@@ -11,6 +11,8 @@ import pytest
 
 import thirdbody as tb
 from benchmarks.measuring import least_seconds
+from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.scene import Curves, Scene
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.solver import availability, plan
 from thirdbody.solver.plan import (
@@ -52,7 +54,9 @@ print("numba" in sys.modules)
 
 @pytest.fixture
 def loop(monkeypatch):
-    """Says of the compiled loop whether it is installed, loaded and kept, whatever is true."""
+    """Says of the compiled loop whether it is installed, loaded and kept, whatever is true; and has
+    what the process has solved before forgotten."""
+    plan._spent.cache_clear()
 
     def said(installed=True, loaded=False, kept=False):
         for name, answer in (("installed", installed), ("loaded", loaded), ("kept", kept)):
@@ -100,11 +104,14 @@ def test_the_tables_of_a_cell_are_worth_more_points_than_those_of_a_roughness(pa
     cell = Sheet.of_cell(-12, MATERIALS)
     for size, way in (
         (TABLE_WORTH, "quadrature"),
-        (TABLE_WORTH * cell.terms(RTOL), "tables"),
-        (LOOP_WORTH, "tables"),
+        (LOOP_WORTH, "quadrature"),
         (LOOP_WORTH * cell.terms(RTOL), "compiled"),
     ):
-        assert list(fastest_ways([Group(cell, 0, slice(0, size))], parameters, RTOL)) == [way]
+        plan._spent.cache_clear()
+        assert fastest_ways([Group(cell, 0, slice(0, size))], parameters, RTOL) == [way]
+    loop()
+    many = Group(cell, 0, slice(0, TABLE_WORTH * cell.terms(RTOL)))
+    assert fastest_ways([many], parameters, RTOL) == ["tables"]
 
 
 def test_points_are_grouped_by_roughness_or_by_cell(parameters):
@@ -130,12 +137,7 @@ def test_points_are_grouped_by_roughness_or_by_cell(parameters):
 
 
 @pytest.mark.parametrize(
-    ("state", "worth"),
-    [
-        ({"loaded": True}, LOOP_WORTH),
-        ({"kept": True}, LOADING_WORTH),
-        ({}, COMPILING_WORTH),
-    ],
+    ("state", "worth"), [({"kept": True}, LOADING_WORTH), ({}, COMPILING_WORTH)]
 )
 def test_the_loop_is_chosen_once_it_saves_more_than_its_loading_takes(
     parameters, loop, state, worth
@@ -147,12 +149,60 @@ def test_the_loop_is_chosen_once_it_saves_more_than_its_loading_takes(
 
 def test_points_of_all_roughnesses_count_together_for_the_loading(parameters, loop):
     loop(kept=True)
-    parts = LOADING_WORTH // LOOP_WORTH
-    assert set(chosen(parameters, *[LOOP_WORTH] * parts)) == {"compiled"}
-    assert set(chosen(parameters, *[LOOP_WORTH] * (parts - 1))) == {"tables"}
+    parts = LOADING_WORTH // TABLE_WORTH
+    assert set(chosen(parameters, *[TABLE_WORTH] * parts)) == {"compiled"}
+    assert set(chosen(parameters, *[TABLE_WORTH] * (parts - 1))) == {"tables"}
     # but a roughness with few points would not repay the tables of the loop
     few = chosen(parameters, LOADING_WORTH, LOOP_WORTH - 1, 1)
-    assert few == ["compiled", "tables", "quadrature"]
+    assert few == ["compiled", "quadrature", "quadrature"]
+
+
+def test_a_loop_that_is_loaded_is_chosen_once_solving_took_as_long_as_its_tables_do(
+    parameters, loop
+):
+    loop(loaded=True)
+    assert chosen(parameters, LOOP_WORTH) == ["compiled"]
+    assert chosen(parameters, 1) == ["compiled"]
+    plan._spent.cache_clear()
+    assert chosen(parameters, LOOP_WORTH - 1) == ["quadrature"]
+    assert chosen(parameters, 1) == ["compiled"]
+    assert chosen(parameters, 1, rtol=1e-6) == ["quadrature"]
+    assert chosen(replace(parameters, participation=0.5), 1) == ["quadrature"]
+    plan._spent.cache_clear()
+    ways = [chosen(parameters, 1) for call in range(20)]
+    assert ways[0] == ["quadrature"]
+    assert ways[-1] == ["compiled"]
+
+
+def test_few_points_on_many_roughnesses_are_solved_together(parameters, loop):
+    loop(loaded=True)
+    sizes = [1] * 50
+    for _ in range(1000):
+        ways = chosen(parameters, LOOP_WORTH, *sizes)
+    assert ways == ["compiled"] + ["quadrature"] * 50
+    assert chosen(parameters, LOOP_WORTH, 1, 1) == ["compiled"] * 3
+
+
+def test_what_is_repeatable_depends_on_the_points_alone(parameters):
+    given = POINT | {"parameters": parameters, "load": np.geomspace(1e-7, 1e-4, TABLE_WORTH)}
+    repeatable = partial(tb.solve, **given, way="repeatable")
+    best = tb.solve(**given, way="tables")
+    tb.solve(**given, way="compiled")
+    assert availability.is_loaded()
+    chosen, found = tb.solve(**given), repeatable()
+    assert not np.array_equal(chosen.separation, best.separation)
+    for name in VARIABLES:
+        assert np.array_equal(getattr(found, name), getattr(best, name), equal_nan=True), name
+
+
+def test_a_scene_keeps_its_bytes_whatever_was_solved_before(parameters, loop):
+    one = [np.array([value]) for name, value in POINT.items() if name != "load"]
+    scene = Scene("some", "A scene", np.geomspace(1e-7, 1e-4, LOOP_WORTH), groups=(Curves(*one),))
+    loop(loaded=False)
+    before = scene_dataset(scene, parameters)
+    loop(loaded=True)
+    tb.solve(**POINT | {"load": scene.load}, parameters=parameters, way="compiled")
+    assert scene_dataset(scene, parameters).identical(before)
 
 
 def test_the_loop_is_never_chosen_where_it_cannot_solve(parameters, loop):
@@ -271,7 +321,8 @@ def test_every_way_can_be_asked_for_and_is_taken(parameters, monkeypatch):
 @pytest.mark.parametrize("way", ["table", "", 1, "Compiled"])
 def test_any_other_way_is_refused_by_name(parameters, way):
     with pytest.raises(
-        ValueError, match="^way is .*; allowed: compiled, tables, quadrature, or None to choose$"
+        ValueError,
+        match="^way is .*; allowed: compiled, tables, quadrature, repeatable, or None to choose$",
     ):
         tb.solve(**POINT, parameters=parameters, way=way)
 

@@ -42,7 +42,7 @@ VARIABLES = tuple(field.name for field in fields(Solution))
 CONVERGED, OUTSIDE, COVERED, FAILED, SEVERAL, WIDE, EXCEEDED = range(len(SOLUTION_STATUSES))
 
 
-def solve(parameters, rtol=RTOL, way=None, **given):
+def solve(parameters, rtol=RTOL, way="repeatable", **given):
     return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol, way=way)
 
 
@@ -521,8 +521,8 @@ def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
 
 @pytest.mark.parametrize("name", VARIABLES)
 def test_a_variable_alone_is_what_it_is_among_all(parameters, mixture, name):
-    every = tb.solve(**mixture, parameters=parameters, rtol=RTOL)
-    alone = tb.solve(**mixture, parameters=parameters, rtol=RTOL, variables=[name])
+    every = solve(parameters, **mixture)
+    alone = solve(parameters, **mixture, variables=[name])
     assert np.array_equal(getattr(alone, name), getattr(every, name), equal_nan=True)
     assert all(getattr(alone, other) is None for other in VARIABLES if other != name)
 

@@ -1,5 +1,6 @@
 """How starts are timed: what takes turns, what is left out, and where two ways cost the same."""
 
+import numpy as np
 import pytest
 
 from benchmarks.starts import (
@@ -70,6 +71,8 @@ def test_time_is_expected_to_grow_with_the_points_but_for_the_start():
 
 def test_two_ways_cost_the_same_where_the_time_saved_changes_its_sign():
     assert break_even([0, 100], [1.0, 3.0], [2.0, 2.0]) == 50.0
+    assert np.isnan(break_even([0, 100], [1.0, 3.0], [4.0, 4.0]))
+    assert np.isnan(break_even([0, 100], [1.0, 3.0], [0.5, 0.5]))
     rows = [
         {"points": points, "start": start, "way": way, "seconds": time}
         for start in (COLD, WARM)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve
 
 LIMITS = (
@@ -66,7 +67,8 @@ def transitions(
 
     def excess_at(log_load):
         wanted = set(quantities)
-        solution = solve(np.exp(log_load), *conditions[:, curve], parameters, rtol, wanted)
+        given = np.exp(log_load), *conditions[:, curve]
+        solution = solve(*given, parameters, rtol, wanted, way=REPEATABLE)
         found = np.stack([getattr(solution, quantity) for quantity in quantities])
         return found[limit, np.arange(limit.size)] - np.take(levels, limit)
 

@@ -19,6 +19,7 @@ from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
 from thirdbody.data.quantities import CONTRACT, FLAGS, NORMAL_LOAD, QUANTITIES, VARIABLES
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import DEFAULT_RTOL, check_variables, checked_axis, solve
 
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
@@ -143,7 +144,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     for group in scene.groups:
         place = scene.placed(group)
         sides = [scene.load, *(getattr(group, name) for name in Condition._fields)]
-        solution = solve(*np.ix_(*sides), parameters=parameters, rtol=rtol)
+        solution = solve(*np.ix_(*sides), parameters, rtol, way=REPEATABLE)
         for name in values:
             values[name][place] = getattr(solution, name)
     request = {

@@ -2,11 +2,16 @@
 
 There are three ways.  By *quadrature* each load and area of the summits is an integral: the most
 precise, and the fastest for a few points.  By *tables* they are read off tables of a roughness, or of
-a cell that many roughnesses share, which many points repay.  The *compiled* loop solves in machine code, which very many points repay:
-a process has to import the compiler first, and to compile where no earlier one did.
+a cell that many roughnesses share, which many points repay.  The *compiled* loop solves in machine
+code, which is the fastest once it is there: a process has to import the compiler first, and to
+compile where no earlier one did, which very many points repay.
 
 A way leaves the points for which it cannot promise the error that is asked for to the next, more
 precise one; every point is stored once, by the way that settles it.
+
+By default the choice depends on what a process has loaded and solved before, and so do the last
+digits.  What is to be made again byte by byte asks for ``REPEATABLE``, a choice between tables and
+quadrature by the numbers of points alone.
 """
 
 from __future__ import annotations
@@ -16,7 +21,7 @@ from collections import Counter, defaultdict
 from collections.abc import Collection, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,17 +42,24 @@ from thirdbody.solver.surfaces import (
 )
 
 COMPILED, TABLES, QUADRATURE = WAYS = "compiled", "tables", "quadrature"  # each more precise
+REPEATABLE = "repeatable"  # the second or the third, whatever else a process has done
+ALLOWED = (*WAYS, REPEATABLE)
 
 # Numbers of points from which a way costs less than it saves, measured by `python -m
 # benchmarks.starts`: on one roughness, from which its finest table does,
 TABLE_WORTH = 500
 # from which the tables of the loop do where the process has called it before,
-LOOP_WORTH = 5_000
+LOOP_WORTH = 250
 # and in all, from which it does to load the loop from disk, or to compile it.
 LOADING_WORTH = 600_000
 COMPILING_WORTH = 6_000_000
-# Points from which it does to start threads.
-THREADS_WORTH = 100_000
+# How many points by quadrature take as long as a call does before it solves any, and as the loop
+# does for each group of points, however few, whose tables it has.
+CALL_WORTH = 100
+GROUP_WORTH = 12
+# Points from which it does to start threads, and to solve first in single precision, whose machine
+# code is another one.
+THREADS_WORTH = SINGLE_WORTH = 100_000
 # A search looks at a surface so often that tables as coarse as for this rtol always pay.
 CHEAP_TABLES = 1e-5
 
@@ -61,12 +73,12 @@ def check_way(way: str | None) -> None:
     Raises
     ------
     ValueError
-        Unless ``way`` is one of ``WAYS`` or None.
+        Unless ``way`` is one of ``ALLOWED`` or None.
     ImportError
         If the compiled loop is asked for and numba is not installed.
     """
-    if way is not None and way not in WAYS:
-        raise ValueError(f"way is {way!r}; allowed: {', '.join(WAYS)}, or None to choose")
+    if way is not None and way not in ALLOWED:
+        raise ValueError(f"way is {way!r}; allowed: {', '.join(ALLOWED)}, or None to choose")
     if way == COMPILED:
         require("compiled", "numba")
 
@@ -130,7 +142,7 @@ def solve_points(
     variables : collection of str
         Names of the variables of ``Solution`` that are wanted.
     way : str, optional
-        One of ``WAYS``, by which all points are solved first.
+        One of ``WAYS``, by which all points are solved first; or ``REPEATABLE``.
 
     Returns
     -------
@@ -141,7 +153,10 @@ def solve_points(
     few = few_surfaces(conditions.roughness)
     task = _Task(conditions, parameters, rtol, few is None, result)
     groups = list(groups_of(conditions, parameters, few))
-    ways = [way] * len(groups) if way else fastest_ways(groups, parameters, rtol)
+    if way is None:
+        ways = fastest_ways(groups, parameters, rtol)
+    else:
+        ways = repeatable_ways(groups, rtol) if way == REPEATABLE else [way] * len(groups)
     first = {each: [] for each in WAYS}
     for group, chosen in zip(groups, ways, strict=True):
         first[chosen].append(group)
@@ -221,22 +236,58 @@ def _of_each_kind(groups):
         yield places[0] if len(places) == 1 else np.concatenate(places)
 
 
-def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> Iterator[str]:
-    """The way that takes least time, for each of ``groups``, which are solved in one call.
-
-    Groups that repay the tables of the loop count together for what it takes to load it.
-    """
-    sizes = np.array([group.size for group in groups])
-    terms = np.array([group.sheet.terms(rtol) for group in groups])
-    many = (sizes >= LOOP_WORTH * terms) & _loop_solves(parameters)
-    compiled = many & _loop_pays(sizes[many].sum())
+def repeatable_ways(groups: list[Group], rtol: float) -> list[str]:
+    """Tables or quadrature for each of ``groups``, which are solved in one call: what takes less time
+    for so many points."""
     on_sheet = Counter()
     for group in groups:
         on_sheet[group.sheet] += group.size
-    for group, by_loop in zip(groups, compiled, strict=True):
-        shared = on_sheet[group.sheet] // group.sheet.terms(rtol)
-        tables = TABLES if _tables_pay(shared, rtol) else QUADRATURE
-        yield COMPILED if by_loop else tables
+    shared = (on_sheet[group.sheet] // group.sheet.terms(rtol) for group in groups)
+    return [TABLES if _tables_pay(points, rtol) else QUADRATURE for points in shared]
+
+
+def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> list[str]:
+    """The way that takes least time, for each of ``groups``, which are solved in one call."""
+    compiled = np.zeros(len(groups), bool)
+    if _loop_solves(parameters):
+        sizes = np.array([group.size for group in groups])
+        worth = LOOP_WORTH * np.array([group.sheet.terms(rtol) for group in groups])
+        if availability.is_loaded():
+            compiled = _repaid(groups, sizes, worth, parameters, rtol)
+        else:
+            # those that repay the tables of the loop count together for what it takes to load it
+            many = sizes >= worth
+            compiled = many & _loop_pays(sizes[many].sum())
+    others = repeatable_ways(groups, rtol)
+    return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
+
+
+def _repaid(groups, sizes, worth, parameters, rtol):
+    """Which ``groups`` the loop, which is loaded, solves in less time than the other ways.
+
+    Its tables of a sheet are made as soon as solving there, in this call and all before, has cost as
+    much as they do: so no sequence of calls takes more than about twice the time that it has to.
+    """
+    spent = [_spent(group.sheet, parameters, rtol) for group in groups]
+    for each, size in zip(spent, sizes, strict=True):
+        each.points += size + CALL_WORTH / len(groups)
+    repaid = np.array([each.points for each in spent]) >= worth + CALL_WORTH
+    few = repaid & (sizes < GROUP_WORTH)
+    if GROUP_WORTH * np.count_nonzero(few) > CALL_WORTH + sizes[few].sum():
+        repaid &= ~few  # by quadrature they are solved together
+    return repaid
+
+
+@dataclass
+class _Spent:
+    """What solving on a sheet would have cost without the loop, in points by quadrature."""
+
+    points: float = 0.0
+
+
+@lru_cache(maxsize=256)
+def _spent(sheet, parameters, rtol):
+    return _Spent()
 
 
 def _tables_pay(points, rtol):
@@ -249,8 +300,6 @@ def _tables_pay(points, rtol):
 
 def _loop_pays(points):
     """Whether so many ``points`` in all are worth the wait until the loop is in this process."""
-    if availability.is_loaded():
-        return True
     if points < LOADING_WORTH or not availability.is_installed():
         return False
     return points >= COMPILING_WORTH or availability.is_kept()
@@ -294,17 +343,19 @@ class _Task:
         from thirdbody.solver.compiled.tables import precisions
 
         areas = not OF_AREAS.isdisjoint(self.result)
+        points = sum(group.size for group in groups)
+        reals = precisions(self.rtol)[0 if points >= SINGLE_WORTH else -1 :]
 
         def solved(sheet, real, some):
             return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
 
         def settled(group, each=map):
             places = group.places
-            for real in precisions(self.rtol):
+            for real in reals:
                 places = self._settle(places, CHUNK, partial(solved, group.sheet, real), each)
             return replace(group, places=places)
 
-        threads = threads_worth(sum(group.size for group in groups))
+        threads = threads_worth(points)
         if threads == 1:
             return [settled(group) for group in groups]
         with ThreadPoolExecutor(threads) as pool:

@@ -49,10 +49,12 @@ def solve(
         Relative error asked for in every variable, from 1e-11 to 1e-2.
     variables : collection of str
         Names of the fields of ``Solution`` that are wanted; the others are None.
-    way : {"quadrature", "tables", "compiled"}, optional
+    way : {"quadrature", "tables", "compiled", "repeatable"}, optional
         How points are solved: by integrals over the summits, by tables of these, or in machine
         code.  Points that a way cannot solve to ``rtol`` are solved by one more precise.  By
-        default what takes least time for so many points, the loading of a compiler included.
+        default what takes least time for so many points in this process, the loading of a compiler
+        included.  "repeatable" chooses one of the first two by the number of points alone: the same
+        points have the same last digits, whatever the process has solved before.
 
     Returns
     -------

@@ -16,6 +16,7 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.extraction import curves_of
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve
 
 BAND_RTOL = 1e-4  # asked for each member: an error far below the width of a drawn line
@@ -81,7 +82,8 @@ def band(
     envelope = {end: dict(start) for end in ENDS}
     for member in ensemble:
         inputs = replace(base, **member)
-        solution = solve(load, *conditions, inputs, BAND_RTOL, tuple(QUANTITIES))
+        names = tuple(QUANTITIES)
+        solution = solve(load, *conditions, inputs, BAND_RTOL, names, way=REPEATABLE)
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
                 envelope[end][name] = widest(values, getattr(solution, name))

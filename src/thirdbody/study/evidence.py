@@ -13,6 +13,7 @@ from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import is_as_asked
+from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
@@ -142,7 +143,8 @@ class SolvedEvidence:
     @cached_property
     def _solution(self):
         columns = np.array(self._conditions).T
-        return solve(self.loads[:, None], *columns, self.parameters, self.effort.rtol, NEEDED)
+        given = self.loads[:, None], *columns
+        return solve(*given, self.parameters, self.effort.rtol, NEEDED, way=REPEATABLE)
 
     @cached_property
     def _curves(self) -> dict[Condition, Curve]:
