@@ -17,7 +17,7 @@ from thirdbody.study.calibration import (
     search,
     spread_out,
 )
-from thirdbody.study.claims import assign_roles, load_claims, referenced_conditions
+from thirdbody.study.claims import VALIDATION, load_claims, referenced_conditions
 from thirdbody.study.posterior import summary
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -64,24 +64,16 @@ def test_the_loss_grows_with_the_score_and_lets_no_miss_drown_the_others():
 
 def test_validation_statements_never_enter_the_objective(parameters):
     objective = Objective.of(CLAIMS, SETTINGS, parameters)
-    roles = assign_roles(CLAIMS)
-    assert {roles[claim.id] for claim in objective.claims} == {"calibration"}
-    assert len(objective.claims) == sum(role == "calibration" for role in roles.values())
+    assert {claim.role for claim in objective.claims} == {"calibration"}
+    assert len(objective.claims) == sum(claim.role == "calibration" for claim in CLAIMS)
     # neither by what they say nor by the conditions that they speak of
     spoilt = tuple(
-        replace(claim, published=1e9, tolerance=1e-9) if roles[claim.id] == "validation" else claim
+        replace(claim, published=1e9, tolerance=1e-9) if claim.role == VALIDATION else claim
         for claim in CLAIMS
     )
     other = Objective.of(spoilt, SETTINGS, parameters)
     assert other.claims == objective.claims
     assert objective.asked == referenced_conditions(objective.claims)
-
-
-def test_about_a_third_of_the_published_values_is_kept_for_validation():
-    roles = assign_roles(CLAIMS)
-    values = [c.id for c in CLAIMS if c.kind in ("value", "range", "window") and not c.is_withheld]
-    kept = [name for name in values if roles[name] == "validation"]
-    assert 0.3 < len(kept) / len(values) < 0.35
 
 
 def test_inputs_without_a_surface_miss_every_statement(parameters):

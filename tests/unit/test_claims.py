@@ -49,11 +49,11 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     return Curve(LOADS, normal_load, area, ratio, solid, 1 - solid, film, film * 6.35e-3, solved)
 
 
-def make_claim(kind, size=0.1, relative=False, conditions=None, **fields):
+def make_claim(kind, size=0.1, relative=False, conditions=None, role="calibration", **fields):
     """A claim on a dry curve of 300 nm particles and roughness, unless ``conditions`` differ."""
     usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     usual |= conditions or {}
-    return Claim("id", "where", "statement", kind, usual, size, relative, "reason", **fields)
+    return Claim("id", "where", "statement", kind, role, usual, size, relative, "reason", **fields)
 
 
 def judged(claim, curve=None, **answers):
@@ -185,7 +185,9 @@ def test_reversal_load():
 
 
 def test_withheld_value_is_measured_but_not_scored():
-    claim = make_claim("value", quantity="solid_load_fraction", extreme="minimum", published=None)
+    claim = make_claim(
+        "value", role="withheld", quantity="solid_load_fraction", extreme="minimum", published=None
+    )
     verdict = judged(claim, make_curve(solid=0.7))
     assert verdict.value == pytest.approx(0.7)
     assert np.isnan(verdict.score) and np.isnan(verdict.deviation) and not verdict.holds
@@ -573,25 +575,7 @@ def test_missing_turning_point_is_no_evidence():
     assert verdict.score == checks.MISSING_SCORE and not verdict.holds
 
 
-# --- roles and conditions ---
-
-
-def test_every_third_published_value_is_kept_for_validation():
-    value = {"quantity": "turning_point_load", "published": 1.0}
-    kinds = [
-        make_claim("value", **value),
-        make_claim("absence", quantity="particle_contact_area_ratio"),
-        make_claim("window", published=[0.8, 1.3]),
-        make_claim("value", quantity="turning_point_load", published=None),
-        make_claim("range", quantity="film_thickness", published=[1, 2]),
-        *(make_claim("value", **value) for _ in range(3)),
-    ]
-    named = [Claim(**{**vars(claim), "id": f"claim-{index}"}) for index, claim in enumerate(kinds)]
-    roles = claims.assign_roles(named)
-    assert [roles[claim.id] for claim in named] == [
-        *("calibration", "calibration", "calibration", "withheld"),
-        *("validation", "calibration", "calibration", "validation"),
-    ]
+# --- conditions ---
 
 
 def test_conditions_are_si_and_run_together():
@@ -650,14 +634,26 @@ def test_contradictions_are_mutual(paper):
     assert all(name in links[other] for name, others in links.items() for other in others)
 
 
-def test_roles_of_the_paper(paper):
-    roles = claims.assign_roles(paper)
-    count = Counter(roles.values())
-    values = [c for c in paper if c.kind in claims.VALUE_KINDS and c.published is not None]
-    assert count["withheld"] == 6
-    assert count["validation"] == len(values) // 3
-    assert all(roles[claim.id] == "withheld" for claim in paper if claim.is_withheld)
-    assert all(c in values for c in paper if roles[c.id] == "validation")
+def test_the_statements_kept_for_validation_are_these(paper):
+    # by id, so that no later change of the file moves a statement into the calibration
+    assert [claim.id for claim in paper if claim.role == claims.VALIDATION] == [
+        "fig04b-knee-load",
+        "fig05a-solid-share-at-10cst",
+        "fig06b-all-sizes-mixed-load",
+        "fig09a-turning-point-sizes",
+        "fig10b-window-500nm",
+        "fig11a-turning-point-load-below-90cst",
+        "fig11a-peak-ratio",
+        "fig11c-film-range-at-70cst",
+        "fig12b-no-solid-load-from-50cst",
+        "conclusion5-window",
+    ]
+
+
+def test_what_the_text_keeps_back_is_withheld_and_nothing_else(paper):
+    numbers = [claim for claim in paper if claim.kind in ("value", "range", "window")]
+    assert [c for c in paper if c.is_withheld] == [c for c in numbers if c.published is None]
+    assert sum(claim.is_withheld for claim in paper) == 6
 
 
 def test_every_claim_can_be_judged_and_names_what_it_needs(paper):
@@ -679,6 +675,7 @@ GOOD = {
     "where": "Figure 3A",
     "statement": "The solid bears all load.",
     "kind": "value",
+    "role": "calibration",
     "quantity": "solid_load_fraction",
     "extreme": "minimum",
     "published": 1.0,
@@ -712,6 +709,8 @@ def test_good_claim_loads(tmp_path):
         ({"where": None}, "where"),
         ({"published": "1e0"}, "published"),
         ({"published": None}, "published"),
+        ({"role": None}, "role"),
+        ({"role": "withheld"}, "role"),
         ({"quantity": "friction"}, "quantity"),
         ({"extreme": None}, "extreme"),
         ({"extreme": "middle"}, "extreme"),
@@ -775,6 +774,14 @@ def test_a_refusal_says_what_is_allowed(tmp_path, change, told):
     assert told in str(error.value)
 
 
+def test_a_value_kept_back_has_no_role(tmp_path):
+    entry = {name: value for name, value in GOOD.items() if name != "role"} | {"published": None}
+    (claim,) = load(tmp_path, entry)
+    assert claim.is_withheld
+    with pytest.raises(ValueError, match="some-claim: .*role"):
+        load(tmp_path, GOOD | {"published": None})
+
+
 def test_a_window_asks_for_a_surface_alone(tmp_path):
     window = GOOD | {"quantity": "window_low", "conditions": {"roughness_nm": 300}}
     del window["extreme"]
@@ -783,7 +790,7 @@ def test_a_window_asks_for_a_surface_alone(tmp_path):
 
 
 def test_sequence_of_unknown_states_is_refused(tmp_path):
-    common = ("id", "where", "statement", "conditions", "tolerance")
+    common = ("id", "where", "statement", "role", "conditions", "tolerance")
     entry = {key: GOOD[key] for key in common} | {
         "kind": "regime_sequence",
         "published": ["boundary", "wet"],

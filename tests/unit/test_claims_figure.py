@@ -12,7 +12,7 @@ from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims, conflict
 from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.study import verdicts
-from thirdbody.study.claims import assign_roles, load_claims
+from thirdbody.study.claims import load_claims
 from thirdbody.study.conflict import PARTS, conflict_rows
 
 ROOT = Path(__file__).parents[2]
@@ -41,7 +41,6 @@ def statements():
 @pytest.fixture(scope="module")
 def rows(statements):
     """Scores over their whole range, with each verdict among them."""
-    roles = assign_roles(statements)
     scores = np.linspace(0.0, 10.0, len(statements))
     rows = []
     for claim, score in zip(statements, scores, strict=True):
@@ -51,7 +50,7 @@ def rows(statements):
         if claim.is_withheld:
             score, verdict = None, verdicts.WITHHELD
         rows.append(
-            {"id": claim.id, "where": claim.where, "role": roles[claim.id], "verdict": verdict}
+            {"id": claim.id, "where": claim.where, "role": claim.role, "verdict": verdict}
             | {"score": score, "ensemble_agree": 3.0, "ensemble_size": 12.0}
         )
     return rows

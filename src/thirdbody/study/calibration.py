@@ -23,7 +23,7 @@ from scipy.optimize import differential_evolution, least_squares
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
-from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
+from thirdbody.study.claims import CALIBRATION, Claim, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
@@ -214,14 +214,13 @@ class Objective:
         Parameters
         ----------
         claims : sequence of Claim
-            All statements of the paper, in the order from which their roles follow.
+            All statements of the paper.
         settings : mapping
             Content of ``config/calibration.yaml``.
         base : Parameters
             Values of all inputs that are neither fixed by a reading nor searched.
         """
-        roles = assign_roles(claims)
-        fitted = tuple(claim for claim in claims if roles[claim.id] == "calibration")
+        fitted = tuple(claim for claim in claims if claim.role == CALIBRATION)
         asked = referenced_conditions(fitted)
         return cls(fitted, asked, settings["weights"], tuple(settings["newtons"]), base)
 

@@ -226,6 +226,7 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     ...     where="Figure 3A, section 3.3",
     ...     statement="Without particles the particle contact ratio is 0 at each load.",
     ...     kind="value",
+    ...     role="calibration",
     ...     quantity="particle_contact_area_ratio",
     ...     extreme="maximum",
     ...     conditions={

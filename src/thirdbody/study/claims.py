@@ -20,8 +20,6 @@ from thirdbody.configuration.schema import read_valid
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
-VALIDATION_STRIDE = 3  # every third published value is kept out of the calibration
-
 CURVE_QUANTITIES = (
     *("load", "solid_load", "solid_load_fraction", "particle_contact_area_ratio"),
     *("total_contact_area", "total_contact_area_slope", "film_thickness"),
@@ -52,7 +50,7 @@ STATES = {
     "surface_surface": ("particle_contact_area_ratio", -np.inf, SURFACE_LIMIT),
 }
 
-VALUE_KINDS = ("value", "range", "window")
+CALIBRATION, VALIDATION, WITHHELD = "calibration", "validation", "withheld"  # roles
 
 
 @dataclass(frozen=True)
@@ -69,6 +67,9 @@ class Claim:
         What it says, in our words.
     kind : str
         Kind of statement; it decides how the claim is checked.
+    role : str
+        ``calibration`` if inputs are fitted to it, ``validation`` if they must not be,
+        ``withheld`` if the paper keeps its value back.
     conditions : mapping
         Conditions of the curves and bounds of the loads, by keys that name their units.
     tolerance : float
@@ -102,6 +103,7 @@ class Claim:
     where: str
     statement: str
     kind: str
+    role: str
     conditions: Mapping[str, Any]
     tolerance: float
     relative: bool
@@ -157,7 +159,7 @@ class Claim:
     @property
     def is_withheld(self) -> bool:
         """Whether the paper speaks of a number here but keeps its value back."""
-        return self.kind in VALUE_KINDS and self.published is None
+        return self.role == WITHHELD
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
@@ -171,7 +173,7 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     Returns
     -------
     tuple of Claim
-        In the order of the file, from which the roles follow.
+        In the order of the file.
 
     Raises
     ------
@@ -186,26 +188,6 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     ('mode_sequence', ['particle_surface', 'hybrid', 'surface_surface'])
     """
     return tuple(map(_claim, read_valid(path, "claims")))
-
-
-def assign_roles(claims: Sequence[Claim]) -> dict[str, str]:
-    """Say what each claim is used for.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        All statements of the paper, in the order of ``config/claims.yaml``.
-
-    Returns
-    -------
-    dict
-        By id: ``calibration`` for claims that inputs are fitted to; ``validation`` for every third
-        of the published numbers, ranges and windows, which are not; ``withheld`` for claims whose
-        value the paper keeps back.
-    """
-    roles = {c.id: "withheld" if c.is_withheld else "calibration" for c in claims}
-    values = [c.id for c in claims if c.kind in VALUE_KINDS and not c.is_withheld]
-    return roles | dict.fromkeys(values[VALIDATION_STRIDE - 1 :: VALIDATION_STRIDE], "validation")
 
 
 def state_names(published: Sequence[str]) -> list[str]:
@@ -246,4 +228,4 @@ def _claim(entry: Mapping) -> Claim:
     relative = "relative" in tolerance
     size = tolerance["relative" if relative else "absolute"]
     given = {"tolerance": size, "relative": relative, "reason": tolerance["reason"]}
-    return Claim(**entry | given)
+    return Claim(**{"role": WITHHELD} | entry | given)

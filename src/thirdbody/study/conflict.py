@@ -53,6 +53,7 @@ def conflict_rows(
     ...     where="Figure 4A",
     ...     statement="Solids bear the whole load where there is no lubricant.",
     ...     kind="value",
+    ...     role="calibration",
     ...     quantity="solid_load_fraction",
     ...     conditions={
     ...         "viscosity_cSt": 0,

@@ -20,7 +20,7 @@ from thirdbody.data.places import part_of_paper
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.checks import Verdict, judge
-from thirdbody.study.claims import Claim, assign_roles, referenced_conditions
+from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEvidence
 
 HOLDS, FAILS = "holds", "fails"
@@ -168,6 +168,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     ...     where="Figure 3A, section 3.3",
     ...     statement="Without particles the particle contact ratio is 0 at each load.",
     ...     kind="value",
+    ...     role="calibration",
     ...     quantity="particle_contact_area_ratio",
     ...     extreme="maximum",
     ...     conditions={
@@ -189,14 +190,13 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     ('0', 'holds')
     """
     held = dict(zip((claim.id for claim in trial.claims), trial.main.held(), strict=True))
-    roles = assign_roles(trial.claims)
     return [
         {
             "id": claim.id,
             "where": claim.where,
             "statement": claim.statement,
             "kind": claim.kind,
-            "role": roles[claim.id],
+            "role": claim.role,
             "published": _published(claim),
             "measured": verdict.measured,
             "value": verdict.value,
@@ -241,12 +241,11 @@ def reading_rows(
         For each reading, the least objective first: its objective, how many statements of each
         role hold, and what is measured for those of ``headline``.
     """
-    roles = assign_roles(trial.claims)
     rows = []
     for judgement, content in zip(trial.readings, readings, strict=True):
         row = {"reading": judgement.name, "objective": content["objective"]}
         for role in ("calibration", "validation"):
-            chosen = np.array([roles[claim.id] == role for claim in trial.claims])
+            chosen = np.array([claim.role == role for claim in trial.claims])
             row[role] = f"{judgement.held()[chosen].sum()}/{chosen.sum()}"
         for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True):
             if claim.id in headline:
