@@ -103,7 +103,7 @@ def test_value_of_several_curves_is_that_of_the_worst():
 def test_relative_tolerance_ends_on_both_sides():
     claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
     for load, holds in ((0.901e-5, True), (0.899e-5, False), (1.099e-5, True), (1.101e-5, False)):
-        point = TurningPoint(load, 0.2, 1.0, True)
+        point = TurningPoint(load, 0.2, 1.0, 0.1)
         assert judged(claim, turning_point=lambda condition, p=point: p).holds is holds
 
 
@@ -118,7 +118,7 @@ def test_relative_tolerance_ends_on_both_sides():
 )
 def test_turning_point_quantities(quantity, value):
     claim = make_claim("value", quantity=quantity, published=value, relative=True)
-    point = TurningPoint(1e-5, 0.2, 0.3, True)
+    point = TurningPoint(1e-5, 0.2, 0.3, 0.1)
     assert judged(claim, turning_point=lambda condition: point).score == pytest.approx(0, abs=1e-9)
 
 
@@ -366,7 +366,7 @@ def test_trend_along_curves(direction, loads, holds):
         direction=direction,
         conditions=viscosities(3),
     )
-    point = by_viscosity(*(TurningPoint(load, 0.2, 1.0, True) for load in loads))
+    point = by_viscosity(*(TurningPoint(load, 0.2, 1.0, 0.1) for load in loads))
     assert judged(claim, turning_point=point).holds is holds
 
 
@@ -383,7 +383,7 @@ def test_trend_of_a_change_from_a_reference():
 
     def point(condition):
         sparse = condition.particle_density < 1e11
-        return TurningPoint(1e-6 if sparse else 10 * condition.roughness, 0.2, 1.0, True)
+        return TurningPoint(1e-6 if sparse else 10 * condition.roughness, 0.2, 1.0, 0.1)
 
     assert judged(claim, turning_point=point).measured == "0, 2"
     assert judged(claim, turning_point=point).holds
@@ -496,7 +496,7 @@ def test_score_of_a_value_is_continuous_and_grows_with_the_distance():
     loads = 1e-5 * np.geomspace(0.01, 100.0, 4001)
     scores = np.array(
         [
-            judged(claim, turning_point=lambda _, load=load: TurningPoint(load, 0.2, 1, True)).score
+            judged(claim, turning_point=lambda _, load=load: TurningPoint(load, 0.2, 1, 0.1)).score
             for load in loads
         ]
     )
@@ -571,8 +571,18 @@ def test_unsolved_points_are_no_evidence():
 
 def test_missing_turning_point_is_no_evidence():
     claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
-    verdict = judged(claim, turning_point=lambda _: TurningPoint(np.nan, np.nan, np.nan, False))
+    verdict = judged(claim, turning_point=lambda _: TurningPoint(np.nan, np.nan, np.nan, np.nan))
     assert verdict.score == checks.MISSING_SCORE and not verdict.holds
+
+
+def test_what_is_said_of_a_turning_point_fails_where_it_does_not_stand_out():
+    claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
+    points = [TurningPoint(1e-5, 0.2, 1.0, height) for height in (0.1, 0.01, 0.009, 0.001, 0.0)]
+    verdicts = [judged(claim, turning_point=lambda _, point=point: point) for point in points]
+    assert [verdict.holds for verdict in verdicts] == [True, True, False, False, False]
+    scores = [verdict.score for verdict in verdicts]
+    assert scores == sorted(scores) and scores[2] < 1.2 and scores[4] == checks.MISSING_SCORE
+    assert verdicts[2].measured == "1e-05; stands out by 0.009"
 
 
 # --- conditions ---
@@ -610,7 +620,7 @@ def world(condition):
 
 
 def made_up_evidence():
-    point = TurningPoint(1e-5, 0.2, 0.5, True)
+    point = TurningPoint(1e-5, 0.2, 0.5, 0.1)
     return Synthetic(world, lambda condition: point, lambda roughness: (0.8, 1.3))
 
 

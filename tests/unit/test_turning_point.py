@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.curves.turning_point import turning_points
+from thirdbody.curves.turning_point import PROMINENCE, turning_points
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -70,7 +70,21 @@ def test_a_curve_has_a_turning_point_where_a_brute_scan_has_a_maximum(reading, l
     assert np.array_equal(np.isfinite(found.load), brute)
 
 
-def test_of_several_maxima_the_highest_is_the_turning_point(parameters):
+@pytest.mark.parametrize("count", [40, 241])
+def test_how_far_a_maximum_stands_out_is_what_a_brute_scan_says(sizes, count):
+    diameter = np.array([180.0, 250.0, 300.0, 350.0, 450.0]) * NANOMETRE
+    conditions = curves(0.0, diameter)
+    few, many = (np.geomspace(1e-7, 1e-4, each) for each in (count, 4001))
+    found = found_on(few, conditions, sizes)
+    ratio = tb.solve(many[:, None], *conditions, sizes).particle_contact_area_ratio
+    before = ratio - np.minimum.accumulate(ratio)
+    after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]
+    height = np.minimum(before, after).max(axis=0)
+    assert_allclose(np.nan_to_num(found.prominence), height, atol=1e-5)
+    assert np.array_equal(found.exists, height >= PROMINENCE)
+
+
+def test_of_several_maxima_the_one_that_stands_out_most_is_the_turning_point(parameters):
     # large particles touch first; the summits that they cover are missing under heavy loads
     inputs = replace(
         parameters,

@@ -2,7 +2,9 @@
 
 As the load on a contact with particles grows, the particles' share of the real contact area,
 A_sa,t*, first grows because more particles are touched, and falls once the summits between them
-touch in numbers.  The turning point of a curve A_sa,t*(F_t*) is its highest interior maximum.
+touch in numbers.  "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section
+3.3): a curve has a turning point if A_sa,t* has a maximum within its range of loads that stands out,
+by ``PROMINENCE``, of the least value at smaller loads and of the least value at larger ones.
 
 For given particles and surface A_sa,t* depends on the separation d alone.  The maximum therefore
 lies at one separation d*, dry or lubricated, and its load follows from the balance of forces
@@ -26,18 +28,20 @@ from thirdbody.solver.plan import search_ways
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 
+# By how much a turning point stands out on both sides [1]: less cannot be seen on an axis from 0 to 1
+PROMINENCE = 0.01
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
 SEPARATION_MARGIN = 1e-3
 
 
 @dataclass(frozen=True)
 class TurningPoints:
-    """The turning point of each curve.
+    """The interior maximum of each curve that stands out most: its turning point if ``exists``.
 
     Parameters
     ----------
     load : array, shape (curves,)
-        F_t* there, F_TPCA* [1]; nan, as all else, where the curve has no turning point.
+        F_t* there, F_TPCA* [1]; nan, as all else, where the curve has no interior maximum.
     load_error : array
         Bound on the error of ``load`` [1].
     peak_ratio : array
@@ -46,6 +50,9 @@ class TurningPoints:
         L_s there [1].
     separation : array
         d* [m].
+    prominence : array
+        By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
+        larger ones, whichever is less [1].
     """
 
     load: NDArray
@@ -53,6 +60,12 @@ class TurningPoints:
     peak_ratio: NDArray
     solid_load_fraction: NDArray
     separation: NDArray
+    prominence: NDArray
+
+    @property
+    def exists(self) -> NDArray[np.bool_]:
+        """Whether a curve has a turning point, shape (curves,)."""
+        return self.prominence >= PROMINENCE
 
 
 def turning_points(
@@ -64,13 +77,14 @@ def turning_points(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> TurningPoints:
-    """Find the highest interior maximum of A_sa,t*(F_t*) on each curve.
+    """Find the interior maximum of A_sa,t*(F_t*) that stands out most on each curve.
 
     Parameters
     ----------
     separation : array, shape (loads, curves)
-        Solved separations d [m] at increasing loads; nan where there is no solution.  They only
-        enclose the maxima, which are then found more closely than the loads lie together.
+        Solved separations d [m] at increasing loads, whose first and last are those of the range;
+        nan where there is no solution.  They only enclose the maxima, which are then found more
+        closely than the loads lie together.
     viscosity, particle_diameter, roughness, particle_density : array, shape (curves,)
         Conditions of each curve [m2/s, m, m, m-2].
     parameters : Parameters
@@ -81,8 +95,8 @@ def turning_points(
     Returns
     -------
     TurningPoints
-        Two-body curves, and curves without solution where the maximum would lie, have none; and
-        where A_sa,t* is 1 in float64 at the maximum, it is so around it: that is none either.
+        Two-body curves, and curves without solution where the maximum would lie, have none; nor
+        do those whose maximum float64 cannot tell from the least value beside it.
 
     Examples
     --------
@@ -104,19 +118,28 @@ def turning_points(
             parameters,
             table_rtol,
         )
-        curve, peak, width = highest_shares(solids, separation[:, curves], SEPARATION_MARGIN * rtol)
-        if curve.size:
-            refined = _state_at(solids.take(curve), viscosity[curves[curve]], peak, width, rtol)
-            seen = refined["peak_ratio"] < 1.0  # else A_sa,t* is 1 on either side too
-            curve, refined = curve[seen], {name: some[seen] for name, some in refined.items()}
-            best = _highest(curve, refined["peak_ratio"])
+        across = separation[:, curves]
+        ends = np.fmax.reduce(across), np.fmin.reduce(across)
+        curve, peak, width, prominence = share_maxima(
+            solids, across, ends, SEPARATION_MARGIN * rtol
+        )
+        seen = prominence > 0.0
+        if seen.any():
+            curve, prominence = curve[seen], prominence[seen]
+            refined = _state_at(
+                solids.take(curve), viscosity[curves[curve]], peak[seen], width[seen], rtol
+            )
+            refined["prominence"] = prominence
+            best = _greatest(curve, prominence)
             for name, values in refined.items():
                 found[name][curves[curve[best]]] = values[best]
     return TurningPoints(**found)
 
 
-def highest_shares(solids: Contact, separation: NDArray, rtol: float) -> tuple:
-    """Find the interior maxima of A_sa,t* over the separation.
+def share_maxima(
+    solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
+    """Find the maxima of A_sa,t* over the separation, and how far each stands out.
 
     Parameters
     ----------
@@ -124,6 +147,8 @@ def highest_shares(solids: Contact, separation: NDArray, rtol: float) -> tuple:
         Surfaces and particles of each curve.
     separation : array, shape (separations, curves)
         d [m], falling from row to row; nan where there is no solution.
+    ends : pair of array, shape (curves,)
+        d [m] at the first and at the last load of each curve.
     rtol : float
         How closely the maxima are found, relative to d.
 
@@ -135,24 +160,53 @@ def highest_shares(solids: Contact, separation: NDArray, rtol: float) -> tuple:
         d* [m] of each maximum.
     width : array
         Bound on the error of d* [m].
+    prominence : array
+        By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
+        larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much
+        it exceeds the end, negatively: so the prominence passes 0 where a maximum leaves the loads.
     """
     falling = solids.odds_slope(separation) > 0.0
     solved = np.isfinite(separation)
-    step, curve = np.nonzero(solved[:-1] & solved[1:] & ~falling[:-1] & falling[1:])
+    bracket = solved[:-1] & solved[1:] & (falling[:-1] != falling[1:])
+    step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
-    slope = solids.take(curve).odds_slope
-    return curve, *bracketed_roots(slope, near, far, rtol * near)
+    place, width = bracketed_roots(solids.take(curve).odds_slope, near, far, rtol * near)
+    share = particle_share(solids.take(curve), place)
+    high = falling[step + 1, curve]
+    prominence = _prominence(
+        (curve[high], place[high], share[high]),
+        (curve[~high], place[~high], share[~high]),
+        np.array(ends),
+        solids,
+    )
+    return curve[high], place[high], width[high], prominence
+
+
+def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
+    """Prominence of maxima, each a curve, d [m] and A_sa,t*, among minima and the ends [m]."""
+    curve, place, share = maxima
+    first, last = ends[:, curve]
+    before, after = share - particle_share(solids.take(curve), np.stack([first, last]))
+    before = np.where(place < first, before, -np.abs(before))
+    after = np.where(place > last, after, -np.abs(after))
+    inside = (last < place) & (place < first)
+    for other, valley, least in zip(*minima, strict=True):  # rarely any
+        between = inside & (curve == other) & (last < valley) & (valley < first)
+        for side, beside in ((before, valley > place), (after, valley < place)):
+            side[between & beside] = np.maximum(side, share - least)[between & beside]
+    return np.minimum(before, after)
 
 
 def particle_share(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
     particle_area, log_summit_area = solids.areas(separation)
-    return expit(np.log(particle_area) - log_summit_area)
+    with np.errstate(divide="ignore"):  # no particle may touch
+        return expit(np.log(particle_area) - log_summit_area)
 
 
-def _highest(curve, ratio):
-    """Index of the highest ratio of each curve."""
-    order = np.lexsort((-ratio, curve))
+def _greatest(curve, values):
+    """Index of the greatest value of each curve."""
+    order = np.lexsort((-values, curve))
     return order[np.unique(curve[order], return_index=True)[1]]
 
 

@@ -1,8 +1,7 @@
-"""Windows of particle sizes: between which diameters a curve has a turning point in hybrid mode.
+"""Windows of particle sizes: between which diameters a curve has a turning point.
 
 Small particles vanish between the summits, large ones keep them apart: only for diameters x_a of
-about the roughness sigma does A_sa,t* of dry contact turn (see ``turning_point``) while both,
-particles and summits, bear a good part of the contact (the hybrid mode).
+about the roughness sigma does A_sa,t* of dry contact turn (see ``turning_point``).
 """
 
 from __future__ import annotations
@@ -12,23 +11,18 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import logit
 
-from thirdbody.curves.turning_point import highest_shares, particle_share
-from thirdbody.model.contact import Contact
+from thirdbody.curves.turning_point import PROMINENCE, share_maxima
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import PARTICLE_LIMIT, SURFACE_LIMIT
 from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.plan import search_ways
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
-FARTHEST = 20.0  # a logit beyond it is as good as infinite
-
 
 @dataclass(frozen=True)
 class Window:
-    """Diameters over roughness between which the turning point occurs in hybrid mode [1].
+    """Diameters over roughness between which there is a turning point [1].
 
     ``low`` and ``high`` are nan where there is no window.  ``low_error`` and ``high_error`` bound
     their errors; infinite where the sweep ends within the window, so that it was not enclosed.
@@ -69,7 +63,7 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the ranges of x_a/sigma in which dry contact turns and stays in the hybrid mode.
+    """Find the ranges of x_a/sigma in which dry contact has a turning point.
 
     Parameters
     ----------
@@ -96,7 +90,7 @@ def turning_point_windows(
     >>> sweep = WindowSearch(numpy.linspace(0.5, 2.0, 16), tolerance=1e-6)
     >>> (window,) = turning_point_windows([sweep], [0.3e-6], 1e11, (1e-7, 1e-4), inputs)
     >>> print(f"{window.low:.4f} to {window.high:.4f}")
-    0.9531 to 1.2482
+    0.8994 to 1.3229
     """
     if not searches:
         return []
@@ -157,44 +151,29 @@ def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
 
 
 def _margin(search, load_range, diameter, roughness, density, parameters):
-    """By how much a curve has a turning point and is all in hybrid mode; negative if it is not.
+    """By how much a turning point stands out more than it must; negative where there is none.
 
-    The least of three: the logits by which the turning point is above the s-s mode, and the whole
-    curve below the p-s mode, and the slope with which the odds of A_sa,t* rise at the first load.
+    Roots are taken of both: the prominence of a maximum grows with the square of its distance from
+    the end of the loads, and the root, with the sign kept, changes about evenly with x_a/sigma.
     """
     margin = np.empty_like(diameter)
     density = np.full_like(diameter, density)
     for way, table_rtol, curves in search_ways(roughness, search.separations, search.rtol):
         conditions = [column[curves] for column in (diameter, roughness, density)]
-        dry = solve(
+        first, last = solve(
             np.array(load_range)[:, None],
             *(0.0, *conditions, parameters, search.rtol),
-            variables=("separation", "particle_contact_area_ratio"),
+            variables=("separation",),
             way=way,
-        )
+        ).separation
         solids = make_contact(*conditions, parameters, table_rtol)
-        margin[curves] = _margin_between(
-            search, dry.separation, dry.particle_contact_area_ratio, solids, conditions[1]
-        )
+        between = _between(first, last, conditions[1], search.separations)
+        curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
+        greatest = np.full_like(first, np.nan)
+        np.fmax.at(greatest, curve, prominence)
+        greatest = np.where(np.isnan(greatest), 0.0, greatest)
+        margin[curves] = np.copysign(np.sqrt(np.abs(greatest)), greatest) - np.sqrt(PROMINENCE)
     return margin
-
-
-def _margin_between(search, separation, shares, solids: Contact, roughness):
-    """``_margin`` of curves from d [m] and A_sa,t* at the first and the last load, a row each."""
-    first, last = separation
-    between = _between(first, last, roughness, search.separations)
-    curve, place, _ = highest_shares(solids, between, search.rtol)
-    found = (last[curve] < place) & (place < first[curve])
-    curve, place = curve[found], place[found]
-    peak = np.full_like(first, np.nan)
-    np.fmax.at(peak, curve, particle_share(solids.take(curve), place))
-    turning = np.isfinite(peak)
-    highest = np.fmax(shares.max(axis=0), peak)
-    slope = _rise(solids, first)
-    turns = np.where(turning, np.maximum(slope, 0.0), -np.abs(slope))
-    above = logit(np.where(turning, peak, highest)) - logit(SURFACE_LIMIT)
-    below = logit(PARTICLE_LIMIT) - logit(highest)
-    return np.clip(np.minimum(turns, np.minimum(above, below)), -FARTHEST, FARTHEST)
 
 
 def _between(first, last, roughness, count):
@@ -205,12 +184,3 @@ def _between(first, last, roughness, count):
     np.fmax.at(ends[0], surface, first)
     np.fmin.at(ends[1], surface, last)
     return np.linspace(*ends, count)[:, surface]
-
-
-def _rise(solids: Contact, separation):
-    """-d ln(A_sa/A_ss)/d ln d at ``separation`` [m]: positive where A_sa,t* rises with the load;
-    steepest where no particle touches yet."""
-    with np.errstate(all="ignore"):
-        area = solids.areas(separation)[0]
-        slope = -solids.odds_slope(separation) * separation / area
-    return np.where(area > 0.0, slope, FARTHEST)

@@ -58,7 +58,7 @@ def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[
             "solid_load_fraction": found.solid_load_fraction[curve],
             "separation_m": found.separation[curve],
         }
-        for curve in np.flatnonzero(np.isfinite(found.load))
+        for curve in np.flatnonzero(found.exists)
     ]
 
 

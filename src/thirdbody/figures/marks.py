@@ -16,7 +16,6 @@ from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
 from thirdbody.figures.shown import Curve
-from thirdbody.model.regimes import PARTICLE_LIMIT
 
 TURNING_POINTS = {
     "linestyle": "none",
@@ -69,18 +68,8 @@ def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
 def turning_points_of(
     curves: Sequence[Curve], turning_points: Iterable[Mapping]
 ) -> list[tuple[Curve, Mapping]]:
-    """Pairs of a curve and its turning point, where it has one within the hybrid mode.
-
-    Notes
-    -----
-    A curve whose ratio rises above the limit of the p-s mode has a maximum too, but the contact
-    then leaves the hybrid mode: by section 3.3 that is no turning point.
-    """
-    found = {
-        _key(point[name] for name in Condition._fields): point
-        for point in turning_points
-        if point["peak_ratio"] < PARTICLE_LIMIT
-    }
+    """Pairs of a curve and its turning point, where it has one."""
+    found = {_key(point[name] for name in Condition._fields): point for point in turning_points}
     keys = [_key(curve.condition) for curve in curves]
     return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
 

@@ -18,6 +18,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.study.claims import (
     BOUNDS,
     CURVE_QUANTITIES,
@@ -114,24 +115,29 @@ class Curve:
 
 
 class TurningPoint(NamedTuple):
-    """The turning point of a curve: the interior maximum of A_sa,t* over the load.
+    """The interior maximum of A_sa,t* over the load that stands out most on a curve.
 
     Attributes
     ----------
     load : float
-        F_TPCA* [1]; nan, as the other numbers, if there is none.
+        F_TPCA* [1]; nan, as the other numbers, if there is no interior maximum.
     peak_ratio : float
         A_sa,t* there [1].
     solid_load_fraction : float
         L_s there [1].
-    exists : bool
-        Whether there is one.
+    prominence : float
+        By how much A_sa,t* stands out there of its least values on both sides [1].
     """
 
     load: float
     peak_ratio: float
     solid_load_fraction: float
-    exists: bool
+    prominence: float
+
+    @property
+    def exists(self) -> bool:
+        """Whether it stands out enough for a turning point, by ``PROMINENCE``."""
+        return self.prominence >= PROMINENCE
 
 
 class Evidence(Protocol):
@@ -251,6 +257,12 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     except NotReached as short:
         measured, value, deviation = f"not reached, by {short.args[0]:.3g}", np.nan, np.nan
         distance = 2.0 + short.args[0] / BOUND_TOLERANCE
+    if claim.source == "turning_point":
+        curves = claim.curves + claim.references
+        prominence = np.min([evidence.turning_point(*curve).prominence for curve in curves])
+        if not prominence >= PROMINENCE:
+            measured += f"; stands out by {prominence:.2g}"
+        distance = np.maximum(distance, _faintness(prominence))
     score = np.nan if claim.is_withheld else _score(distance)
     return Verdict(measured, float(value), float(deviation), score, score <= 1.0)
 
@@ -261,6 +273,16 @@ def _score(distance: float) -> float:
         return MISSING_SCORE
     within = min(max(float(distance), 0.0), 1.0)
     return min(within + float(np.log(max(distance, 1.0))), MISSING_SCORE)
+
+
+def _faintness(prominence: float) -> float:
+    """Distance of a turning point from standing out, in tolerances: 1 where it just does.
+
+    It falls to 0 where it stands out twice as much, with no bend: so that a calibration finds its
+    way to turning points.
+    """
+    share = prominence / PROMINENCE
+    return max(2.0 - share, 0.0) if share > 1.0 else 1.0 / np.maximum(share, TINY)
 
 
 # --- one check for each kind of claim ---

@@ -181,8 +181,8 @@ class SolvedEvidence:
         found = turning_points(
             self._solution.separation[:, chosen], *columns, self.parameters, self.effort.rtol
         )
-        fields = found.load, found.peak_ratio, found.solid_load_fraction
+        fields = found.load, found.peak_ratio, found.solid_load_fraction, found.prominence
         return {
-            condition: TurningPoint(*map(float, row), exists=bool(np.isfinite(row[0])))
+            condition: TurningPoint(*map(float, row))
             for condition, row in zip(wanted, np.array(fields).T, strict=True)
         }

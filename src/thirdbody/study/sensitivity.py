@@ -143,7 +143,8 @@ class Subject:
             "window": set(),
         }
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort, places)
-        points = [evidence.turning_point(*curve)[:2] for curve in self.turning_points]
+        found = [evidence.turning_point(*curve) for curve in self.turning_points]
+        points = [point[:2] if point.exists else (np.nan, np.nan) for point in found]
         windows = turning_point_windows(
             searches, self.window_roughness, WINDOW_DENSITY, evidence.load_range, parameters
         )
@@ -192,7 +193,8 @@ class Subject:
         grid = np.geomspace(*self.newtons, FULL_EFFORT.loads)
         beyond = np.searchsorted(grid, found[np.isfinite(found)])
         near = beyond[:, None] + np.arange(-AROUND, AROUND)
-        return np.unique(near.clip(0, grid.size - 1))
+        ends = [0, grid.size - 1]  # of which a turning point must stand out
+        return np.union1d(near.clip(*ends), ends)
 
 
 def last_crossings(curve: Curve) -> list[float]:
