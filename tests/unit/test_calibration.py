@@ -17,6 +17,7 @@ from thirdbody.study.calibration import (
     search,
     spread_out,
 )
+from thirdbody.study.checks import MISSING_SCORE
 from thirdbody.study.claims import VALIDATION, load_claims, referenced_conditions
 from thirdbody.study.posterior import summary
 
@@ -65,7 +66,8 @@ def test_the_loss_grows_with_the_score_and_lets_no_miss_drown_the_others():
 def test_validation_statements_never_enter_the_objective(parameters):
     objective = Objective.of(CLAIMS, SETTINGS, parameters)
     assert {claim.role for claim in objective.claims} == {"calibration"}
-    assert len(objective.claims) == sum(claim.role == "calibration" for claim in CLAIMS)
+    fitted = [claim for claim in CLAIMS if claim.role == "calibration" and not claim.aside]
+    assert list(objective.claims) == fitted
     # neither by what they say nor by the conditions that they speak of
     spoilt = tuple(
         replace(claim, published=1e9, tolerance=1e-9) if claim.role == VALIDATION else claim
@@ -83,7 +85,17 @@ def test_inputs_without_a_surface_miss_every_statement(parameters):
     corner[1] = 1.0
     misses = objective.misses(reading, corner)
     assert np.isfinite(misses).all()
-    assert (misses[len(reading.unknowns) :] > 1.0).all()
+    assert_allclose(misses[len(reading.unknowns) :] ** 2, objective.weights * loss(MISSING_SCORE))
+
+
+def test_statements_that_repeat_one_another_share_one_weight(parameters):
+    objective = Objective.of(CLAIMS, SETTINGS, parameters)
+    clusters = {}
+    for claim, weight in zip(objective.claims, objective.weights, strict=True):
+        of_kind = SETTINGS["weights"].get(claim.kind, 1.0)
+        clusters.setdefault(claim.cluster or claim.id, []).append(weight / of_kind)
+    assert max(map(len, clusters.values())) > 2
+    assert_allclose([sum(shares) for shares in clusters.values()], 1.0)
 
 
 def test_every_reading_of_the_configuration_starts_within_its_bounds():

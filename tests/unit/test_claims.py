@@ -184,6 +184,118 @@ def test_reversal_load():
     assert not against.holds and against.measured == "> 0.0001"
 
 
+def bending(at):
+    """A curve whose slope on logarithmic axes falls from 1 to 0.5 at the load ``at``."""
+    return make_curve(area=1e-3 * np.where(at > LOADS, LOADS, np.sqrt(at * LOADS)))
+
+
+def test_bend_load_is_where_the_slope_leaves_that_of_the_reference():
+    claim = make_claim(
+        "value",
+        quantity="bend_load",
+        published=1e-5,
+        size=0.15,  # one step between loads
+        relative=True,
+        conditions={"viscosity_cSt": 10},
+        reference={"viscosity_cSt": 0},
+    )
+    straight = make_curve(area=1e-3 * LOADS)
+    for at, holds in ((1e-5, True), (3e-6, False), (3e-5, False)):
+        assert judged(claim, by_viscosity(straight, bending(at))).holds is holds
+    # a bend that the reference has too is none
+    both = judged(claim, by_viscosity(bending(1e-5), bending(1e-5)))
+    assert both.measured == "> 0.0001" and not both.holds
+
+
+def test_bend_load_over_that_at_which_mixed_lubrication_begins():
+    claim = make_claim(
+        "value",
+        quantity="bend_load_over_mixed_load",
+        published=1.0,
+        size=0.3,
+        relative=True,
+        conditions={"viscosity_cSt": 10},
+        reference={"viscosity_cSt": 0},
+    )
+
+    def bends(at, mixed_from):
+        solid = np.where(mixed_from > LOADS, 1.0, 0.8)
+        curve = make_curve(area=bending(at).total_contact_area, solid=solid)
+        return by_viscosity(make_curve(area=1e-3 * LOADS), curve)
+
+    assert judged(claim, bends(1e-5, 1e-5)).holds
+    assert judged(claim, bends(1e-5, 4e-6)).value == pytest.approx(2.5, rel=0.3)
+    assert not judged(claim, bends(1e-5, 4e-6)).holds
+    never = judged(claim, bends(1e-5, 1.0))
+    assert not never.tested and not never.holds
+
+
+def test_reach_holds_where_a_number_is_passed():
+    claim = make_claim(
+        "reach", quantity="solid_load_fraction", extreme="minimum", published=0.5, size=0.02
+    )
+    for least, holds in ((0.1, True), (0.5, True), (0.51, True), (0.53, False)):
+        verdict = judged(claim, make_curve(solid=np.linspace(1.0, least, LOADS.size)))
+        assert verdict.holds is holds and verdict.value == pytest.approx(least)
+    highest = make_claim(
+        "reach", quantity="particle_contact_area_ratio", extreme="maximum", published=0.9, size=0.02
+    )
+    assert judged(highest, make_curve(ratio=0.95)).holds
+    assert not judged(highest, make_curve(ratio=0.85)).holds
+
+
+# --- not tested ---
+
+
+def loads_of_mixing(direction="increasing", count=3):
+    return make_claim(
+        "trend",
+        quantity="load",
+        along="curves",
+        direction=direction,
+        relative=True,
+        conditions=viscosities(count) | {"solid_load_fraction": 0.9},
+    )
+
+
+def mixing(*loads):
+    return by_viscosity(*(make_curve(solid=1.0 - 0.1 * LOADS / load) for load in loads))
+
+
+def test_one_load_beyond_the_last_is_known_to_be_larger():
+    verdict = judged(loads_of_mixing(), mixing(1e-6, 1e-5, 2e-4))
+    assert verdict.tested and verdict.holds and verdict.measured.endswith("> 0.0001")
+    wrong = judged(loads_of_mixing(), mixing(1e-6, 2e-4, 1e-5))
+    assert wrong.tested and not wrong.holds
+
+
+def test_the_order_of_two_loads_beyond_the_last_is_not_tested():
+    for loads in ((1e-6, 2e-4, 3e-4), (1e-6, 3e-4, 2e-4)):
+        verdict = judged(loads_of_mixing(), mixing(*loads))
+        assert not verdict.tested and not verdict.holds
+
+
+@pytest.mark.parametrize(("load", "tested"), [(1e-5, True), (5e-5, True), (9e-5, False)])
+def test_a_load_beyond_the_last_fails_where_the_last_is_too_large_already(load, tested):
+    conditions = {"solid_load_fraction": 0.9}
+    claim = make_claim("value", 0.3, True, conditions, quantity="load", published=load)
+    verdict = judged(claim, make_curve(solid=1.0 - 0.1 * LOADS / 1.2e-4))
+    assert verdict.tested is tested and not verdict.holds
+
+
+def test_a_condition_that_no_load_meets_is_not_tested():
+    claim = make_claim(
+        "value",
+        quantity="particle_contact_area_ratio",
+        extreme="minimum",
+        published=0.5,
+        conditions={"solid_load_fraction_max": 0.5},
+    )
+    assert judged(claim, make_curve(ratio=0.5, solid=0.4)).holds
+    verdict = judged(claim, make_curve(ratio=0.5, solid=0.6))
+    assert not verdict.tested and not verdict.holds and verdict.score > 1.0
+
+
 def test_withheld_value_is_measured_but_not_scored():
     claim = make_claim(
         "value", role="withheld", quantity="solid_load_fraction", extreme="minimum", published=None
@@ -634,7 +746,12 @@ def test_paper_has_its_statements(paper):
 def test_ratios_and_changes_have_absolute_tolerances(paper):
     for claim in paper:
         is_change = claim.reference and claim.kind in ("value", "trend")
-        if is_change or claim.kind in ("absence", "regime_sequence", "mode_sequence"):
+        is_load = claim.quantity in claims.BETWEEN_CURVES
+        if (is_change and not is_load) or claim.kind in (
+            "absence",
+            "regime_sequence",
+            "mode_sequence",
+        ):
             assert not claim.relative, claim.id
 
 
@@ -671,7 +788,7 @@ def test_every_claim_can_be_judged_and_names_what_it_needs(paper):
         evidence = made_up_evidence()
         verdict = judge(claim, evidence)
         assert claim.is_withheld or 0.0 <= verdict.score <= checks.MISSING_SCORE, claim.id
-        assert verdict.holds is bool(verdict.score <= 1.0) and verdict.measured
+        assert verdict.holds is bool(verdict.tested and verdict.score <= 1.0) and verdict.measured
         needed = claims.referenced_conditions([claim])
         assert all(evidence.asked[method] <= needed[method] for method in needed), claim.id
         if "not reached" not in verdict.measured:
@@ -766,7 +883,7 @@ def test_the_words_of_the_schema_are_those_of_the_checks(tmp_path):
 @pytest.mark.parametrize(
     ("change", "told"),
     [
-        ({"kind": "guess"}, "kind is 'guess'; allowed: value, range"),
+        ({"kind": "guess"}, "kind is 'guess'; allowed: value, reach, range"),
         ({"direction": "increasing"}, "unknown key 'direction'; allowed: id, where"),
         ({"quantity": "friction"}, "quantity is 'friction'; allowed: load, "),
         ({"published": [1.0, 2.0]}, "published is [1.0, 2.0]; allowed: a number or nothing"),
@@ -815,4 +932,10 @@ def test_ids_are_unique_and_contradictions_mutual(tmp_path):
     other = GOOD | {"id": "other-claim", "contradicts": ["some-claim"]}
     with pytest.raises(ValueError, match=r"other-claim: contradicts\[0\] is 'some-claim'"):
         load(tmp_path, GOOD, other)
-    assert len(load(tmp_path, GOOD | {"contradicts": ["other-claim"]}, other)) == 2
+    both = GOOD | {"contradicts": ["other-claim"]}, other
+    with pytest.raises(ValueError, match="stands aside"):
+        load(tmp_path, *both)
+    (_, second) = load(tmp_path, both[0], other | {"aside": "the first one names the curve"})
+    assert second.aside
+    with pytest.raises(ValueError, match="contradicts"):
+        load(tmp_path, GOOD | {"aside": "of nothing"})

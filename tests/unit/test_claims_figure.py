@@ -45,13 +45,20 @@ def rows(statements):
     rows = []
     for claim, score in zip(statements, scores, strict=True):
         verdict = verdicts.HOLDS if score <= 1.0 else verdicts.FAILS
-        if score > 1.0 and claim.contradicts:
+        if claim.aside:
             verdict = verdicts.CONTRADICTED
+        elif 3.0 < score < 3.5:
+            verdict = verdicts.NOT_TESTED
         if claim.is_withheld:
             score, verdict = None, verdicts.WITHHELD
         rows.append(
             {"id": claim.id, "where": claim.where, "role": claim.role, "verdict": verdict}
-            | {"score": score, "ensemble_agree": 3.0, "ensemble_size": 12.0}
+            | {
+                "cluster": claim.cluster,
+                "score": score,
+                "ensemble_agree": 3.0,
+                "ensemble_size": 12.0,
+            }
         )
     return rows
 
@@ -93,7 +100,8 @@ def test_counts_stand_beside_their_part(rows, figure):
         judged = [
             row
             for row in rows
-            if part_of_paper(row["where"]) == part and row["verdict"] != verdicts.WITHHELD
+            if part_of_paper(row["where"]) == part
+            and row["verdict"] in (verdicts.HOLDS, verdicts.FAILS)
         ]
         held = sum(row["verdict"] == verdicts.HOLDS for row in judged)
         assert f"{part}\n{held} of {len(judged)} hold" in texts
@@ -102,14 +110,17 @@ def test_counts_stand_beside_their_part(rows, figure):
 def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
     counted = verdicts.counts(rows, "figure")
     assert [row.pop("figure") for row in counted] == list(claims._groups(rows))
-    assert sum(sum(row.values()) for row in counted) == len(rows)
-    by_role = {row.pop("role"): sum(row.values()) for row in verdicts.counts(rows, "role")}
+    assert sum(row[word] for row in counted for word in claims.COLOURS) == len(rows)
+    by_role = {
+        row["role"]: sum(row[word] for word in claims.COLOURS)
+        for row in verdicts.counts(rows, "role")
+    }
     assert by_role == {role: sum(row["role"] == role for row in rows) for role in by_role}
 
 
 def test_every_verdict_and_role_has_its_look():
-    words = {verdicts.HOLDS, verdicts.FAILS, verdicts.CONTRADICTED, verdicts.WITHHELD}
-    assert claims.COLOURS.keys() == words
+    words = verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED
+    assert list(claims.COLOURS) == [*words, verdicts.CONTRADICTED, verdicts.WITHHELD]
     assert claims.MARKERS.keys() == {"calibration", "validation", "withheld"}
 
 

@@ -138,6 +138,10 @@ BROKEN = {
         [{"id": "a", "contradicts": ["b"]}, {"id": "b"}],
         "range[0].contradicts[0] is 'b'; allowed: the id of a statement that contradicts this one too",
     ),
+    "contradictions_are_settled": (
+        [{"id": "a", "contradicts": ["b"]}, {"id": "b", "contradicts": ["a"]}],
+        "range[0].contradicts[0] is 'b'; allowed: a statement that stands aside, or this one does",
+    ),
     "unknowns_are_listed": (
         {"unknowns": {"a": 1}, "always": ["a"], "readings": {"r": {"start": {"a": 1, "b": 2}}}},
         "range.readings.r.start: unknown key 'b'; allowed: a",

@@ -83,6 +83,18 @@ def contradictions_are_mutual(statements: list) -> Iterator[Breach]:
                 )
 
 
+def contradictions_are_settled(statements: list) -> Iterator[Breach]:
+    """Of two statements that contradict each other, at least one stands aside."""
+    aside = {entry["id"] for entry in statements if "aside" in entry}
+    for index, statement in enumerate(statements):
+        for place, other in enumerate(statement.get("contradicts", [])):
+            if not aside & {statement["id"], other}:
+                yield Breach(
+                    "a statement that stands aside, or this one does",
+                    (index, "contradicts", place),
+                )
+
+
 def unknowns_are_listed(calibration: dict) -> Iterator[Breach]:
     """What a reading searches has its bounds and scale under ``unknowns``."""
     unknowns = calibration["unknowns"]
@@ -117,6 +129,7 @@ RULES = {
         lists_of_equal_length,
         ids_are_unique,
         contradictions_are_mutual,
+        contradictions_are_settled,
         unknowns_are_listed,
         unknowns_have_a_start,
     )

@@ -110,11 +110,14 @@ TABLES = {
         Column("deviation", "number", "1", "its deviation, a fraction if the tolerance is one"),
         Column("tolerance", "number", "1", "what still counts as agreement"),
         Column("score", "number", "1", "tolerances off up to 1, then 1 + their logarithm"),
-        Column("verdict", "string", "", "holds, fails, contradicted by the paper itself, withheld"),
+        Column(
+            "verdict", "string", "", "holds, fails, not tested, contradicted by the paper, withheld"
+        ),
         Column("ensemble_agree", "number", "1", "members of the ensemble with the same outcome"),
         Column("ensemble_size", "number", "1", "members of the ensemble"),
         Column("readings_agree", "number", "1", "readings whose best inputs give the same outcome"),
         Column("readings_size", "number", "1", "calibrated readings"),
+        Column("cluster", "string", "", "name in common of statements that repeat one another"),
         Column("contradicts", "string", "", "statements of the paper that say the opposite"),
     ),
     "conflict": (

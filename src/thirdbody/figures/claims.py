@@ -27,6 +27,7 @@ AGREEMENT = 0.75  # share of the ensemble from which a marker is filled
 COLOURS = {
     "holds": "C5",
     "fails": "C1",
+    "not tested": "C3",
     "contradicted by the paper itself": "C4",
     "value withheld": "0.45",
 }
@@ -118,7 +119,7 @@ def _draw_groups(panel, groups):
         if index % 2 == 0:
             shade = {"color": "0.955", "linewidth": 0, "zorder": 0, "label": FURNITURE}
             panel.axhspan(line - 0.5 * GAP, end + 0.5 * GAP, **shade)
-        judged = [row for row in group if row["verdict"] != "value withheld"]
+        judged = [row for row in group if row["verdict"] in ("holds", "fails")]
         held = sum(row["verdict"] == "holds" for row in judged)
         text = f"{name}\n{held} of {len(judged)} hold"
         style = {"ha": "right", "va": "center", "fontsize": 6.5, "linespacing": 1.25}
@@ -142,7 +143,7 @@ def _draw_statements(panel, drawn):
         divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
         colour = COLOURS[row["verdict"]]
         looks.setdefault((MARKERS[row["role"]], colour, divided), []).append((score, line, row))
-        if score > 1.0:
+        if row["verdict"] not in ("holds", "value withheld"):
             _write_name(panel, score, line, row)
     size = {"markersize": 3.1, "markeredgewidth": 0.8, "zorder": 2}
     for (marker, colour, divided), alike in looks.items():

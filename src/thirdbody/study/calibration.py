@@ -13,6 +13,7 @@ values explain the statements about equally well.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -191,8 +192,8 @@ class Objective:
         Statements that the inputs are fitted to.
     asked : dict
         Conditions that these statements speak of, as ``referenced_conditions`` returns them.
-    weights : dict
-        Weight of a statement by its kind; 1 for kinds that are not named.
+    weights : array, shape (claims,)
+        Weight of each statement [1].
     newtons : tuple of float
         First and last normal load [N].
     base : Parameters
@@ -201,7 +202,7 @@ class Objective:
 
     claims: tuple[Claim, ...]
     asked: dict[str, set]
-    weights: dict[str, float]
+    weights: NDArray[np.float64]
     newtons: tuple[float, float]
     base: Parameters
 
@@ -210,6 +211,9 @@ class Objective:
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Parameters
     ) -> Objective:
         """Make the objective over the statements whose role is ``calibration``.
+
+        Those that stand aside for others stay out.  The weight of a statement is that of its kind,
+        shared among the statements of its cluster.
 
         Parameters
         ----------
@@ -220,9 +224,14 @@ class Objective:
         base : Parameters
             Values of all inputs that are neither fixed by a reading nor searched.
         """
-        fitted = tuple(claim for claim in claims if claim.role == CALIBRATION)
+        fitted = tuple(c for c in claims if c.role == CALIBRATION and not c.aside)
+        sizes = Counter(claim.cluster or claim.id for claim in fitted)
+        weights = [
+            settings["weights"].get(claim.kind, 1.0) / sizes[claim.cluster or claim.id]
+            for claim in fitted
+        ]
         asked = referenced_conditions(fitted)
-        return cls(fitted, asked, settings["weights"], tuple(settings["newtons"]), base)
+        return cls(fitted, asked, np.array(weights), tuple(settings["newtons"]), base)
 
     def misses(self, reading: Reading, positions: ArrayLike) -> NDArray[np.float64]:
         """Square roots of the terms of the objective, whose sum of squares it is.
@@ -252,8 +261,7 @@ class Objective:
             scores = [judge(claim, evidence).score for claim in self.claims]
         except ValueError:  # no surface has these inputs
             scores = [MISSING_SCORE] * len(self.claims)
-        weights = np.array([self.weights.get(claim.kind, 1.0) for claim in self.claims])
-        return np.sqrt(np.concatenate([penalties, weights * loss(np.array(scores))]))
+        return np.sqrt(np.concatenate([penalties, self.weights * loss(np.array(scores))]))
 
 
 def loss(score: ArrayLike) -> ArrayLike:

@@ -19,7 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.model.regimes import BOUNDARY_LIMIT
 from thirdbody.study.claims import (
+    BEND_LOAD,
+    BEND_OVER_MIXED,
+    BETWEEN_CURVES,
     BOUNDS,
     CURVE_QUANTITIES,
     REVERSAL_LOAD,
@@ -33,6 +37,7 @@ from thirdbody.study.claims import (
 MISSING_SCORE = 10.0  # the greatest score, given also where there is nothing to measure
 # A claim may bound its range of loads by a ratio: this much of it is a line's width in the figures.
 BOUND_TOLERANCE = 0.02
+BEND = 0.1  # by how much a curve's slope must have fallen for a bend that a reader sees [1]
 SATURATED = 1e-12  # nearer to 0 or 1, a ratio has lost the digits that tell its odds
 TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
 Measured = tuple[str, float, float, float]  # what a check returns
@@ -188,14 +193,17 @@ class Verdict(NamedTuple):
         Distance from what is published, in tolerances [1].  Beyond 1 it grows with the logarithm
         of the distance only, up to ``MISSING_SCORE``, so that one bad miss does not outweigh
         everything else in a sum.  nan if the paper keeps the value back.
+    tested : bool
+        Whether the model comes to the condition that the claim speaks of within its loads.
     holds : bool
-        Whether the score is at most 1.
+        Whether it is tested and the score is at most 1.
     """
 
     measured: str
     value: float
     deviation: float
     score: float
+    tested: bool
     holds: bool
 
 
@@ -254,7 +262,9 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     """
     try:
         measured, value, deviation, distance = CHECKS[claim.kind](claim, evidence)
+        tested = _is_within_the_loads(claim, evidence)
     except NotReached as short:
+        tested = False
         measured, value, deviation = f"not reached, by {short.args[0]:.3g}", np.nan, np.nan
         distance = 2.0 + short.args[0] / BOUND_TOLERANCE
     if claim.source == "turning_point":
@@ -264,7 +274,8 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
             measured += f"; stands out by {prominence:.2g}"
         distance = np.maximum(distance, _faintness(prominence))
     score = np.nan if claim.is_withheld else _score(distance)
-    return Verdict(measured, float(value), float(deviation), score, score <= 1.0)
+    holds = bool(tested and score <= 1.0)
+    return Verdict(measured, float(value), float(deviation), score, tested, holds)
 
 
 def _score(distance: float) -> float:
@@ -273,6 +284,28 @@ def _score(distance: float) -> float:
         return MISSING_SCORE
     within = min(max(float(distance), 0.0), 1.0)
     return min(within + float(np.log(max(distance, 1.0))), MISSING_SCORE)
+
+
+def _is_within_the_loads(claim: Claim, evidence: Evidence) -> bool:
+    """Whether a claim on loads can be decided by those that were computed.
+
+    A load beyond the last one is known to be larger, and no more: a number that is published is
+    missed if the last load misses it already, and curves are in no known order if the loads of two
+    neighbours lie beyond.
+    """
+    if claim.quantity not in ("load", *BETWEEN_CURVES):
+        return True
+    last = evidence.curve(*claim.curves[0]).load[-1]
+    if claim.quantity == BEND_OVER_MIXED:
+        return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
+    loads = _scalars(claim, evidence)
+    beyond = loads >= last
+    if claim.along:
+        return not (beyond[1:] & beyond[:-1]).any()
+    if claim.published is None or not beyond.any():
+        return not beyond.any()
+    *_, distance = _against_published(claim, np.minimum(loads, last), "")
+    return bool(distance > 1.0)
 
 
 def _faintness(prominence: float) -> float:
@@ -292,6 +325,16 @@ def check_value(claim: Claim, evidence: Evidence) -> Measured:
     """Check one number; if several curves are to have it, the one farthest off counts."""
     values = _scalars(claim, evidence)
     return _against_published(claim, values, _shown(claim, evidence, values))
+
+
+def check_reach(claim: Claim, evidence: Evidence) -> Measured:
+    """Check that a number is reached; the curve that stays farthest from it counts."""
+    values = _scalars(claim, evidence)
+    sign = 1.0 if claim.extreme == "minimum" else -1.0
+    lacks = np.maximum(sign * (values - claim.published), 0.0)
+    worst = int(np.argmax(lacks))
+    distance = lacks[worst] / claim.tolerance
+    return _shown(claim, evidence, values), values[worst], sign * lacks[worst], distance
 
 
 def check_range(claim: Claim, evidence: Evidence) -> Measured:
@@ -351,6 +394,7 @@ def check_sequence(claim: Claim, evidence: Evidence) -> Measured:
 
 CHECKS = {
     "value": check_value,
+    "reach": check_reach,
     "range": check_range,
     "window": check_window,
     "ordering": check_ordering,
@@ -393,6 +437,10 @@ def _scalars(claim, evidence):
     """
     if claim.quantity == REVERSAL_LOAD:
         return np.array([_reversal_load(claim, evidence)])
+    if claim.quantity == BEND_LOAD:
+        return _bend_loads(claim, evidence)
+    if claim.quantity == BEND_OVER_MIXED:
+        return _bend_loads(claim, evidence) / _mixed_loads(claim, evidence)
     if claim.source == "turning_point":
         pick = TURNING_POINT_QUANTITIES[claim.quantity]
         values = np.array([pick(evidence.turning_point(*c)) for c in claim.curves])
@@ -432,6 +480,28 @@ def _reversal_load(claim, evidence):
     loads, areas = _table(claim, evidence, claim.curves, "total_contact_area")
     gaps = np.diff(_log(areas), axis=0)
     return np.max([_first_fall(loads[::-1], gap[::-1]) for gap in gaps])
+
+
+def _bend_loads(claim, evidence):
+    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below the reference's."""
+    pairs = [
+        (evidence.curve(*reference), evidence.curve(*condition))
+        for reference, condition in zip(claim.references, claim.curves, strict=True)
+    ]
+    drops = [
+        reference.total_contact_area_slope - curve.total_contact_area_slope
+        for reference, curve in pairs
+    ]
+    return np.array(
+        [_first_fall(curve.load, BEND - drop) for (_, curve), drop in zip(pairs, drops)]
+    )
+
+
+def _mixed_loads(claim, evidence):
+    """Loads F_t* [1] at which mixed lubrication begins."""
+    curves = [evidence.curve(*condition) for condition in claim.curves]
+    excess = [_log(curve.solid_load_fraction / BOUNDARY_LIMIT) for curve in curves]
+    return np.array([_first_fall(curve.load, each) for curve, each in zip(curves, excess)])
 
 
 def _table(claim, evidence, group, quantity=""):
@@ -625,7 +695,7 @@ def _log(values):
 def _shown(claim, evidence, values):
     """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
-    if claim.quantity in ("load", REVERSAL_LOAD):
+    if claim.quantity in ("load", REVERSAL_LOAD, BEND_LOAD):
         first, last = evidence.curve(*claim.curves[0]).load[[0, -1]]
         texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
         texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]

@@ -32,7 +32,12 @@ TURNING_POINT_QUANTITIES = {
 }
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
 REVERSAL_LOAD = "total_contact_area_reversal_load"
-QUANTITIES = (*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES, REVERSAL_LOAD)
+BEND_LOAD, BEND_OVER_MIXED = "bend_load", "bend_load_over_mixed_load"
+BETWEEN_CURVES = (REVERSAL_LOAD, BEND_LOAD, BEND_OVER_MIXED)  # loads where two curves part or cross
+QUANTITIES = (
+    *(*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES),
+    *BETWEEN_CURVES,
+)
 # Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
 # the bound makes sign * (bound - value) positive.
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
@@ -97,6 +102,10 @@ class Claim:
         Conditions that differ on the curves which those of the claim are held against.
     contradicts : sequence of str
         Ids of statements in which the paper says the opposite.
+    aside : str
+        Why the statement that it contradicts is taken instead; empty if it is taken itself.
+    cluster : str
+        Name that it has in common with the statements that repeat it; empty if there are none.
     """
 
     id: str
@@ -117,6 +126,8 @@ class Claim:
     open_end: bool = False
     reference: Mapping[str, float] | None = None
     contradicts: Sequence[str] = ()
+    aside: str = ""
+    cluster: str = ""
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:

@@ -8,11 +8,11 @@ from typing import Any
 from tabulate import tabulate
 
 from thirdbody.study.verdicts import (
-    CONTRADICTED,
     FAILS,
-    HOLDS,
     Trial,
+    counted_once,
     counts,
+    discriminating,
     explanations,
     reading_rows,
     verdict_rows,
@@ -51,7 +51,12 @@ def claims_markdown(
         f"Inputs: the best of the reading `{default['reading']}` (objective "
         f"{default['objective']:g}). A statement holds if it is met within its tolerance; the "
         "statements, tolerances and their reasons are in `config/claims.yaml`, the inputs and "
-        "their ensemble in `config/calibrated/`.",
+        "their ensemble in `config/calibrated/`. Statements that repeat one another count once, as held "
+        "if all of them hold that are tested; one is not tested if the model does not come to its "
+        "condition within the loads. Those that the paper itself contradicts stand apart.",
+        _summary(rows),
+        f"Of the statements, {len(discriminating(trial))} discriminate between the "
+        f"{len(trial.readings)} readings: they hold under some and fail under others.",
         "## Counts by role",
         _counted(rows, "role"),
         "## Counts by figure",
@@ -61,26 +66,47 @@ def claims_markdown(
         "0.01); ✓ marks what is within the statement's tolerance. How far the members of each "
         "ensemble come is drawn in `results/figures/conflict.png`.",
         tabulate(compared, headers="keys", tablefmt="github", disable_numparse=True),
+        "## Where the paper contradicts itself",
+        "Of two sentences that exclude each other one is taken, and the other stays outside the shares "
+        "and the calibration.",
+        _contradictions(trial, rows),
         "## The statements",
         _statements(rows),
         "## What fails, and what would change it",
         "Scores count tolerances up to 1 and their logarithm beyond. Each input was moved by "
         "itself by 8 % of its bounds, and each reading was judged at its own best inputs.",
-        *(_miss(row, why[row["id"]]) for row in rows if row["verdict"] in (FAILS, CONTRADICTED)),
+        *(_miss(row, why[row["id"]]) for row in rows if row["verdict"] == FAILS),
     ]
     return "\n\n".join(parts) + "\n"
 
 
+def _summary(rows) -> str:
+    outcomes = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
+    held, judged = counted_once(outcomes)
+    share = f", {100 * held / judged:.0f} %" if judged else ""
+    return f"**{held} of {judged} hold{share}.**"
+
+
 def _counted(rows, by: str) -> str:
-    table = counts(rows, by)
-    judged = [dict(row, share=_share(row)) for row in table]
-    return tabulate(judged, headers="keys", tablefmt="github")
+    return tabulate(counts(rows, by), headers="keys", tablefmt="github", disable_numparse=True)
 
 
-def _share(row: Mapping) -> str:
-    """Share that holds among the statements that were judged, as text; empty if there is none."""
-    judged = row[HOLDS] + row[FAILS] + row[CONTRADICTED]
-    return f"{100 * row[HOLDS] / judged:.0f} %" if judged else ""
+def _contradictions(trial: Trial, rows) -> str:
+    """Each statement that stands aside, whether it would hold, and those that are taken instead."""
+    verdicts = {row["id"]: row["verdict"] for row in rows}
+    cells = [
+        {
+            "set aside": claim.id,
+            "would hold": "yes" if verdict.holds else "no",
+            "taken instead": ", ".join(
+                f"{other} ({verdicts[other]})" for other in claim.contradicts
+            ),
+            "why": _cell(claim.aside),
+        }
+        for claim, verdict in zip(trial.claims, trial.main.verdicts, strict=True)
+        if claim.aside
+    ]
+    return tabulate(cells, headers="keys", tablefmt="github", disable_numparse=True)
 
 
 def _statements(rows) -> str:
@@ -105,7 +131,4 @@ def _cell(value) -> str:
 
 def _miss(row: Mapping, paragraph: str) -> str:
     published = f" Published: {row['published']}." if row["published"] else ""
-    opposite = (
-        f" The paper also states the opposite: {row['contradicts']}." if row["contradicts"] else ""
-    )
-    return f"**{row['id']}** ({row['where']}). {row['statement']}{published} {paragraph}{opposite}"
+    return f"**{row['id']}** ({row['where']}). {row['statement']}{published} {paragraph}"

@@ -9,7 +9,7 @@ make rows of tables and text of a trial.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -23,7 +23,7 @@ from thirdbody.study.checks import Verdict, judge
 from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEvidence
 
-HOLDS, FAILS = "holds", "fails"
+HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
 LEAST_GAIN = 0.01  # smaller improvements of a score are not told
 NUDGE = 0.08  # how far an input is moved by itself, as a share of its bounds
@@ -189,7 +189,6 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     >>> row["measured"], row["verdict"]
     ('0', 'holds')
     """
-    held = dict(zip((claim.id for claim in trial.claims), trial.main.held(), strict=True))
     return [
         {
             "id": claim.id,
@@ -203,11 +202,12 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
             "deviation": verdict.deviation,
             "tolerance": claim.tolerance,
             "score": verdict.score,
-            "verdict": _verdict(claim, verdict, held),
+            "verdict": outcome(claim, verdict),
             "ensemble_agree": _agreeing(trial.ensemble, index, verdict),
             "ensemble_size": len(trial.ensemble),
             "readings_agree": _agreeing(trial.readings, index, verdict),
             "readings_size": len(trial.readings),
+            "cluster": claim.cluster,
             "contradicts": " ".join(claim.contradicts),
         }
         for index, (claim, verdict) in enumerate(
@@ -218,7 +218,13 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
 
 def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
     """How many judgements come to the same as ``verdict`` on the statement at ``index``."""
-    return sum(bool(each.verdicts[index].holds) == bool(verdict.holds) for each in judgements)
+    same = verdict.tested, verdict.holds
+    return sum((other.tested, other.holds) == same for other in _on(judgements, index))
+
+
+def _on(judgements: Sequence[Judgement], index: int) -> list[Verdict]:
+    """The verdicts on the statement at ``index``."""
+    return [each.verdicts[index] for each in judgements]
 
 
 def reading_rows(
@@ -239,14 +245,18 @@ def reading_rows(
     -------
     list of dict
         For each reading, the least objective first: its objective, how many statements of each
-        role hold, and what is measured for those of ``headline``.
+        role hold, repeats counted once, and what is measured for those of ``headline``.
     """
     rows = []
     for judgement, content in zip(trial.readings, readings, strict=True):
         row = {"reading": judgement.name, "objective": content["objective"]}
         for role in ("calibration", "validation"):
-            chosen = np.array([claim.role == role for claim in trial.claims])
-            row[role] = f"{judgement.held()[chosen].sum()}/{chosen.sum()}"
+            outcomes = [
+                (claim.cluster or claim.id, outcome(claim, verdict))
+                for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True)
+                if claim.role == role
+            ]
+            row[role] = "{}/{}".format(*counted_once(outcomes))
         for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True):
             if claim.id in headline:
                 row[claim.id] = verdict.measured + (" ✓" if verdict.holds else "")
@@ -262,16 +272,63 @@ def _published(claim: Claim) -> str:
     return separator.join(str(each) for each in np.atleast_1d(claim.published))
 
 
-def _verdict(claim: Claim, verdict: Verdict, held: Mapping) -> str:
+def outcome(claim: Claim, verdict: Verdict) -> str:
     """The word for a verdict.
 
-    A statement does not count as failed if the paper states its opposite as well and that holds.
+    Parameters
+    ----------
+    claim : Claim
+        A statement of the paper.
+    verdict : Verdict
+        What came of judging it.
+
+    Returns
+    -------
+    str
+        A statement that stands aside for others neither holds nor fails, whatever was measured.
     """
     if claim.is_withheld:
         return WITHHELD
-    if verdict.holds:
-        return HOLDS
-    return CONTRADICTED if any(held[other] for other in claim.contradicts) else FAILS
+    if claim.aside:
+        return CONTRADICTED
+    if not verdict.tested:
+        return NOT_TESTED
+    return HOLDS if verdict.holds else FAILS
+
+
+def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
+    """Count statements that hold, those that repeat one another once.
+
+    Parameters
+    ----------
+    outcomes : iterable of (str, str)
+        Cluster of each statement, its id if it has none, and the word for its verdict.
+
+    Returns
+    -------
+    held, judged : int
+        A cluster holds if all its statements that were tested hold.
+
+    Examples
+    --------
+    >>> counted_once([("a", HOLDS), ("a", FAILS), ("b", HOLDS), ("b", NOT_TESTED), ("c", WITHHELD)])
+    (1, 2)
+    """
+    clusters: dict[str, bool] = {}
+    for name, word in outcomes:
+        if word in (HOLDS, FAILS):
+            clusters[name] = clusters.get(name, True) and word == HOLDS
+    return sum(clusters.values()), len(clusters)
+
+
+def discriminating(trial: Trial) -> list[str]:
+    """Ids of the statements that hold under some readings and fail under others."""
+    found = []
+    for index, claim in enumerate(trial.claims):
+        words = {outcome(claim, verdict) for verdict in _on(trial.readings, index)}
+        if {HOLDS, FAILS} <= words:
+            found.append(claim.id)
+    return found
 
 
 def explanations(trial: Trial) -> dict[str, str]:
@@ -344,7 +401,7 @@ def _price(trial: Trial, other: Judgement) -> str:
     lost = [
         claim.id
         for claim, before, after in zip(trial.claims, trial.main.held(), other.held(), strict=True)
-        if before and not after
+        if before and not after and not claim.aside
     ]
     if not lost:
         return "no statement that holds now forbids it"
@@ -365,12 +422,20 @@ def counts(rows: Sequence[Mapping[str, Any]], by: str) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        A row a group, in the order of the first statement of each: its name under ``by``, and
-        the number of statements under each verdict.
+        A row a group, in the order of the first statement of each: its name under ``by``, the
+        number of statements under each verdict, and how many hold if repeats count once.
     """
-    groups: dict[str, Counter] = {}
+    groups: dict[str, list] = {}
     for row in rows:
         group = row["role"] if by == "role" else part_of_paper(row["where"])
-        groups.setdefault(group, Counter())[row["verdict"]] += 1
-    order = (HOLDS, FAILS, CONTRADICTED, WITHHELD)
-    return [{by: name, **{each: count[each] for each in order}} for name, count in groups.items()]
+        groups.setdefault(group, []).append(row)
+    order = (HOLDS, FAILS, NOT_TESTED, CONTRADICTED, WITHHELD)
+    table = []
+    for name, group in groups.items():
+        count = Counter(row["verdict"] for row in group)
+        held, judged = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in group)
+        table.append(
+            {by: name, **{each: count[each] for each in order}}
+            | {"hold, repeats once": f"{held} of {judged}" if judged else ""}
+        )
+    return table
