@@ -12,48 +12,55 @@ import yaml
 from matplotlib.colors import to_rgb
 from matplotlib.transforms import Bbox
 
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
+from thirdbody.figures.marks import condition_key
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
 from thirdbody.figures.sheet.saving import SUFFIXES, drawn_points, save
 from thirdbody.figures.shown import shown_curves
+from thirdbody.study.claims import load_claims
+from thirdbody.study.printed import printed_rows
 
 ROOT = Path(__file__).parents[2]
 STYLE = ROOT / "src/thirdbody/figures/paper.mplstyle"
 LOAD_AXIS = {"load_N": [0.04, 80.0], "count": 25}
-RATIO, AREA, SOLID, FILM = (
+RATIO, AREA, SOLID, FILM, OVER = (
     "particle_contact_area_ratio",
     "total_contact_area",
     "solid_load_fraction",
     "film_thickness",
+    "total_contact_area_over_two_body",
 )
+ENDS = ("low", "high")
+AT_A_LOAD = ("turning_point_solid_load", "bend_load_over_mixed_load")
+WINDOW = ("diameter_ratio "turning_point_ratio")
 GREY = (0.299, 0.587, 0.114)  # weights of the colours, ITU-R BT.601
 # x and y of panels A, B, ... as the text of the paper describes them
 PANELS = {
-    "fig03": [("load", RATIO), ("load", AREA)],
+    "fig03": [("load", RATIO), ("load", AREA), ("load", OVER)],
     "fig04": [("load", RATIO), ("load", AREA), ("load", SOLID), ("load", FILM)],
     "fig05": [("load", SOLID), ("load", SOLID)],
-    "fig06": [("load", AREA), ("load", SOLID), ("load", RATIO)],
-    "fig07": [("load", AREA), ("load", SOLID), ("load", RATIO)],
-    "fig08": [("load", AREA), ("load", SOLID), ("load", RATIO)],
-    "fig09": [("load", RATIO), ("load", AREA)],
-    "fig10": [("load", RATIO), ("load", RATIO)],
+    "fig06": [("load", AREA), ("load", SOLID), ("load", RATIO), ("load", OVER)],
+    "fig07": [("load", AREA), ("load", SOLID), ("load", RATIO), ("load", OVER)],
+    "fig08": [("load", AREA), ("load", SOLID), ("load", RATIO), ("load", OVER)],
+    "fig09": [("load", RATIO), ("load", AREA), ("load", OVER), WINDOW],
+    "fig10": [("load", RATIO), ("load", RATIO), WINDOW, WINDOW],
     "fig11": [("load", RATIO), ("load", SOLID), (FILM, RATIO)],
     "fig12": [("load", RATIO), ("load", SOLID), ("load", RATIO)],
     "fig13": [("load", RATIO)] * 3,
 }
 # curves in each panel
 COUNTS = {
-    "fig03": [8, 8],
+    "fig03": [8] * 3,
     "fig04": [8] * 4,
     "fig05": [8, 8],
-    "fig06": [22] * 3,
-    "fig07": [16] * 3,
-    "fig08": [10] * 3,
-    "fig09": [11, 11],
-    "fig10": [10, 10],
+    "fig06": [22] * 4,
+    "fig07": [16] * 4,
+    "fig08": [10] * 4,
+    "fig09": [11, 11, 11, 0],
+    "fig10": [10, 10, 0, 0],
     "fig11": [7] * 3,
     "fig12": [5, 5, 7],
     "fig13": [7] * 3,
@@ -93,6 +100,14 @@ def schematics(parameters):
             "fig01": SCHEMATICS["fig01"](sections("fig01", INTERFACE, parameters)),
             "fig02": SCHEMATICS["fig02"](sections("fig02", MODES, parameters)),
         }
+
+
+@pytest.fixture(scope="module")
+def printed():
+    """Rows of the paper's numbers by figure."""
+    claims = load_claims(ROOT / "config" / "claims.yaml")
+    rows = printed_rows(claims)
+    return {name: [row for row in rows if row["figure"] == name] for name in PANELS}
 
 
 def turning_points_in(data):
@@ -186,7 +201,7 @@ def test_curves_have_markers_only_where_they_part(datasets):
 @pytest.mark.parametrize("name", ["fig03", "fig09", "fig10"])
 def test_figures_of_dry_contact_alone_are_drawn_solid(name, datasets):
     for panel in CURVE_FIGURES[name].plot(datasets[name]).axes:
-        assert {line.get_linestyle() for line in data_lines(panel)} == {"-"}
+        assert {line.get_linestyle() for line in data_lines(panel)} <= {"-"}
 
 
 @pytest.mark.parametrize("name", ["fig04", "fig05", "fig06", "fig07", "fig08", "fig11", "fig12"])
@@ -225,8 +240,12 @@ def test_points_that_are_not_plainly_converged_are_marked(datasets):
 
 
 @pytest.mark.parametrize("name", PANELS)
-def test_nothing_leaves_the_sheet_or_covers_another(name, datasets):
-    figure = CURVE_FIGURES[name].plot(datasets[name], turning_points_in(datasets[name]))
+def test_nothing_leaves_the_sheet_or_covers_another(name, datasets, printed):
+    data = datasets[name]
+    windows = [{"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9}]
+    band = xr.Dataset({f"{y}_{end}": data[y] for _, y in PANELS[name] if y in data for end in ENDS})
+    points = turning_points_in(data)
+    figure = CURVE_FIGURES[name].plot(data, points, band, printed[name], windows)
     figure.draw_without_rendering()
     boxes = [text.get_window_extent() for text in figure.texts]
     for panel in figure.axes:
@@ -343,7 +362,7 @@ def test_turning_points_are_marked_on_their_curves(datasets):
     data = datasets["fig09"]
     points = turning_points_in(data)
     assert points
-    ratio, area = CURVE_FIGURES["fig09"].plot(data, points).axes
+    ratio, area, over, window = CURVE_FIGURES["fig09"].plot(data, points).axes
     (marks,) = (line for line in ratio.lines if line.get_label() == "turning points")
     expected = sorted((point["load"], point["peak_ratio"]) for point in points)
     np.testing.assert_allclose(sorted(marks.get_xydata().tolist()), expected, rtol=1e-12)
@@ -351,6 +370,99 @@ def test_turning_points_are_marked_on_their_curves(datasets):
     diameters = [point["particle_diameter"] for point in points]
     in_order = [points[i]["load"] for i in np.argsort(diameters)]
     np.testing.assert_allclose(locus.get_xdata(), in_order, rtol=1e-12)
+    assert any(line.get_label().startswith("locus") for line in over.lines)
+    expected = sorted((p["particle_diameter"] / p["roughness"], p["peak_ratio"]) for p in points)
+    (marks,) = (line for line in window.lines if line.get_label() == "turning points")
+    np.testing.assert_allclose(sorted(marks.get_xydata().tolist()), expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize("name", ["fig03", "fig06", "fig07", "fig08", "fig09"])
+def test_areas_are_held_against_dry_two_body_contact(name, datasets):
+    data = datasets[name]
+    curves = shown_curves(data)
+    references = {
+        curve.condition.roughness: curve.values(data, AREA)
+        for curve in curves
+        if curve.condition.is_dry and curve.condition.is_two_body
+    }
+    by_label = {curve.label: curve for curve in curves}
+    (panel,) = (p for p in CURVE_FIGURES[name].plot(data).axes if p.y_name == OVER)
+    for line in data_lines(panel):
+        curve = by_label[line.get_label()]
+        expected = curve.values(data, AREA) / references[curve.condition.roughness]
+        np.testing.assert_allclose(line.get_ydata(), expected, rtol=1e-14)
+
+
+def test_a_scene_without_dry_two_body_contact_has_no_panel_of_what_is_held_against_it(datasets):
+    data = datasets["fig08"].where(datasets["fig08"]["particle_diameter"] > 0.0)
+    panels = CURVE_FIGURES["fig08"].plot(data).axes
+    assert [panel.y_name for panel in panels] == [AREA, SOLID, RATIO]
+
+
+def test_without_dry_two_body_contact_there_is_nothing_to_hold_areas_against(datasets):
+    (curve, *_) = shown_curves(datasets["fig11"])
+    with pytest.raises(ValueError, match="no dry two-body contact at a roughness of 3e-07 m"):
+        curve.values(datasets["fig11"], OVER)
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printed):
+    data = datasets[name]
+    shown = {condition_key(curve.condition) for curve in shown_curves(data)}
+    rows = [
+        row
+        for row in printed[name]
+        if row["quantity"].startswith("window")
+        or condition_key(row[axis.column] for axis in CONDITION_AXES) in shown
+    ]
+    surfaces = data["roughness"].values
+    rows = [row for row in rows if np.isclose(row["roughness_m"], surfaces, rtol=1e-9).any()]
+    figure = CURVE_FIGURES[name].plot(data, turning_points_in(data), printed=rows)
+    drawn = {}
+    for panel in figure.axes:
+        for label, points in drawn_points(panel):
+            drawn.setdefault(label, []).append(points)
+    assert {f"printed; {row['id']}" for row in rows} <= set(drawn)
+    assert {f"tolerance; {row['id']}" for row in rows} <= set(drawn)
+    assert any(t.get_text().startswith("printed") for t in figure.texts) == bool(rows)
+    for row in rows:
+        if row["quantity"] in AT_A_LOAD:  # drawn over the load, or at a multiple of one
+            continue
+        places = np.concatenate(drawn[f"printed; {row['id']}"])
+        assert np.isclose(places, row["value"], rtol=1e-9, atol=0.0).any(), row
+        ends = np.concatenate(drawn[f"tolerance; {row['id']}"])
+        assert np.isclose(ends, row["low"]).any() or row["low"] < 0.0, row
+        assert np.isclose(ends, row["high"]).any() or row["high"] > 1.0, row
+
+
+def test_both_numbers_of_a_turning_point_meet_in_one_place(datasets, printed):
+    data = datasets["fig11"]
+    figure = CURVE_FIGURES["fig11"].plot(data, turning_points_in(data), printed=printed["fig11"])
+    values = {row["id"]: row["value"] for row in printed["fig11"]}
+    drawn = {label: points[0] for label, points in drawn_points(figure.axes[0])}
+    load = values["fig11a-turning-point-load-at-120cst"]
+    expected = load, values["fig11a-peak-ratio"]
+    assert tuple(drawn["printed; fig11a-turning-point-load-at-120cst"]) == expected
+
+
+def test_windows_are_drawn_beside_the_printed_ones(datasets, printed):
+    windows = [
+        {"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9},
+        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": 1.2},
+        {"roughness_m": 1e-7, "end": "high", "diameter_over_roughness": 1.1},
+    ]
+    figure = CURVE_FIGURES["fig09"].plot(
+        datasets["fig09"], printed=printed["fig09"], windows=windows
+    )
+    drawn = dict(drawn_points(figure.axes[-1]))
+    np.testing.assert_array_equal(drawn["window"], [(0.9, 0.0), (1.2, 1.0)])
+    assert "printed; fig09-window" in drawn
+
+
+def test_each_figure_that_shows_windows_gets_them():
+    rules = (ROOT / "workflow/rules/render.smk").read_text(encoding="utf-8")
+    names = [name for name, figure in CURVE_FIGURES.items() if figure.shows_windows]
+    assert f"WINDOW_FIGURES = {names}".replace("'", '"') in rules
 
 
 def test_no_mark_in_the_key_without_one_in_a_panel(datasets):

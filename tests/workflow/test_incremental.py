@@ -20,6 +20,8 @@ ALL_CURVES = (
 )
 GATHERED = ("accuracy/solver_cost.csv", "tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
+SHOWING_WINDOWS = ("figures/fig09.*", "figures/fig10.*")
+PRINTED = ("extracted/printed/*", "figures/fig0[3-9].*", "figures/fig1?.*")  # the paper's numbers
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
@@ -114,7 +116,8 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
     ("file", "key", "value", "patterns"),
     [
         ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED)),
-        ("config/config.yaml", "windows/roughness_nm", [100, 300], WINDOWS),
+        ("config/config.yaml", "windows/roughness_nm", [100, 300], (*WINDOWS, *SHOWING_WINDOWS)),
+        ("config/claims.yaml", "0/statement", "Particles matter.", (*CLAIMS, *PRINTED)),
         (
             "config/config.yaml",
             "schematics/fig01/0/load_N",
@@ -142,7 +145,16 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
         ),
         ("config/paper_tables.yaml", "table1/0/property", "Modulus", PAPER_TABLES),
     ],
-    ids=["rtol", "windows", "a drawing", "load axis", "an input", "calibrated", "printed tables"],
+    ids=[
+        "rtol",
+        "windows",
+        "a statement",
+        "a drawing",
+        "load axis",
+        "an input",
+        "calibrated",
+        "printed tables",
+    ],
 )
 def test_another_setting_reruns_what_it_enters(workspace, file, key, value, patterns):
     workspace.put(file, key, value)

@@ -45,6 +45,26 @@ rule find_windows:
         "../scripts/find_windows.py"
 
 
+rule gather_printed:
+    input:
+        claims="config/claims.yaml",
+        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
+        modules=import_closure("workflow/scripts/gather_printed.py"),
+    output:
+        table="results/extracted/printed/all.csv",
+    log:
+        "logs/gather_printed.log",
+    benchmark:
+        "logs/gather_printed.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    message:
+        "Gathering the numbers that the paper prints"
+    script:
+        "../scripts/gather_printed.py"
+
+
 rule recompute_paper_table:
     input:
         printed="config/paper_tables.yaml",

@@ -2,6 +2,7 @@
 # drawn was computed by the rules of datasets.smk.
 
 CURVE_FIGURES = sorted(name for name in settings["scenes"] if name.startswith("fig"))
+WINDOW_FIGURES = ["fig09", "fig10"]  # those that show where turning points occur
 TABLE_PARTS = {
     "tpca_loads": CURVE_FIGURES,
     "transitions": CURVE_FIGURES,
@@ -16,6 +17,10 @@ rule render_figure:
     input:
         dataset="results/datasets/{figure}.nc",
         turning_points="results/extracted/tpca_loads/{figure}.csv",
+        printed="results/extracted/printed/all.csv",
+        windows=lambda wildcards: (
+            "results/extracted/tpca_windows/all.csv" if wildcards.figure in WINDOW_FIGURES else []
+        ),
         band=branch(settings["bands"], then="results/bands/{figure}.nc", otherwise=[]),
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_figure.py"),

@@ -6,21 +6,27 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
 from thirdbody.figures.sheet.saving import save
 
 
-def render(figure, dataset, turning_points, style, stem, band):
+def render(figure, dataset, turning_points, printed, windows, style, stem, band):
     """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv.
 
-    ``band`` is the file of the envelope to draw around the curves, empty for none.
+    ``printed`` is the file of the numbers that the paper prints, ``windows`` that of the windows
+    of the turning point, and ``band`` that of the envelope around the curves; the last two may be
+    empty for none.
     """
     data = read_dataset(dataset)
     points = read_turning_points(turning_points)
+    numbers = read_printed(printed, figure)
+    ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
-        save(curve_figure(figure).plot(data, points, envelope), stem)
+        save(curve_figure(figure).plot(data, points, envelope, numbers, ends), stem)
     print(f"{figure}: drawn")
 
 
@@ -31,6 +37,8 @@ if __name__ == "__main__":
             snakemake.wildcards.figure,
             snakemake.input.dataset,
             snakemake.input.turning_points,
+            snakemake.input.printed,
+            snakemake.input.windows,
             snakemake.input.style,
             snakemake.output.png.removesuffix(".png"),
             snakemake.input.band,

@@ -13,20 +13,25 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
 from thirdbody.figures.marks import (
+    TURNING_POINTS,
+    WINDOW,
     mark_entries,
     mark_statuses,
     mark_turning_points,
     turning_points_of,
 )
+from thirdbody.figures.printed import draw_printed, draw_printed_windows
 from thirdbody.figures.sheet.key import draw_key
 from thirdbody.figures.sheet.naming import parameter_title, shared_notes
 from thirdbody.figures.sheet.panel import Panel, panel_figure
 from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.sheet.styles import Styles
-from thirdbody.figures.shown import Curve, shown_curves
+from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve, shown_curves, two_body_areas
 
 MARKERS_PER_CURVE = 7
 PARTED = 1.6  # points between curves that are told apart
+# of a window: where turning points sink to none, and where particles make up all of the contact
+WINDOW_ENDS = {"window_low": 0.0, "window_high": 1.0}
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
 # of the key: the text, and a line about as wide as a band
 BAND_ENTRY = (
@@ -47,6 +52,10 @@ class Content:
         Curves of one surface alone: 0 for the smoothest of the dataset, -1 for the roughest.
     locus : bool
         Whether the turning points of the curves are joined.
+
+    Notes
+    -----
+    Over ``diameter_ratio`` it shows no curves but where they have their turning points.
     """
 
     y: str
@@ -66,18 +75,28 @@ class CurveFigure:
     contents : tuple of Content
         Its panels, in order.
     each_surface : bool
-        Whether the panels stand once for each roughness of the dataset.
+        Whether each panel stands once for each roughness of the dataset.
+    two_body : bool
+        Whether two-body contact is among the curves, or only what areas are held against.
     """
 
     parameter: str
     contents: tuple[Content, ...]
     each_surface: bool = False
+    two_body: bool = True
+
+    @property
+    def shows_windows(self) -> bool:
+        """Whether a panel shows the windows of the turning point."""
+        return any(content.x == "diameter_ratio" for content in self.contents)
 
     def plot(
         self,
         data: xr.Dataset,
         turning_points: Sequence[Mapping] = (),
         band: xr.Dataset | None = None,
+        printed: Sequence[Mapping] = (),
+        windows: Sequence[Mapping] = (),
     ) -> Figure:
         """Draw it.
 
@@ -89,9 +108,13 @@ class CurveFigure:
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
         band : xarray.Dataset, optional
             ``<variable>_low`` and ``_high`` on the axes of ``data``, drawn behind the curves.
+        printed : sequence of Mapping
+            Rows of the table ``printed``: the paper's numbers for this figure.
+        windows : sequence of Mapping
+            Rows of the table ``tpca_windows``.
         """
-        contents = self._panels(data)
-        curves = shown_curves(data)
+        curves = [each for each in shown_curves(data) if self._shows(each.condition)]
+        contents = self._panels(data, curves)
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
         styles = Styles(conditions, self.parameter)
@@ -102,11 +125,17 @@ class CurveFigure:
         for panel, content in zip(figure.axes, contents, strict=True):
             chosen = _on_surface(curves, data, content.surface)
             panel.add_title(_title(content, chosen, common))
-            if band is not None and content.x == "load":
+            points = turning_points_of(chosen, turning_points)
+            if content.x == "diameter_ratio":
+                draw_windows(panel, chosen, points, windows, printed)
+                panel.frame(newtons_per_load)
+                continue
+            if band is not None and content.x == "load" and f"{content.y}_low" in band:
                 draw_bands(panel, band, chosen, styles)
             lines = [draw_curve(panel, data, curve, styles) for curve in chosen]
             mark_statuses(panel, data, chosen)
-            _draw_marks(panel, data, content, turning_points_of(chosen, turning_points))
+            _draw_marks(panel, data, content, points)
+            draw_printed(panel, data, chosen, printed, points, styles)
             panel.frame(newtons_per_load)
             marked |= place_markers(panel, chosen, lines, styles)
         marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
@@ -114,11 +143,20 @@ class CurveFigure:
         draw_key(figure, title, ", ".join(common), styles.key(conditions, marked), marks)
         return figure
 
-    def _panels(self, data) -> Sequence[Content]:
+    def _panels(self, data, curves) -> Sequence[Content]:
+        surfaces = {curve.condition.roughness for curve in curves}
+        contents = [
+            content
+            for content in self.contents
+            if content.y != AREA_OVER_TWO_BODY or surfaces <= two_body_areas(data).keys()
+        ]
         if not self.each_surface:
-            return self.contents
-        surfaces = range(data.sizes["roughness"])
-        return [replace(each, surface=index) for index in surfaces for each in self.contents]
+            return contents
+        indices = range(data.sizes["roughness"])
+        return [replace(each, surface=index) for each in contents for index in indices]
+
+    def _shows(self, condition):
+        return self.two_body or not condition.is_two_body
 
 
 def draw_curve(panel: Panel, data: xr.Dataset, curve: Curve, styles: Styles) -> Line2D:
@@ -202,6 +240,42 @@ def draw_bands(panel: Panel, band: xr.Dataset, curves: Sequence[Curve], styles: 
     names = [f"band; {curve.label}" for curve in curves]
     tints = [styles.tint(curve.condition) for curve in curves]
     panel.add_outlines(outlines, names, facecolors=tints, linewidths=0.0, zorder=1.5)
+
+
+def draw_windows(
+    panel: Panel,
+    curves: Sequence[Curve],
+    turning_points: Sequence[tuple[Curve, Mapping]],
+    windows: Sequence[Mapping],
+    printed: Sequence[Mapping],
+) -> None:
+    """Draw between which diameters there are turning points: those of curves, and the ends.
+
+    Parameters
+    ----------
+    panel : Panel
+        Where to draw.
+    curves : sequence of Curve
+        Those of one surface.
+    turning_points : sequence of (Curve, Mapping)
+        Pairs of ``turning_points_of``.
+    windows, printed : sequence of Mapping
+        Rows of the tables ``tpca_windows`` and ``printed``.
+    """
+    roughness = curves[0].condition.roughness
+    panel.update_datalim([(curve.condition.diameter_ratio, 0.0) for curve in curves])
+    panel.update_datalim([(curves[0].condition.diameter_ratio, 1.0)])
+    points = [(curve.condition.diameter_ratio, row["peak_ratio"]) for curve, row in turning_points]
+    if points:
+        panel.add_line(Line2D(*np.transpose(points), label="turning points", **TURNING_POINTS))
+    ends = [
+        (row["diameter_over_roughness"], WINDOW_ENDS[f"window_{row['end']}"])
+        for row in windows
+        if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
+    ]
+    if ends:
+        panel.add_line(Line2D(*np.transpose(ends), label="window", zorder=3, **WINDOW))
+    draw_printed_windows(panel, printed, roughness, WINDOW_ENDS)
 
 
 def _on_surface(curves, data, surface):

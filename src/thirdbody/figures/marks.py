@@ -29,16 +29,33 @@ STATUS_STEP = 6  # points of a curve from one mark of their status to the next
 # of those with values, where the status of a point is not plain ``converged``: text of the key,
 # marker
 STATUS_MARKS = {
-    "several_separations": ("balances at several separations, of which the largest", "+"),
-    "outside_film_formula": ("film outside the range of its formula", "x"),
-    "area_exceeded": ("contact area above the apparent area", "1"),
-    "not_converged": ("error asked for not reached", "2"),
+    "several_separations": ("several balances: the widest", "+"),
+    "outside_film_formula": ("film outside its formula", "x"),
+    "area_exceeded": ("contact area above 1", "1"),
+    "not_converged": ("less exact than asked", "2"),
 }
 STATUS_LOOK = {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A", "zorder": 3.2}
+# open marks of what the paper prints, over bars as far as its tolerance
+PRINTED = {
+    "linestyle": "none",
+    "marker": "s",
+    "markersize": 5.2,
+    "markerfacecolor": "white",
+    "markeredgewidth": 1.1,
+    "color": "black",
+}
+WINDOW = {
+    "linestyle": "none",
+    "marker": "d",
+    "markersize": 6.0,
+    "color": "C5",
+}
 # label of what is drawn: its text in the key, its style
 MARKS = {
     "turning points": ("turning point (TPCA)", TURNING_POINTS),
     "locus of the turning points": ("their locus", LOCUS),
+    "window": ("ends of their window", WINDOW),
+    "printed": ("printed, with tolerance", PRINTED),
 } | {
     meaning: (text, STATUS_LOOK | {"marker": marker, "linestyle": "none"})
     for meaning, (text, marker) in STATUS_MARKS.items()
@@ -69,8 +86,10 @@ def turning_points_of(
     curves: Sequence[Curve], turning_points: Iterable[Mapping]
 ) -> list[tuple[Curve, Mapping]]:
     """Pairs of a curve and its turning point, where it has one."""
-    found = {_key(point[name] for name in Condition._fields): point for point in turning_points}
-    keys = [_key(curve.condition) for curve in curves]
+    found = {
+        condition_key(point[name] for name in Condition._fields): point for point in turning_points
+    }
+    keys = [condition_key(curve.condition) for curve in curves]
     return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
 
 
@@ -134,6 +153,6 @@ def mark_entries(figure: Figure) -> list[Entry]:
     return [entry for label, entry in MARKS.items() if label in drawn]
 
 
-def _key(values):
+def condition_key(values: Iterable[float]) -> tuple[str, ...]:
     """Conditions free of the rounding of files."""
     return tuple(f"{value:.9g}" for value in values)

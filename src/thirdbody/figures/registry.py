@@ -7,17 +7,21 @@ A figure of curves is a row here; what its curves are computed for stands under 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from matplotlib.figure import Figure
 
 from thirdbody.data.schematic import Section
 from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
+from thirdbody.figures.shown import AREA_OVER_TWO_BODY
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
 SOLID = Content("solid_load_fraction")  # L_s
 FILM = Content("film_thickness")  # H_c
+RELATIVE = Content(AREA_OVER_TWO_BODY)  # A_t* over that of dry two-body contact
+WINDOW = Content("turning_point_ratio", x="diameter_ratio")
 SMOOTHEST, ROUGHEST = 0, -1
 
 SCHEMATICS: dict[str, Callable[[Sequence[Section]], Figure]] = {
@@ -26,17 +30,21 @@ SCHEMATICS: dict[str, Callable[[Sequence[Section]], Figure]] = {
 }
 CURVE_FIGURES = {
     # dry: from the p-s over the hybrid to the s-s mode
-    "fig03": CurveFigure("particle_diameter", (RATIO, AREA)),
+    "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE)),
     # lubricants, beside dry and two-body contact; then on two surfaces
     "fig04": CurveFigure("viscosity", (RATIO, AREA, SOLID, FILM)),
     "fig05": CurveFigure("viscosity", (SOLID,), each_surface=True),
     # lubricated beside dry contact
-    "fig06": CurveFigure("particle_diameter", (AREA, SOLID, RATIO)),
-    "fig07": CurveFigure("particle_density", (AREA, SOLID, RATIO)),
-    "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO)),
+    "fig06": CurveFigure("particle_diameter", (AREA, SOLID, RATIO, RELATIVE)),
+    "fig07": CurveFigure("particle_density", (AREA, SOLID, RATIO, RELATIVE)),
+    "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE), two_body=False),
     # dry: where the turning point occurs
-    "fig09": CurveFigure("particle_diameter", (RATIO, Content("total_contact_area", locus=True))),
-    "fig10": CurveFigure("diameter_ratio", (RATIO,), each_surface=True),
+    "fig09": CurveFigure(
+        "particle_diameter",
+        (RATIO, replace(AREA, locus=True), replace(RELATIVE, locus=True), WINDOW),
+        two_body=False,
+    ),
+    "fig10": CurveFigure("diameter_ratio", (RATIO, WINDOW), each_surface=True),
     # where lubricants shift it: over the load and over the film; on two surfaces
     "fig11": CurveFigure(
         "viscosity", (RATIO, SOLID, Content("particle_contact_area_ratio", x="film_thickness"))

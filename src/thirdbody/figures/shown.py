@@ -12,6 +12,9 @@ from thirdbody.data.conditions import Condition
 from thirdbody.data.netcdf import shown_combinations
 from thirdbody.figures.sheet.naming import label
 
+AREA = "total_contact_area"
+AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"
+
 
 @dataclass(frozen=True)
 class Curve:
@@ -26,7 +29,26 @@ class Curve:
         return label(self.condition)
 
     def values(self, data: xr.Dataset, name: str) -> NDArray[np.float64]:
-        """Values of the variable ``name`` along the curve, shape (loads,)."""
+        """Values along the curve, shape (loads,).
+
+        Parameters
+        ----------
+        data : xarray.Dataset
+            The dataset of the curve.
+        name : str
+            A variable of it, or ``AREA_OVER_TWO_BODY``: A_t* over that of dry two-body contact at
+            the same load and roughness.
+
+        Raises
+        ------
+        ValueError
+            If the dataset holds no such two-body contact.
+        """
+        if name == AREA_OVER_TWO_BODY:
+            roughness, references = self.condition.roughness, two_body_areas(data)
+            if roughness not in references:
+                raise ValueError(f"no dry two-body contact at a roughness of {roughness:g} m")
+            return self.values(data, AREA) / references[roughness]
         values = data[name].values
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
@@ -40,3 +62,12 @@ def shown_curves(data: xr.Dataset) -> list[Curve]:
         )
         for place in np.argwhere(shown_combinations(data)).tolist()
     ]
+
+
+def two_body_areas(data: xr.Dataset) -> dict[float, NDArray[np.float64]]:
+    """A_t* of dry two-body contact over the loads, by the roughness [m] that ``data`` has it for."""
+    return {
+        curve.condition.roughness: curve.values(data, AREA)
+        for curve in shown_curves(data)
+        if curve.condition.is_dry and curve.condition.is_two_body
+    }

@@ -13,7 +13,7 @@ from string import ascii_uppercase
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.markers import TICKDOWN, TICKRIGHT, TICKUP
@@ -30,7 +30,7 @@ TITLE_RISE = 4.0  # of titles above the axes, points
 NEWTONS_RISE = 12.0  # what the ticks in newtons take of that room besides, points
 POINTS_PER_INCH = 72.0
 COLUMNS = 2
-KEY_INCHES = 0.75  # strip below the panels that holds the key if they leave no cell free
+KEY_INCHES = 0.9  # strip below the panels that holds the key if they leave no cell free
 # side of a panel: axis, place along the other axis, ticks inwards, how their labels stand
 SIDES = {
     "bottom": ("x", 0.0, TICKUP, {"ha": "center", "va": "top"}),
@@ -47,11 +47,19 @@ class NamedOutlines(PolyCollection):
         self.names = names
 
 
+class NamedBars(LineCollection):
+    """Straight lines with a name each, in one artist: cheaper than an artist for each."""
+
+    def __init__(self, bars: Sequence[Sequence[tuple]], names: Sequence[str], **style):
+        super().__init__(bars, **style)
+        self.names = names
+
+
 class NamedPoints(Line2D):
     """Markers of one look with a name each, in one artist: cheaper than an artist for each."""
 
     def __init__(self, points: Sequence[tuple], names: Sequence[str], **style):
-        super().__init__(*np.transpose(points), linestyle="none", **style)
+        super().__init__(*np.transpose(points), **{"linestyle": "none"} | style)
         self.names = names
 
 
@@ -109,6 +117,13 @@ class Panel(Axes):
         """Polygons, arrays of shape (n, 2) in the units of the axes, with a name and a style each."""
         self.add_collection(NamedOutlines(outlines, names, **style), autolim=False)
         self.update_datalim(np.concatenate(outlines))
+
+    def add_bars(
+        self, bars: Sequence[Sequence[tuple]], names: Sequence[str], colour, **style
+    ) -> None:
+        """Straight lines from point to point in the units of the axes, with a name each."""
+        self.add_collection(NamedBars(bars, names, colors=[colour], **style), autolim=False)
+        self.update_datalim(np.concatenate(bars))
 
     def in_points(self, line: Line2D) -> NDArray[np.float64]:
         """Where ``line`` runs on the sheet once the panel has its frame, shape (n, 2), in points."""

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.data.files import whole
-from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints, Panel
+from thirdbody.figures.sheet.panel import NamedBars, NamedOutlines, NamedPoints, Panel
 
 # what each format is saved with: no date or version, and PNG compressed where it costs little
 OPTIONS = {
@@ -83,7 +83,7 @@ def drawn_points(panel: Panel) -> Iterator[tuple[str, NDArray[np.float64]]]:
         elif not line.get_label().startswith("_"):
             yield line.get_label(), _known(line.get_xydata())
     for outlines in panel.collections:
-        if isinstance(outlines, NamedOutlines):
+        if isinstance(outlines, NamedBars | NamedOutlines):
             for name, path in zip(outlines.names, outlines.get_paths(), strict=True):
                 yield name, _known(path.vertices)
 

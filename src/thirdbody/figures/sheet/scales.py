@@ -23,9 +23,11 @@ class Scale:
     Attributes
     ----------
     name : str
-        The variable, or the axis ``load``.
+        A variable, the axis ``load``, or what is derived from them.
     title : str
         What panels are called that show it.
+    sign : str
+        Its symbol in plain letters, unless it is a variable of datasets, which have theirs.
     logarithmic : bool
         Whether the axis is.
     unit : float
@@ -42,6 +44,7 @@ class Scale:
 
     name: str
     title: str
+    sign: str = ""
     logarithmic: bool = False
     unit: float = 1.0
     unit_text: str = ""
@@ -53,7 +56,7 @@ class Scale:
     @property
     def symbol(self) -> Symbol:
         """The paper's symbol, with the unit."""
-        return Symbol.of((AXES | VARIABLES)[self.name].symbol, self.unit_text)
+        return Symbol.of(self.sign or (AXES | VARIABLES)[self.name].symbol, self.unit_text)
 
     def ends(self, low: float, high: float) -> tuple[float, float]:
         """Ends of the axis around data from ``low`` to ``high``."""
@@ -114,6 +117,22 @@ SCALES = {
             zones=("F.L.", "M.L.", "B.L."),
         ),
         Scale("film_thickness", "Film thickness", unit=1e-4, unit_text="10⁻⁴"),
+        Scale(
+            "total_contact_area_over_two_body",
+            "Area over that of dry two-body contact",
+            sign="A_t*",
+            unit_text="over dry two-body",
+        ),
+        Scale("diameter_ratio", "Particle diameter over roughness", sign="xₐ/σ"),
+        Scale(
+            "turning_point_ratio",
+            "Where turning points occur",
+            sign="A_sa,t*",
+            unit_text="at the turning point",
+            share=True,
+            limits=(SURFACE_LIMIT, PARTICLE_LIMIT),
+            zones=("s-s", "hybrid", "p-s"),
+        ),
     )
 }
 # the upper edge of panels over the load

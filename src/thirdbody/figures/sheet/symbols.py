@@ -46,7 +46,8 @@ def outline(symbol: Symbol, size: float) -> Path:
     """``symbol`` with its letter at the origin, set in ``size`` points."""
     pieces = [_set(symbol.letter, 0.0, 0.0, size, "italic")]
     beside = _end(pieces) + THIN_SPACE * size
-    pieces.append(_set(symbol.below, beside, LOWERED * size, SMALL * size, "italic"))
+    if symbol.below:
+        pieces.append(_set(symbol.below, beside, LOWERED * size, SMALL * size, "italic"))
     if symbol.starred:
         pieces.append(_set("*", beside + THIN_SPACE * size, RAISED * size, SMALL * size))
     if symbol.unit:

@@ -1,0 +1,81 @@
+"""The numbers that the paper prints, as rows: whose they are, and how far their tolerances reach."""
+
+import pytest
+
+from thirdbody.configuration.schema import config_directory
+from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.data.tables import TABLES, read_csv, write_csv
+from thirdbody.study.claims import load_claims
+from thirdbody.study.printed import printed_rows
+
+
+@pytest.fixture(scope="module")
+def claims():
+    return {claim.id: claim for claim in load_claims(config_directory() / "claims.yaml")}
+
+
+def rows_of(claim):
+    return printed_rows([claim])
+
+
+def test_a_number_has_a_row_for_each_curve_with_its_relative_tolerance(claims):
+    claim = claims["fig11a-turning-point-load-below-90cst"]
+    rows = rows_of(claim)
+    assert len(rows) == len(claim.curves) > 1
+    assert claim.relative
+    for row, condition in zip(rows, claim.curves, strict=True):
+        assert tuple(row[axis.column] for axis in CONDITION_AXES) == condition
+        assert (row["figure"], row["quantity"]) == ("fig11", claim.quantity)
+        assert row["value"] == claim.published
+        assert row["high"] - row["value"] == pytest.approx(claim.tolerance * claim.published)
+        assert row["value"] - row["low"] == pytest.approx(claim.tolerance * claim.published)
+
+
+def test_a_window_has_a_row_for_each_end_and_no_curve(claims):
+    claim = claims["fig10a-window-100nm"]
+    low, high = rows_of(claim)
+    assert [low["quantity"], high["quantity"]] == ["window_low", "window_high"]
+    assert [low["value"], high["value"]] == claim.published
+    assert low["value"] - low["low"] == pytest.approx(claim.tolerance)
+    assert low["viscosity_m2_per_s"] is None
+    assert low["roughness_m"] == 1e-7
+
+
+def test_a_range_has_its_extremes_up_to_the_load_that_the_paper_names(claims):
+    claim = claims["fig11c-film-range-at-70cst"]
+    low, high = rows_of(claim)
+    assert [low["extreme"], high["extreme"]] == ["minimum", "maximum"]
+    assert [low["value"], high["value"]] == claim.published
+    assert low["load_max_N"] == claim.conditions["load_max_N"]
+
+
+def test_where_a_number_is_taken_stands_beside_it(claims):
+    (row,) = rows_of(claims["fig06b-all-sizes-mixed-load"])
+    assert (row["at_quantity"], row["at_level"]) == ("solid_load_fraction", 0.9)
+
+
+def test_a_reversal_between_several_curves_is_one_number(claims):
+    assert len(claims["fig07a-reversal-load"].curves) > 1
+    assert len(rows_of(claims["fig07a-reversal-load"])) == 1
+
+
+def test_only_printed_numbers_have_rows(claims):
+    withheld = [claim for claim in claims.values() if claim.is_withheld]
+    wordy = [claim for claim in claims.values() if claim.kind in ("ordering", "trend", "absence")]
+    assert withheld
+    assert wordy
+    assert printed_rows([*withheld, *wordy]) == []
+
+
+def test_what_belongs_to_no_figure_alone_names_none(claims):
+    assert {row["figure"] for row in rows_of(claims["conclusion5-window"])} == {""}
+
+
+def test_the_table_keeps_them(claims, tmp_path):
+    rows = printed_rows(claims.values())
+    write_csv(tmp_path / "printed.csv", rows, TABLES["printed"])
+    again = read_csv(tmp_path / "printed.csv", TABLES["printed"])
+    assert [row["id"] for row in again] == [row["id"] for row in rows]
+    for written, row in zip(again, rows, strict=True):
+        assert written["value"] == pytest.approx(row["value"], rel=1e-9)
+        assert written["load_max_N"] == row["load_max_N"]
