@@ -35,7 +35,7 @@ RATIO, AREA, SOLID, FILM, OVER = (
 )
 ENDS = ("low", "high")
 AT_A_LOAD = ("turning_point_solid_load", "bend_load_over_mixed_load")
-WINDOW = ("diameter_ratio "turning_point_ratio")
+WINDOW = ("diameter_ratio", "turning_point_ratio")
 GREY = (0.299, 0.587, 0.114)  # weights of the colours, ITU-R BT.601
 # x and y of panels A, B, ... as the text of the paper describes them
 PANELS = {
