@@ -801,6 +801,7 @@ GOOD = {
     "id": "some-claim",
     "where": "Figure 3A",
     "statement": "The solid bears all load.",
+    "sentence": "$L_s$ is 100% under all dimensionless normal loads",
     "kind": "value",
     "role": "calibration",
     "quantity": "solid_load_fraction",
@@ -834,6 +835,7 @@ def test_good_claim_loads(tmp_path):
         ({"kind": "guess"}, "kind"),
         ({"colour": "red"}, "colour"),
         ({"where": None}, "where"),
+        ({"sentence": None}, "sentence"),
         ({"published": "1e0"}, "published"),
         ({"published": None}, "published"),
         ({"role": None}, "role"),
@@ -917,7 +919,7 @@ def test_a_window_asks_for_a_surface_alone(tmp_path):
 
 
 def test_sequence_of_unknown_states_is_refused(tmp_path):
-    common = ("id", "where", "statement", "role", "conditions", "tolerance")
+    common = ("id", "where", "statement", "sentence", "role", "conditions", "tolerance")
     entry = {key: GOOD[key] for key in common} | {
         "kind": "regime_sequence",
         "published": ["boundary", "wet"],

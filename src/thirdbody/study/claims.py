@@ -102,6 +102,8 @@ class Claim:
         Conditions that differ on the curves which those of the claim are held against.
     contradicts : sequence of str
         Ids of statements in which the paper says the opposite.
+    sentence : str
+        What it says, in the paper's words; formulas are TeX.
     aside : str
         Why the statement that it contradicts is taken instead; empty if it is taken itself.
     cluster : str
@@ -126,6 +128,7 @@ class Claim:
     open_end: bool = False
     reference: Mapping[str, float] | None = None
     contradicts: Sequence[str] = ()
+    sentence: str = ""
     aside: str = ""
     cluster: str = ""
 

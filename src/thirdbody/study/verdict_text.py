@@ -131,4 +131,7 @@ def _cell(value) -> str:
 
 def _miss(row: Mapping, paragraph: str) -> str:
     published = f" Published: {row['published']}." if row["published"] else ""
-    return f"**{row['id']}** ({row['where']}). {row['statement']}{published} {paragraph}"
+    return (
+        f'**{row["id"]}** ({row["where"]}). {row["statement"]} The paper: "{row["sentence"]}"'
+        f"{published} {paragraph}"
+    )

@@ -194,6 +194,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
             "id": claim.id,
             "where": claim.where,
             "statement": claim.statement,
+            "sentence": claim.sentence,
             "kind": claim.kind,
             "role": claim.role,
             "published": _published(claim),
