@@ -16,6 +16,7 @@ from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
+from thirdbody.figures.captions import CAPTIONS, caption_text
 from thirdbody.figures.marks import condition_key
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
 from thirdbody.figures.sheet.saving import SUFFIXES, drawn_points, save
@@ -34,6 +35,7 @@ RATIO, AREA, SOLID, FILM, OVER = (
     "total_contact_area_over_two_body",
 )
 ENDS = ("low", "high")
+CAPTION = "What it shows.\n"
 AT_A_LOAD = ("turning_point_solid_load", "bend_load_over_mixed_load")
 WINDOW = ("diameter_ratio", "turning_point_ratio")
 GREY = (0.299, 0.587, 0.114)  # weights of the colours, ITU-R BT.601
@@ -124,7 +126,7 @@ def turning_points_in(data):
 
 
 def saved(figure, stem):
-    save(figure, stem)
+    save(figure, stem, CAPTION)
     return {suffix: Path(f"{stem}{suffix}").read_bytes() for suffix in SUFFIXES}
 
 
@@ -310,7 +312,7 @@ def test_curves_are_told_apart_in_grey(name, datasets):
 @pytest.mark.parametrize("name", ["fig04", "fig11", "fig13"])
 def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
     data = datasets[name]
-    save(CURVE_FIGURES[name].plot(data), tmp_path / name)
+    save(CURVE_FIGURES[name].plot(data), tmp_path / name, CAPTION)
     rows = drawn_rows(tmp_path / f"{name}.csv")
     for letter, (x_name, y_name) in zip("ABCD", PANELS[name], strict=False):
         panel = [row for row in rows if row["panel"] == letter]
@@ -333,7 +335,7 @@ def test_csv_format(datasets, tmp_path):
 def test_csv_keeps_a_label_with_commas_in_one_column(datasets, tmp_path):
     figure = CURVE_FIGURES["fig05"].plot(datasets["fig05"])
     data_lines(figure.axes[0])[0].set_label("dry, 300 nm")
-    save(figure, tmp_path / "labelled")
+    save(figure, tmp_path / "labelled", CAPTION)
     rows = drawn_rows(tmp_path / "labelled.csv")
     assert "dry, 300 nm" in {row["curve"] for row in rows}
     assert all(None not in row for row in rows)
@@ -482,7 +484,7 @@ def test_a_band_is_drawn(datasets, tmp_path):
     assert any("ensemble" in text.get_text() for text in figure.texts)
     plain = saved(CURVE_FIGURES["fig05"].plot(data), tmp_path / "plain")
     banded = saved(figure, tmp_path / "banded")
-    assert all(plain[suffix] != banded[suffix] for suffix in SUFFIXES)
+    assert all(plain[suffix] != banded[suffix] for suffix in SUFFIXES if suffix != ".md")
     rows = drawn_rows(tmp_path / "banded.csv")
     highest = max(float(row["y"]) for row in rows if row["curve"].startswith("band; "))
     assert highest == pytest.approx(1.1 * float(data[SOLID].max()))
@@ -528,3 +530,52 @@ def test_a_figure_without_a_row_is_refused_in_one_line():
 def test_figures_never_import_pyplot():
     modules = (ROOT / "src" / "thirdbody" / "figures").rglob("*.py")
     assert not any("pyplot" in module.read_text(encoding="utf-8") for module in modules)
+
+
+def test_every_figure_has_a_caption():
+    others = {"claims", "conflict", "sensitivity", "accuracy"}
+    assert set(CAPTIONS) == others | set(SCHEMATICS) | set(CURVE_FIGURES)
+    for name, caption in CAPTIONS.items():
+        # curves are told from what is drawn, all else has words of its own
+        assert bool(caption.seen) == (name not in CURVE_FIGURES)
+
+
+@pytest.mark.parametrize("name", PANELS)
+def test_captions_tell_what_is_drawn(name, datasets, printed):
+    data = datasets[name]
+    points = turning_points_in(data)
+    figure = CURVE_FIGURES[name].plot(data, points, printed=printed[name])
+    caption, seen = caption_text(name, figure, data).split("\n\n")
+    assert caption.startswith(f"**Figure {int(name[3:])}. ")
+    for panel, count in zip(figure.axes, COUNTS[name], strict=True):
+        assert f"({panel.letter}) " in caption
+        assert (f"Panel {panel.letter}: {count} curves of" in seen) == bool(count)
+    for roughness in data["roughness"].values:
+        assert f"{1e9 * roughness:.10g}" in caption
+    shown = {line.get_label() for panel in figure.axes for line in panel.lines}
+    assert ("Stars: " in caption) == ("turning points" in shown)
+    assert ("Open squares: " in caption) == ("printed" in shown)
+    assert "Shaded" not in caption
+
+
+def test_the_alternative_text_gives_the_numbers_of_the_curves(datasets):
+    data = datasets["fig03"]
+    figure = CURVE_FIGURES["fig03"].plot(data)
+    *_, last = data_lines(figure.axes[1])
+    first, end = (f"{last.get_ydata()[place]:.2g}" for place in (0, -1))
+    assert f"x_a = 1000 nm runs from {first} to {end}" in caption_text("fig03", figure, data)
+
+
+def test_the_caption_stands_beside_the_figure(datasets, tmp_path):
+    files = saved(CURVE_FIGURES["fig05"].plot(datasets["fig05"]), tmp_path / "fig05")
+    assert files[".md"].decode() == CAPTION
+
+
+def test_captions_are_restructured_text_too(datasets):
+    from docutils.core import publish_parts
+
+    for name in ("fig06", "fig09"):
+        text = caption_text(name, CURVE_FIGURES[name].plot(datasets[name]), datasets[name])
+        settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
+        body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
+        assert body.count("<strong>") == 2

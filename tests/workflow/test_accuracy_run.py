@@ -13,7 +13,7 @@ PRODUCTS = {
     *(f"accuracy/{name}.csv" for name in NAMES),
     "accuracy/bars.md",
     "accuracy/accuracy.nc",
-    *(f"figures/accuracy.{kind}" for kind in ("svg", "pdf", "png", "csv")),
+    *(f"figures/accuracy.{kind}" for kind in ("svg", "pdf", "png", "csv", "md")),
 }
 BUDGET = yaml.safe_load((ROOT / "config" / "accuracy_minimal.yaml").read_text(encoding="utf-8"))
 CLASSES = set(

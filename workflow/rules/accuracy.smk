@@ -86,7 +86,12 @@ rule render_accuracy:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_accuracy.py"),
     output:
-        multiext("results/figures/accuracy", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+        multiext(
+            "results/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
+        ),
+        png=report(
+            "results/figures/accuracy.png", caption="../report/figure.rst", category="Figures"
+        ),
     log:
         "logs/render_accuracy.log",
     benchmark:
@@ -112,4 +117,4 @@ rule accuracy:
         "results/accuracy/bars.csv",
         "results/accuracy/bars.md",
         "results/accuracy/accuracy.nc",
-        multiext("results/figures/accuracy", ".svg", ".pdf", ".png", ".csv"),
+        multiext("results/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),

@@ -14,7 +14,12 @@ rule render_claims:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_claims.py"),
     output:
-        multiext("results/figures/claims", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+        multiext(
+            "results/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
+        ),
+        png=report(
+            "results/figures/claims.png", caption="../report/figure.rst", category="Figures"
+        ),
     log:
         "logs/render_claims.log",
     benchmark:
@@ -65,7 +70,12 @@ rule render_conflict:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_conflict.py"),
     output:
-        multiext("results/figures/conflict", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+        multiext(
+            "results/figures/conflict", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
+        ),
+        png=report(
+            "results/figures/conflict.png", caption="../report/figure.rst", category="Figures"
+        ),
     log:
         "logs/render_conflict.log",
     benchmark:

@@ -25,7 +25,12 @@ rule render_figure:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_figure.py"),
     output:
-        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+        multiext(
+            "results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
+        ),
+        png=report(
+            "results/figures/{figure}.png", caption="../report/figure.rst", category="Figures"
+        ),
     log:
         "logs/render_figure/{figure}.log",
     benchmark:
@@ -47,7 +52,12 @@ rule render_schematic:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_schematic.py"),
     output:
-        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", png=".png", csv=".csv"),
+        multiext(
+            "results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
+        ),
+        png=report(
+            "results/figures/{figure}.png", caption="../report/figure.rst", category="Figures"
+        ),
     log:
         "logs/render_schematic/{figure}.log",
     benchmark:

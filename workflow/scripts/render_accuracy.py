@@ -7,14 +7,16 @@ import matplotlib.style
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.accuracy import plot
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sheet.saving import save
 
 
 def render(errors, times, style, stem):
-    """Draw both tables in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    """Draw both tables in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     tables = read_csv(errors, TABLES["errors"]), read_csv(times, TABLES["times"])
     with matplotlib.style.context(style, after_reset=True):
-        save(plot(*tables), stem)
+        drawn = plot(*tables)
+        save(drawn, stem, caption_text("accuracy", drawn))
     print(f"{len(tables[1])} points drawn")
 
 

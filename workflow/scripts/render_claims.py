@@ -6,15 +6,17 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.claims import plot
 from thirdbody.figures.sheet.saving import save
 
 
 def render(claims, style, stem):
-    """Draw the rows of ``claims`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    """Draw the rows of ``claims`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     rows = read_csv(claims, TABLES["claims"])
     with matplotlib.style.context(style, after_reset=True):
-        save(plot(rows), stem)
+        drawn = plot(rows)
+        save(drawn, stem, caption_text("claims", drawn))
     print(f"{len(rows)} statements drawn")
 
 

@@ -6,6 +6,7 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.conflict import plot
 from thirdbody.figures.sheet.saving import save
 
@@ -14,7 +15,8 @@ def render(conflict, style, stem):
     """Draw the rows of ``conflict`` in the ``style`` of a file, as ``stem``.svg, .pdf, ..."""
     rows = read_csv(conflict, TABLES["conflict"])
     with matplotlib.style.context(style, after_reset=True):
-        save(plot(rows), stem)
+        drawn = plot(rows)
+        save(drawn, stem, caption_text("conflict", drawn))
     print(f"{len(rows)} scores drawn")
 
 

@@ -7,6 +7,7 @@ import matplotlib.style
 from thirdbody.data.files import logged
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
@@ -14,7 +15,7 @@ from thirdbody.figures.sheet.saving import save
 
 
 def render(figure, dataset, turning_points, printed, windows, style, stem, band):
-    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv.
+    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv and .md.
 
     ``printed`` is the file of the numbers that the paper prints, ``windows`` that of the windows
     of the turning point, and ``band`` that of the envelope around the curves; the last two may be
@@ -26,7 +27,8 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, band)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
-        save(curve_figure(figure).plot(data, points, envelope, numbers, ends), stem)
+        drawn = curve_figure(figure).plot(data, points, envelope, numbers, ends)
+        save(drawn, stem, caption_text(figure, drawn, data))
     print(f"{figure}: drawn")
 
 

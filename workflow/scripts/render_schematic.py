@@ -6,14 +6,16 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.schematic import read_sections
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.registry import SCHEMATICS
 from thirdbody.figures.sheet.saving import save
 
 
 def render(figure, sections, style, stem):
-    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png and .csv."""
+    """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv and .md."""
     with matplotlib.style.context(style, after_reset=True):
-        save(SCHEMATICS[figure](read_sections(sections)), stem)
+        drawn = SCHEMATICS[figure](read_sections(sections))
+        save(drawn, stem, caption_text(figure, drawn))
     print(f"{figure}: drawn")
 
 

@@ -6,15 +6,17 @@ import matplotlib.style
 
 from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sensitivity import plot
 from thirdbody.figures.sheet.saving import save
 
 
 def render(table, style, stem):
-    """Draw the rows of ``table`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv."""
+    """Draw the rows of ``table`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     rows = read_csv(table, TABLES["sensitivity"])
     with matplotlib.style.context(style, after_reset=True):
-        save(plot(rows), stem)
+        drawn = plot(rows)
+        save(drawn, stem, caption_text("sensitivity", drawn))
     print(f"{len(rows)} rows drawn")
 
 

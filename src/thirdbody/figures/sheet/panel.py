@@ -87,7 +87,7 @@ class Panel(Axes):
         y_name: str,
     ):
         super().__init__(figure, box)
-        self.letter, self.x_name, self.y_name = letter, x_name, y_name
+        self.letter, self.x_name, self.y_name, self.heading = letter, x_name, y_name, ""
         for part in (self.xaxis, self.yaxis, *self.spines.values()):
             part.set_visible(False)
         self.patch.set(edgecolor=rcParams["axes.edgecolor"], linewidth=rcParams["axes.linewidth"])
@@ -108,6 +108,7 @@ class Panel(Axes):
 
     def add_title(self, title: str) -> None:
         """The letter of the panel and ``title`` beside it."""
+        self.heading = title
         newtons = NEWTONS_RISE * (self.x_name == "load")
         above = {"y_points": TITLE_RISE + newtons, "va": "bottom"}
         self.write(0.0, 1.0, f"({self.letter})", fontweight="bold", **above)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from os import PathLike
+from pathlib import Path
 
 # the canvases that ``savefig`` takes for the formats below
 import matplotlib.backends.backend_agg
@@ -22,29 +23,32 @@ OPTIONS = {
     "pdf": {"metadata": {"CreationDate": None}},
     "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
 }
-SUFFIXES = tuple(f".{kind}" for kind in (*OPTIONS, "csv"))
+SUFFIXES = tuple(f".{kind}" for kind in (*OPTIONS, "csv", "md"))
 COLUMNS = ("panel", "curve", "x_name", "x", "y_name", "y")
 
 
-def save(figure: Figure, stem: str | PathLike) -> None:
-    """Write a figure in three formats, and the data that it shows.
+def save(figure: Figure, stem: str | PathLike, caption: str) -> None:
+    """Write a figure in three formats, the data that it shows, and what stands below it.
 
     Parameters
     ----------
     figure : Figure
         A sheet whose axes are all ``Panel``.
     stem : path
-        Path without its ending: ``.svg``, ``.pdf``, ``.png`` and ``.csv`` appear together.
+        Path without its ending: ``.svg``, ``.pdf``, ``.png``, ``.csv`` and ``.md`` appear together.
+    caption : str
+        Text of the ``.md``.
 
     Raises
     ------
     OSError
         If there is no room or no right to write.
     """
-    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data):
+    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data, text):
         for drawing, (kind, options) in zip(drawings, OPTIONS.items(), strict=True):
             figure.savefig(drawing, format=kind, **options)
         write_drawn_data(figure, data)
+        Path(text).write_text(caption, encoding="utf-8")
 
 
 def write_drawn_data(figure: Figure, path: str | PathLike) -> None:
