@@ -7,7 +7,11 @@ FIGURES = ["fig01", "fig02", *CURVE_FIGURES]
 TABLES = ["table1", "table2", "tpca_loads", "tpca_windows", "transitions"]
 PRODUCTS = {
     *(f"datasets/{figure}.nc" for figure in CURVE_FIGURES),
-    *(f"figures/{figure}.{kind}" for figure in FIGURES for kind in ("svg", "pdf", "png", "csv", "md")),
+    *(
+        f"figures/{figure}.{kind}"
+        for figure in FIGURES
+        for kind in ("svg", "pdf", "png", "csv", "md")
+    ),
     *(f"tables/{table}.{kind}" for table in TABLES for kind in ("csv", "json", "md", "tex")),
     "claims/claims.csv",
     "claims/claims.md",
