@@ -13,6 +13,7 @@ from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.readable import READABLE
 from thirdbody.data.tables import TABLES, read_csv
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
@@ -64,9 +65,28 @@ def test_the_columns_are_those_of_the_table_schema(results, name):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_readable_forms_have_a_line_for_each_row(results, tables, name):
     folder = results / "tables"
-    assert len((folder / f"{name}.md").read_text().splitlines()) == len(tables[name]) + 2
+    if name not in READABLE:
+        assert len((folder / f"{name}.md").read_text().splitlines()) == len(tables[name]) + 2
     lines = (folder / f"{name}.tex").read_text().splitlines()
     assert sum(line.endswith(r"\\") for line in lines) == len(tables[name]) + 1
+
+
+@pytest.mark.parametrize("name", ["tpca_loads", "transitions"])
+def test_curves_have_a_line_each_to_be_read(results, tables, name):
+    lines = (results / "tables" / f"{name}.md").read_text().splitlines()
+    curves = {tuple(row[column] for column in CONDITIONS) for row in tables[name]}
+    assert sum(line.startswith("|") for line in lines) == len(curves) + 2
+
+
+def test_the_papers_numbers_stand_beside_those_of_the_model(results):
+    printed = read_csv(results / "extracted" / "printed" / "all.csv", TABLES["printed"])
+    loads = (results / "tables" / "tpca_loads.md").read_text()
+    (dry,) = (row for row in printed if row["id"] == "fig11a-turning-point-load-dry")
+    assert f"{1e6 * dry['value']:.3g} ± " in loads
+    windows = (results / "tables" / "tpca_windows.md").read_text()
+    for row in printed:
+        if row["quantity"].startswith("window") and row["roughness_m"] in (1e-7, 3e-7, 5e-7):
+            assert f"{row['value']:.3g} ± " in windows
 
 
 # ---- turning points

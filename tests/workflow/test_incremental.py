@@ -21,7 +21,13 @@ ALL_CURVES = (
 GATHERED = ("accuracy/solver_cost.csv", "tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 SHOWING_WINDOWS = ("figures/fig09.*", "figures/fig10.*")
-PRINTED = ("extracted/printed/*", "figures/fig0[3-9].*", "figures/fig1?.*")  # the paper's numbers
+PRINTED = (  # what stands beside the paper's numbers
+    "extracted/printed/*",
+    "figures/fig0[3-9].*",
+    "figures/fig1?.*",
+    "tables/tpca_*",
+    "tables/transitions.*",
+)
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")

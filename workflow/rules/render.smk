@@ -3,6 +3,7 @@
 
 CURVE_FIGURES = sorted(name for name in settings["scenes"] if name.startswith("fig"))
 WINDOW_FIGURES = ["fig09", "fig10"]  # those that show where turning points occur
+BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]  # the paper's numbers
 TABLE_PARTS = {
     "tpca_loads": CURVE_FIGURES,
     "transitions": CURVE_FIGURES,
@@ -80,6 +81,9 @@ rule write_table:
             table=wildcards.table,
             part=TABLE_PARTS[wildcards.table],
         ),
+        printed=lambda wildcards: (
+            "results/extracted/printed/all.csv" if wildcards.table in BESIDE_PRINTED else []
+        ),
         modules=import_closure("workflow/scripts/write_table.py"),
     output:
         multiext("results/tables/{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
@@ -90,6 +94,8 @@ rule write_table:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    params:
+        parameters=settings["parameters"],
     message:
         "Writing table {wildcards.table}"
     script:

@@ -1,0 +1,124 @@
+"""Tables as people read them: a row a curve, few digits, the paper's numbers beside."""
+
+import pytest
+
+from thirdbody.data.readable import markdown, readable, result_name, rounded, with_error
+
+NEWTONS = 1e5  # per load
+CURVE = {
+    "viscosity_m2_per_s": 9e-5,
+    "particle_diameter_m": 3e-7,
+    "roughness_m": 3e-7,
+    "particle_density_per_m2": 1e11,
+}
+OTHER = CURVE | {"viscosity_m2_per_s": 0.0}
+POINT = {
+    "load": 3.1833e-6,
+    "load_error": 1e-15,
+    "peak_ratio": 0.20049,
+    "solid_load_fraction": 0.21094,
+    "separation_m": 1.1496e-6,
+}
+
+
+def printed(curve, quantity, value, low, high, **fields):
+    empty = dict.fromkeys(("id", "figure", "extreme", "at_quantity"), "")
+    given = {"quantity": quantity, "value": value, "low": low, "high": high, "at_level": None}
+    return curve | empty | given | fields
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (0.123456, 0.0, "0.123"),
+        (0.123456, 0.04, "0.12"),
+        (1234.5, 0.0, "1230"),
+        (1234.5, 300.0, "1200"),
+        (99.99, 0.0, "100"),
+        (-0.000123456, 0.0, "-0.000123"),
+        (0.0, 0.1, "0"),
+        (None, 0.0, ""),
+    ],
+)
+def test_a_number_has_three_digits_or_those_that_its_error_leaves(value, error, text):
+    assert rounded(value, error) == text
+
+
+def test_an_error_has_one_digit():
+    assert with_error(0.5234, 0.0612) == "0.52 ± 0.06"
+
+
+def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
+    rows = [{"figure": name} | CURVE | POINT for name in ("fig06", "fig11")]
+    rows.append({"figure": "fig09"} | OTHER | POINT)
+    numbers = [
+        printed(OTHER, "turning_point_load", 3.27e-6, 3.11e-6, 3.43e-6),
+        printed(CURVE, "turning_point_solid_load_fraction", 0.211, 0.181, 0.241),
+    ]
+    (sheet,) = readable("tpca_loads", rows, numbers, NEWTONS)
+    dry, lubricated = (dict(enumerate(row)) for row in sheet.rows)
+    assert list(lubricated.values())[:5] == ["6, 11", "90", "300", "300", "1e11"]
+    assert list(dry.values())[5:] == [
+        *("3.18", "3.27 ± 0.16", "0.318", "0.200", ""),
+        *("21.1", "", "1150"),
+    ]
+    assert lubricated[11] == "21.1 ± 3"
+
+
+def test_a_windows_ends_stand_in_one_row_beside_the_papers():
+    ends = (("low", 0.88072), ("high", 1.30188))
+    rows = [
+        {"roughness_m": 3e-7, "end": end, "diameter_over_roughness": value, "error": 1e-9}
+        for end, value in ends
+    ]
+    surface = dict.fromkeys(CURVE) | {"roughness_m": 3e-7}
+    numbers = [printed(surface, "window_low", 0.83, 0.73, 0.93)]
+    (sheet,) = readable("tpca_windows", rows, numbers, NEWTONS)
+    assert sheet.rows == [["300", "0.881", "0.83 ± 0.1", "1.30", "", "264 to 391"]]
+
+
+def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
+    common = {"figure": "fig05", "load_error": 0.0, "level": 0.05} | CURVE
+    common |= {"quantity": "particle_contact_area_ratio"}
+    rows = [
+        common | {"direction": "rising", "load": 2e-6},
+        common | {"direction": "falling", "load": 9e-5},
+    ]
+    at = {"at_quantity": "solid_load_fraction", "at_level": 0.9}
+    numbers = [printed(CURVE, "load", 1e-4, 7e-5, 1.3e-4, **at)]
+    (sheet,) = readable("transitions", rows, numbers, NEWTONS)
+    ((*_, mixed, full, upper, lower),) = sheet.rows
+    assert (mixed, full, upper, lower) == ("(paper: 10 ± 3)", "", "", "↑ 0.200, ↓ 9.00")
+
+
+def test_sensitivities_are_inputs_by_results():
+    common = {"output": "turning_point_load", "quantity": "", "level": None} | OTHER
+    cells = [
+        ("elasticity", "mean_ratio", -3.4567, 1e-6),
+        ("elasticity", "truncation", 0.001, 1e-6),
+        ("sobol_total", "mean_ratio", 0.5234, 0.0612),
+    ]
+    names = ("measure", "input", "sensitivity", "error")
+    rows = [common | dict(zip(names, cell, strict=True)) for cell in cells]
+    rows.append(common | {"measure": "elasticity", "input": "", "sensitivity": None, "error": None})
+    elasticities, indices = readable("sensitivity", rows, (), NEWTONS)
+    assert elasticities.headings == ["input", "turning point: load, dry"]
+    assert elasticities.rows == [["mean ratio", "-3.46"], ["truncation", "0"]]
+    assert indices.rows == [["mean ratio", "0.52 ± 0.06"]]
+    text = markdown([elasticities, indices])
+    assert text.count("| mean ratio") == 2
+
+
+@pytest.mark.parametrize(
+    ("fields", "name"),
+    [
+        ({"output": "window_low", "quantity": ""}, "window: low end, σ = 300 nm"),
+        ({"output": "turning_point_ratio", "quantity": ""}, "turning point: Aₛₐ,ₜ*, ν = 90 cSt"),
+        (
+            {"output": "transition_load", "quantity": "solid_load_fraction", "level": 0.9},
+            "load where Lₛ = 0.9, xₐ = 300 nm",
+        ),
+    ],
+)
+def test_results_are_named_with_what_tells_them_apart(fields, name):
+    assert result_name(CURVE | {"level": None} | fields) == name
