@@ -12,7 +12,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, validate
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.figures.sensitivity import plot
+from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.solver.solve import solve
 from thirdbody.study.checks import Curve
@@ -255,9 +255,24 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
     for panel, values in zip(figure.axes, (found.value, indices.value), strict=True):
         drawn = dict(drawn_points(panel))
         assert len(drawn) == (len(base) - 1) * len(INPUTS)
-        shown = np.sort([x for ((x, _),) in drawn.values()])
-        assert_allclose(shown, np.sort(np.delete(values, 3, axis=0).ravel()), atol=1e-9)
-        assert len({y for ((_, y),) in drawn.values()}) == len(drawn)
+        told = np.delete(values, 3, axis=0)
+        shown = np.sort([float(name.split("; ")[-1]) for name in drawn])
+        assert_allclose(shown, np.sort(told.ravel()), atol=1e-9)
+        # each in a cell of its own, and its number in it where it is not negligible
+        assert len({tuple(points.min(axis=0)) for points in drawn.values()}) == len(drawn)
+        numbers = [t for t in panel.texts if t.get_text().replace("−", "-")[-1].isdigit()]
+        *_, least = SHADES[panel.y_name]
+        assert sum(t.get_ha() == "center" for t in numbers) == (np.abs(told) >= least).sum()
+
+
+def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):
+    base, found = found_of(subject, INPUTS)
+    rows = sensitivity_rows(subject, base, INPUTS, found)
+    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
+        panel, _ = plot(rows).axes
+    signs = [t.get_text()[0] == "−" for t in panel.texts if t.get_ha() == "center"]
+    assert any(signs)
+    assert not all(signs)
 
 
 def test_settings_are_closed():
