@@ -71,7 +71,7 @@ def stream_rows(
     axes, rtol = _axes(parameters, settings["values"]), settings["rtol"]
     points = math.prod(axis.size for axis in axes.values())
     _require_room(directory, points)
-    expect_points(points, parameters)
+    expect_points(points)
     # What is prepared once for a surface is no part of what is measured.
     solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)
     path = directory / "streamed.nc"

@@ -7,18 +7,19 @@ from subprocess import run
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 import thirdbody as tb
 from benchmarks.points import relative_errors
 from thirdbody.model.asperity import SummitPopulation
-from thirdbody.model.film import Film
+from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.particles import Moment
 from thirdbody.solver.compiled import machine_code
 from thirdbody.solver.compiled.layout import ROOT
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
-from thirdbody.solver.plan import SINGLE_WORTH, TABLE_WORTH
+from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
 from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
@@ -33,6 +34,7 @@ READINGS = {
     "physical": {"elastic_limits": "physical"},
     "contacting": {"coverage_limits": "contacting"},
     "offset": {"summit_offset": True},
+    "total": {"film_load": "total"},
 }
 
 
@@ -168,6 +170,30 @@ def test_nothing_is_extrapolated_across_first_contact(parameters, rtol, limits):
             assert (error[known] <= rtol).all(), (name, error[known].max())
 
 
+@pytest.mark.parametrize(("real", "rtol"), [(SINGLE, 1e-2), (SINGLE, 1e-3), (DOUBLE, 1e-9)])
+@pytest.mark.parametrize("density", [0.0, 1e11])
+def test_a_film_of_the_total_load_takes_over_from_the_solids(parameters, real, rtol, density):
+    """Viscosities at which it is about as thick as the dry surfaces are apart."""
+    inputs, load = replace(parameters, film_load="total"), 1e-5
+    given = {"load": load, "particle_diameter": 5e-7, "particle_density": density}
+    dry = tb.solve(**given, viscosity=0.0, roughness=ROUGHNESS, parameters=inputs).separation
+    log_load = log_load_parameter(np.log(load), inputs)
+
+    def excess(log_viscosity):
+        film = Film.of(np.exp(log_viscosity), ROUGHNESS, inputs)
+        return film.thickness(log_load)[0] * inputs.ball_radius / dry - 1.0
+
+    viscosity = np.exp(brentq(excess, *np.log([1e-6, 1e-1]), xtol=1e-15))
+    near = np.concatenate([[0.0], np.geomspace(1e-16, 0.5, 400)])
+    given["viscosity"] = viscosity * np.concatenate([1.0 - near, 1.0 + near])
+    found, expected = compiled(inputs, rtol, real, **given), best(inputs, **given)
+    known = ~found.left
+    assert 0.1 < known.mean() < 1.0
+    assert (found.fluid_load_fraction[known] == 0.0).any()
+    assert (found.fluid_load_fraction[known] > 0.0).any()
+    assert_within_bounds(found, expected, known)
+
+
 def looked_up(table, x):
     """Values of a table at ``x``, as the loop finds them."""
     if hasattr(table, "scale"):
@@ -222,7 +248,7 @@ def test_tables_are_as_good_as_they_say(reading, real, rtol):
 
 @pytest.mark.parametrize("given", [{}, {"viscosity": 0.0}, {"particle_density": 0.0}])
 def test_what_single_precision_leaves_is_solved_in_double(parameters, given):
-    given = conditions(SINGLE_WORTH) | given
+    given = conditions(MANY) | given
     single = compiled(parameters, 1e-3, SINGLE, **given)
     double = compiled(parameters, 1e-3, DOUBLE, **given)
     both = tb.solve(**given, roughness=ROUGHNESS, parameters=parameters, rtol=1e-3, way="compiled")

@@ -205,11 +205,9 @@ def test_a_scene_keeps_its_bytes_whatever_was_solved_before(parameters, loop):
     assert scene_dataset(scene, parameters).identical(before)
 
 
-def test_the_loop_is_never_chosen_where_it_cannot_solve(parameters, loop):
+def test_the_loop_is_never_chosen_where_there_is_no_compiler(parameters, loop):
     loop(installed=False)
     assert chosen(parameters, 10 * COMPILING_WORTH) == ["tables"]
-    loop(loaded=True)
-    assert chosen(replace(parameters, film_load="total"), 10 * COMPILING_WORTH) == ["tables"]
 
 
 def test_searches_take_tables_where_these_are_coarse_or_repaid():

@@ -79,7 +79,7 @@ def stream(
         return solve(*np.ix_(*sides), parameters, rtol, names)
 
     axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
-    expect_points(prod(axis.size for axis in axes.values()), parameters)
+    expect_points(prod(axis.size for axis in axes.values()))
     write_blocks(path, axes, solved, parameters, rtol, names)
 
 

@@ -28,6 +28,19 @@ THICKEST = 0.01  # H_c of what is still a film between two bodies
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
 
 
+def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
+    """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load F.
+
+    Parameters
+    ----------
+    log_load : array_like
+        ln F* [1], F* = F/(A_n E_ss).
+    parameters : Parameters
+        All inputs of the model.
+    """
+    return log_load + np.log(parameters.apparent_area / parameters.ball_radius**2)
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).

@@ -57,8 +57,8 @@ COMPILING_WORTH = 6_000_000
 # does for each group of points, however few, whose tables it has.
 CALL_WORTH = 100
 GROUP_WORTH = 12
-# Points from which it does to start threads, and to solve first in single precision, whose machine
-# code is another one.
+# Points from which it does to start threads, and to begin in single precision, which has machine
+# code of its own.
 THREADS_WORTH = SINGLE_WORTH = 100_000
 # A search looks at a surface so often that tables as coarse as for this rtol always pay.
 CHEAP_TABLES = 1e-5
@@ -112,13 +112,13 @@ def search_ways(roughness: NDArray, separations: int, rtol: float) -> Iterator[t
             yield way, table_rtol, np.flatnonzero(chosen)
 
 
-def expect_points(points: int, parameters: Parameters) -> None:
+def expect_points(points: int) -> None:
     """Prepare for points that will be solved in several calls.
 
     Each call sees only its own; if all ``points`` together repay the loading of the compiled loop,
     it is loaded now, and the calls find it there.
     """
-    if _loop_solves(parameters) and _loop_pays(points):
+    if _loop_pays(points):
         import thirdbody.solver.compiled.points  # noqa: F401
 
 
@@ -151,7 +151,8 @@ def solve_points(
     """
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
     few = few_surfaces(conditions.roughness)
-    task = _Task(conditions, parameters, rtol, few is None, result)
+    may_be_single = way == COMPILED or conditions.size >= SINGLE_WORTH
+    task = _Task(conditions, parameters, rtol, few is None, may_be_single, result)
     groups = list(groups_of(conditions, parameters, few))
     if way is None:
         ways = fastest_ways(groups, parameters, rtol)
@@ -248,16 +249,14 @@ def repeatable_ways(groups: list[Group], rtol: float) -> list[str]:
 
 def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> list[str]:
     """The way that takes least time, for each of ``groups``, which are solved in one call."""
-    compiled = np.zeros(len(groups), bool)
-    if _loop_solves(parameters):
-        sizes = np.array([group.size for group in groups])
-        worth = LOOP_WORTH * np.array([group.sheet.terms(rtol) for group in groups])
-        if availability.is_loaded():
-            compiled = _repaid(groups, sizes, worth, parameters, rtol)
-        else:
-            # those that repay the tables of the loop count together for what it takes to load it
-            many = sizes >= worth
-            compiled = many & _loop_pays(sizes[many].sum())
+    sizes = np.array([group.size for group in groups])
+    worth = LOOP_WORTH * np.array([group.sheet.terms(rtol) for group in groups])
+    if availability.is_loaded():
+        compiled = _repaid(groups, sizes, worth, parameters, rtol)
+    else:
+        # those that repay the tables of the loop count together for what it takes to load it
+        many = sizes >= worth
+        compiled = many & _loop_pays(sizes[many].sum())
     others = repeatable_ways(groups, rtol)
     return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
 
@@ -316,11 +315,6 @@ def threads_worth(points: int) -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _loop_solves(parameters):
-    """Whether the loop knows how the film bears its load in this reading of Eq. 8."""
-    return parameters.readings.film_load.depends_on_shares
-
-
 @dataclass(frozen=True)
 class _Task:
     """What is asked of points, and the arrays of their solution.
@@ -333,18 +327,18 @@ class _Task:
     parameters: Parameters
     rtol: float
     shared: bool  # whether surfaces share tables
+    may_be_single: bool  # whether the loop begins in single precision where that has the digits
     result: dict[str, NDArray]
 
     def solve_by_loop(self, groups: list[Group]) -> list[Group]:
         """As the other methods, but for groups, because the points of a call share a sheet."""
-        if not groups or not _loop_solves(self.parameters):
-            return groups
+        if not groups:
+            return []
         from thirdbody.solver.compiled.points import CompiledPoints
         from thirdbody.solver.compiled.tables import precisions
 
         areas = not OF_AREAS.isdisjoint(self.result)
-        points = sum(group.size for group in groups)
-        reals = precisions(self.rtol)[0 if points >= SINGLE_WORTH else -1 :]
+        reals = precisions(self.rtol)[0 if self.may_be_single else -1 :]
 
         def solved(sheet, real, some):
             return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
@@ -355,7 +349,7 @@ class _Task:
                 places = self._settle(places, CHUNK, partial(solved, group.sheet, real), each)
             return replace(group, places=places)
 
-        threads = threads_worth(points)
+        threads = threads_worth(sum(group.size for group in groups))
         if threads == 1:
             return [settled(group) for group in groups]
         with ThreadPoolExecutor(threads) as pool:

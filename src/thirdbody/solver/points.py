@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import Contact
-from thirdbody.model.film import INVERSE_STEPS, Film
+from thirdbody.model.film import INVERSE_STEPS, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.solver.surfaces import RoughSurfaces
@@ -136,6 +136,5 @@ class Points:
         return self.film.load_parameter(thickness, steps) - self.log_load_parameter(0.0)
 
     def log_load_parameter(self, log_fluid_fraction):
-        """ln W, W = F/(E_ss R_x^2), of the share L_f of the load (Eq. 8)."""
-        area = self.parameters.apparent_area / self.parameters.ball_radius**2
-        return self.log_load + log_fluid_fraction + np.log(area)
+        """ln W of the share L_f of the load (Eq. 8)."""
+        return log_load_parameter(self.log_load + log_fluid_fraction, self.parameters)

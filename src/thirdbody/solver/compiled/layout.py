@@ -26,6 +26,9 @@ PLASTIC_AREA = 4  # A_sa/A_n where all particles are plastic and the moment is 1
 BARE = 5  # the bracket of Eq. 4 if it counts all sizes; 1 if it counts those that touch
 PER_CROSSING = 6  # sigma/h_c where both terms of Eq. 7 are equal
 CROSSING_ROOT = 7  # root of F_f/F_t there
+# in their place of a film whose thickness is known, because F_t determines it:
+FILM_GAP = 6  # d/sigma that it keeps
+FILM_ERROR = 7  # relative error of that
 OFFSET = 8  # y_s/sigma
 PER_DEVIATION = 9  # sigma/sigma_s
 SUMMIT_PARAMETER = 10  # eta_s R sigma_s

@@ -20,7 +20,9 @@ from thirdbody.solver.compiled.stages import (
     add_moment_remainders,
     bound_particle_errors,
     film_bears,
+    film_holds,
     find_moments,
+    keep_film,
     move_areas,
     move_loads,
     particles_bear,
@@ -35,13 +37,14 @@ from thirdbody.solver.compiled.stages import (
 STEPS = 8  # of Halley's method at most; who needs more is left to a slower way
 
 
-def solve_points(model, columns, has_particles, has_film, wants_areas, block, found):
+def solve_points(model, columns, has_particles, has_film, film_is_known, wants_areas, block, found):
     """Solve points and put their results in ``found``.
 
     Halley's method on the logarithm of the load F_s + F_f that the interface bears at d, which falls
     with d.  It starts at the largest of the separations at which summits, particles or film alone
     would bear F_t.  The results after the last step are read off Taylor series about the separation
-    before it.
+    before it.  A film of known thickness keeps the surfaces apart unless solids alone stand farther
+    apart under F_t: then it bears nothing.
 
     Parameters
     ----------
@@ -49,8 +52,9 @@ def solve_points(model, columns, has_particles, has_film, wants_areas, block, fo
         What the points share.
     columns : array, shape (GIVEN, points)
         What is given of each point; rows on particles or film are not read where there are none.
-    has_particles, has_film, wants_areas : bool
-        Whether there are particles, a film, and whether results that are areas are asked for.
+    has_particles, has_film, film_is_known, wants_areas : bool
+        Whether there are particles, a film whose thickness depends on the share of the load that it
+        bears, one of known thickness, and whether results that are areas are asked for.
     block : numpy.void
         Room to work in, from ``make_block``, in numbers of the type of ``columns``.
     found : array of float64, shape (RESULTS, points)
@@ -61,7 +65,7 @@ def solve_points(model, columns, has_particles, has_film, wants_areas, block, fo
         # unsigned, as all that counts points: such an index cannot mean one from the end
         count = min(np.uintp(WIDTH), total - first)
         _take(block, count, columns, first)
-        start(block, count, model, has_particles, has_film)
+        start(block, count, model, has_particles, has_film, film_is_known)
         for step in range(STEPS):
             summits_bear(block, count, model)
             if wants_areas:
@@ -73,9 +77,14 @@ def solve_points(model, columns, has_particles, has_film, wants_areas, block, fo
                 bound_particle_errors(block, count, model)
             if has_film:
                 film_bears(block, count, model)
+            if film_is_known:
+                film_holds(block, count)
             take_step(block, count, model)
             if has_particles:
                 add_moment_remainders(block, count, model)
+            if film_is_known:
+                keep_film(block, count, model)
+            if has_particles:
                 stop_before_contact(block, count, model)
             move_loads(block, count, model.limits)
             if wants_areas:

@@ -15,7 +15,7 @@ import numpy as np
 
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.film import THICKEST, Film
+from thirdbody.model.film import THICKEST, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
@@ -24,6 +24,8 @@ from thirdbody.solver.compiled.layout import (
     BOUND,
     CROSSING_ROOT,
     ELASTIC_SHIFT,
+    FILM_ERROR,
+    FILM_GAP,
     FLUID_SHARE,
     GAP,
     GIVEN,
@@ -59,8 +61,7 @@ ROUGHER = 1e6  # by a factor
 class CompiledPoints:
     """Points solved by the compiled loop: what ``SolvedPoints`` is, for those that are not ``left``.
 
-    All points have a film, which bears the fluid load, or none has; all have particles, or none
-    has.
+    All points have a film, or none has; all have particles, or none has.
 
     Parameters
     ----------
@@ -107,14 +108,18 @@ class CompiledPoints:
             sigma = roughness.astype(real) if sheet.is_cell else roughness
             sizes = diameter.astype(real), sigma, density.astype(real)
             _fill_particles(columns, ParticleLayer.of(*sizes, parameters), sigma)
-        if self._has_film:
+        film_is_known = not parameters.readings.film_load.depends_on_shares
+        if self._has_film and film_is_known:
+            self._means_nothing = _fill_known_film(columns, conditions, roughness, parameters)
+        elif self._has_film:
             _fill_film(columns, roughness, viscosity.astype(real), parameters)
         found = np.empty((RESULTS, load.size))
         compiled(solve_points)(
             prepare_model(sheet, parameters, rtol, real),
             columns,
             self._has_particles,
-            self._has_film,
+            self._has_film and not film_is_known,
+            self._has_film and film_is_known,
             areas,
             make_block(real, INTEGERS[real]),
             found,
@@ -130,7 +135,9 @@ class CompiledPoints:
         if self._has_particles:
             self.left |= load > greatest_single_load(parameters)
         self.left |= load < LEAST_LOAD
-        self._over_crossing = found[GAP] * columns[PER_CROSSING]
+        if self._has_film and not film_is_known:
+            over_crossing = found[GAP] * columns[PER_CROSSING]
+            self._means_nothing = over_crossing > _film_scales(parameters).thickest
 
     @property
     def film_thickness(self):
@@ -152,8 +159,7 @@ class CompiledPoints:
     def solution_status(self):
         applies = {"area_exceeded": self.total_contact_area > 1.0}
         if self._has_film:
-            outside = self._over_crossing > _film_scales(self._parameters).thickest
-            outside |= self.film_thickness > THICKEST
+            outside = self._means_nothing | (self.film_thickness > THICKEST)
             applies["outside_film_formula"] = outside & (self.fluid_load_fraction > FILM_COUNTS)
         return gravest_status(**applies)
 
@@ -197,6 +203,16 @@ def _fill_film(columns, roughness, viscosity, parameters):
     ):
         columns[row] = value * scale**of_roughness * viscosity**of_viscosity
     columns[CROSSING_ROOT] *= np.sqrt(np.sqrt(np.sqrt(np.sqrt(columns[PER_LOAD]))))
+
+
+def _fill_known_film(columns, conditions, roughness, parameters):
+    """Fill the rows that say what is known of a film under F_t; returns where Eq. 7 has no meaning."""
+    film = Film.of(conditions.viscosity, roughness, parameters)
+    log_load = log_load_parameter(np.log(conditions.load), parameters)
+    thickness, _ = film.thickness(log_load)
+    columns[FILM_GAP] = thickness * (parameters.ball_radius / roughness)
+    columns[FILM_ERROR] = film.rounding(log_load)
+    return ~film.is_meaningful(log_load)
 
 
 @lru_cache(maxsize=64)

@@ -22,6 +22,8 @@ from thirdbody.solver.compiled.layout import (
     ELASTIC_SHIFT,
     ERROR,
     FILM,
+    FILM_ERROR,
+    FILM_GAP,
     FLUID_SHARE,
     GAP,
     HALF_PIECES,
@@ -70,7 +72,7 @@ PLAIN = 1e-30  # an area A_t* in which one of zero in float64 has no share
 
 
 @stage
-def start(block, count, model, has_particles, has_film):
+def start(block, count, model, has_particles, has_film, film_is_known):
     """First guess: the largest of the separations at which one body would bear the load alone."""
     given, work = block.given, block.work
     one = work.dtype.type(1)
@@ -101,6 +103,9 @@ def start(block, count, model, has_particles, has_film):
             alpha = work[LOCAL, k] - given[ELASTIC_SHIFT, k]
             separation = given[MEAN, k] + alpha / given[PER_SPREAD, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
+    if film_is_known:
+        for k in range(count):
+            work[SEPARATION, k] = max(work[SEPARATION, k], given[FILM_GAP, k])
 
 
 @stage
@@ -284,6 +289,18 @@ def film_bears(block, count, model):
 
 
 @stage
+def film_holds(block, count):
+    """What solids leave to bear, 1 - F_s/F_t, becomes ``FILM`` where they are as far apart as a film of
+    known thickness keeps them; elsewhere nothing."""
+    given, work, series = block.given, block.work, block.series
+    zero, one = work.dtype.type(0), work.dtype.type(1)
+    for k in range(count):
+        left = one - series[SOLID, VALUE, k]
+        held = (work[SEPARATION, k] == given[FILM_GAP, k]) & (left > zero)
+        series[FILM, VALUE, k] = left if held else zero
+
+
+@stage
 def take_step(block, count, model):
     """Halley's step towards F_s + F_f = F_t, Eq. 1, and what errors there are after it."""
     work, series, limits = block.work, block.series, model.limits
@@ -368,6 +385,40 @@ def add_moment_remainders(block, count, model):
         error = error if left > zero else zero
         work[REMAINDER, k] += error
         work[ERROR, k] += error
+
+
+@stage
+def keep_film(block, count, model):
+    """No step where a film of known thickness holds, and none to where it would be thinner.
+
+    The separation is then that of the film, and as exact.  Of the shares of the load that of the film,
+    1 - F_s/F_t, loses most.  Solids that bear everything have to be farther apart than the film by
+    more than both may be wrong by.
+    """
+    given, work, series, limits = block.given, block.work, block.series, model.limits
+    real = work.dtype.type
+    zero, one, eight = real(0), real(1), real(8)
+    endless, invalid = real(np.inf), real(np.nan)
+    for k in range(count):
+        solid, film = series[SOLID, VALUE, k], series[FILM, VALUE, k]
+        steepest, total_1 = work[STEEPEST, k], abs(series[SOLID, SLOPE, k])
+        separation, gap = work[SEPARATION, k], given[FILM_GAP, k]
+        valid, held = separation > zero, film > zero
+        misplaced = (given[FILM_ERROR, k] + eight * limits.rounding) * gap
+        moved = abs(steepest * misplaced)
+        load_error = work[LOAD_ERROR, k] / solid + limits.noise + moved
+        error = model.summits.error + work[PART_ERROR, k] + moved
+        error = error + load_error * max(one, solid / film)
+        unsure = misplaced + work[UNSURE, k] / total_1
+        farther = separation - gap > unsure + unsure
+        remains = separation if farther & (not held) else gap
+        unsure = unsure + work[REMAINDER, k] / steepest
+        remainder = work[REMAINDER, k] if separation - gap > unsure + unsure else endless
+        work[SEPARATION, k] = remains if valid else invalid
+        work[REMAINDER, k] = zero if held & valid else remainder
+        work[STEP, k] = zero if held else work[STEP, k]
+        work[ERROR, k] = error if held else work[ERROR, k]
+        work[UNSURE, k] = misplaced * total_1 if held else work[UNSURE, k]
 
 
 @stage
