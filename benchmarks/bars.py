@@ -12,6 +12,7 @@ from typing import Any
 from benchmarks.classes import HEAVIEST
 from benchmarks.points import CLASS
 from benchmarks.starts import AUTOMATIC
+from benchmarks.surfaces import READY
 
 USUAL_RTOL, LOOSE_RTOL = 1e-9, 1e-3
 
@@ -58,6 +59,8 @@ BARS = {
     "trade": Bar("time at 1e-9 over that at 1e-3, heaviest class", 2.0, True),
     "setup": Bar("seconds to prepare a surface", 0.2, False),
     "processes": Bar("speed of several processes over one", 1.8, True),
+    "threads": Bar("speed of several threads over one", 1.8, True),
+    "surfaces": Bar("time on many surfaces over that on one, in any order", 3.0, False),
     "streaming": Bar("streaming over 1.5 solving + writing", 1.0, False),
     "memory": Bar("MB resident while streaming", 1000.0, False),
     "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
@@ -73,8 +76,8 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     Parameters
     ----------
     tables : mapping
-        Rows of the tables ``errors``, ``extremes``, ``times``, ``scaling``, ``starts`` and
-        ``streaming``, by these names.
+        Rows of the tables ``errors``, ``extremes``, ``times``, ``scaling``, ``surfaces``,
+        ``starts`` and ``streaming``, by these names.
 
     Returns
     -------
@@ -84,6 +87,7 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     measured = {
         **_of_times(tables["times"]),
         **_of_scaling(tables["scaling"]),
+        "surfaces": max(row["ratio"] for row in tables["surfaces"] if row["tables"] == READY),
         **_of_streaming(tables["streaming"]),
         "starts": max(
             row["over_best"] or 0.0 for row in tables["starts"] if row["way"] == AUTOMATIC
@@ -116,6 +120,7 @@ def _of_scaling(rows):
     return {
         "flat": max(row["ratio"] for row in rows if row["axis"] == "points"),
         "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
+        "threads": max(row["ratio"] for row in rows if row["axis"] == "threads"),
     }
 
 

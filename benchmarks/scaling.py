@@ -1,7 +1,8 @@
-"""How the time of the heaviest class depends on the number of points and of processes."""
+"""How the time of the heaviest class depends on the number of points, of processes and of threads."""
 
 from __future__ import annotations
 
+import os
 import time
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
@@ -9,6 +10,7 @@ from functools import cache, partial
 from operator import call
 from statistics import median
 from typing import Any
+from unittest.mock import patch
 
 from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import (
@@ -25,21 +27,27 @@ WAKING = 0.5  # [s] for which each process waits, so that the pool starts all of
 
 
 def scaling_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Measure the cost of a point for few and many points, and the gain of several processes.
+    """Measure the cost of a point for few and many points, and the gain of several processes and of
+    several threads.
 
     Parameters
     ----------
     parameters : Parameters
         Inputs of the model.
     budget : mapping
-        Content of ``config/accuracy.yaml``: ``sizes``, ``processes`` and ``rounds`` are used.
+        Content of ``config/accuracy.yaml``: ``sizes``, ``processes``, ``threads`` and ``rounds``
+        are used.
 
     Returns
     -------
     list of dict
         Rows of the table ``scaling``.
     """
-    return [*_size_rows(parameters, budget), *_process_rows(parameters, budget)]
+    return [
+        *_size_rows(parameters, budget),
+        *_process_rows(parameters, budget),
+        *_thread_rows(parameters, budget),
+    ]
 
 
 def _size_rows(parameters, budget):
@@ -64,7 +72,7 @@ def _size_rows(parameters, budget):
             costs[count].append(seconds / drawn["load"].size)
     costs = {count: median(each) for count, each in costs.items()}
     return [
-        _row("points", count, 1, rtol, cost, cost / min(costs.values()))
+        _row("points", count, 1, 1, rtol, cost, cost / min(costs.values()))
         for count, cost in costs.items()
     ]
 
@@ -77,7 +85,8 @@ def _solve_arrays(given, count, parameters, rtol):
 
 
 def _process_rows(parameters, budget):
-    """Rows with the time on the clock for the same blocks in one process and in several."""
+    """Rows with the time on the clock for the same blocks in one process and in several, each of one
+    thread."""
     settings = budget["processes"]
     rtol, block, blocks = settings["rtol"], settings["block"], settings["blocks"]
     points = block * blocks
@@ -85,11 +94,37 @@ def _process_rows(parameters, budget):
         workers: partial(_wall_seconds_of, blocks, block, parameters, rtol, workers)
         for workers in (1, settings["workers"])
     }
-    seconds = least_seconds(pools, budget["rounds"], timed=call)
+    with _threads(1):
+        seconds = least_seconds(pools, budget["rounds"], timed=call)
     return [
-        _row("processes", points, workers, rtol, each / points, seconds[1] / each)
+        _row("processes", points, workers, 1, rtol, each / points, seconds[1] / each)
         for workers, each in seconds.items()
     ]
+
+
+def _thread_rows(parameters, budget):
+    """Rows with the time on the clock for the same points by one thread and by several."""
+    settings = budget["threads"]
+    rtol, points = settings["rtol"], settings["points"]
+    given = random_conditions(HEAVIEST, points, parameters)
+    solving = partial(solve, **given, parameters=parameters, rtol=rtol, way=COMPILED)
+
+    def seconds_of(threads):
+        with _threads(threads):
+            return wall_seconds(solving)
+
+    solving()
+    numbers = {threads: threads for threads in (1, settings["threads"])}
+    seconds = least_seconds(numbers, budget["rounds"], timed=seconds_of)
+    return [
+        _row("threads", points, 1, threads, rtol, each / points, seconds[1] / each)
+        for threads, each in seconds.items()
+    ]
+
+
+def _threads(number):
+    """Context in which this process, and those that it starts, solve in so many threads at most."""
+    return patch.dict(os.environ, OMP_NUM_THREADS=str(number))
 
 
 def _wall_seconds_of(blocks, block, parameters, rtol, workers):
@@ -114,11 +149,12 @@ def _points_of_block(parameters, block):
     return random_conditions(HEAVIEST, block, parameters)
 
 
-def _row(axis, points, processes, rtol, seconds, ratio):
+def _row(axis, points, processes, threads, rtol, seconds, ratio):
     return {
         "axis": axis,
         "points": points,
         "processes": processes,
+        "threads": threads,
         "rtol": rtol,
         "microseconds_per_point": MICROSECONDS * seconds,
         "ratio": ratio,

@@ -8,7 +8,10 @@ from workspace import ROOT
 
 from thirdbody.data.tables import TABLES, read_csv
 
-NAMES = ("errors", "extremes", "times", "omissions", "scaling", "starts", "streaming", "bars")
+NAMES = (
+    *("errors", "extremes", "times", "omissions", "scaling", "surfaces", "starts", "streaming"),
+    "bars",
+)
 PRODUCTS = {
     *(f"accuracy/{name}.csv" for name in NAMES),
     "accuracy/bars.md",
@@ -96,6 +99,11 @@ def test_sweeps_hold_what_was_asked_for(tables):
     assert sizes == BUDGET["sizes"]["points"]
     processes = [row["processes"] for row in tables["scaling"] if row["axis"] == "processes"]
     assert processes == [1, BUDGET["processes"]["workers"]]
+    threads = [row["threads"] for row in tables["scaling"] if row["axis"] == "threads"]
+    assert threads == [1, BUDGET["threads"]["threads"]]
+    numbers = [row["surfaces"] for row in tables["surfaces"]]
+    assert numbers == 2 * BUDGET["surfaces"]["surfaces"]
+    assert [row["ratio"] for row in tables["surfaces"] if row["surfaces"] == 1] == [1.0, 1.0]
     assert tables["omissions"][0]["left_out"] == "nothing"
     assert [row["what"] for row in tables["streaming"]] == ["streaming", "solving", "writing"]
     assert tables["streaming"][0]["points"] == 1000
@@ -118,7 +126,7 @@ def test_every_start_is_timed_by_every_way_or_said_to_be_left_out(tables):
 
 
 def test_every_bar_is_judged_by_what_was_measured(tables):
-    assert len(tables["bars"]) == 11
+    assert len(tables["bars"]) == 13
     for row in tables["bars"]:
         holds = (
             row["measured"] >= row["bar"]

@@ -32,6 +32,7 @@ rule time_sweeps:
     output:
         omissions="results/accuracy/omissions.csv",
         scaling="results/accuracy/scaling.csv",
+        surfaces="results/accuracy/surfaces.csv",
     log:
         "logs/time_sweeps.log",
     benchmark:
@@ -45,7 +46,7 @@ rule time_sweeps:
         budget=ACCURACY,
         parameters=settings["parameters"],
     message:
-        "Timing omissions, sizes and processes"
+        "Timing omissions, sizes, surfaces, processes and threads"
     script:
         "../scripts/time_sweeps.py"
 

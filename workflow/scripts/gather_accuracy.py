@@ -5,7 +5,7 @@ from benchmarks.bars import bar_rows
 from thirdbody.data.files import logged, whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_text
 
-NAMES = ("errors", "extremes", "times", "scaling", "starts", "streaming")
+NAMES = ("errors", "extremes", "times", "scaling", "surfaces", "starts", "streaming")
 
 
 def gather(paths, dataset, bars, text):

@@ -195,12 +195,21 @@ TABLES = {
         Column("share", "number", "1", "time over that of points with everything"),
     ),
     "scaling": (
-        Column("axis", "string", "", "points (processor time), or processes (time on the clock)"),
+        Column("axis", "string", "", "points (processor time); processes, threads (on the clock)"),
         Column("points", "number", "1", "points solved"),
         Column("processes", "number", "1", "processes that share them"),
+        Column("threads", "number", "1", "threads of each process"),
         RTOL,
         POINT_COST,
-        Column("ratio", "number", "1", "time over the least of all sizes; speed over one process"),
+        Column("ratio", "number", "1", "time over the least of all sizes; speed over that of one"),
+    ),
+    "surfaces": (
+        Column("surfaces", "number", "1", "surfaces that the points are on, in no order"),
+        Column("tables", "string", "", "ready: made before; new: made in the time measured"),
+        Column("points", "number", "1", "points solved"),
+        RTOL,
+        POINT_COST,
+        Column("ratio", "number", "1", "time over that of the least number of surfaces"),
     ),
     "starts": (
         Column("points", "number", "1", "points solved"),
