@@ -42,7 +42,9 @@ def __getattr__(name: str):
         raise AttributeError(f"module 'thirdbody' has no attribute {name!r}")
     from importlib import import_module
 
-    return getattr(import_module(f"thirdbody.{_MODULES[name]}"), name)
+    found = getattr(import_module(f"thirdbody.{_MODULES[name]}"), name)
+    globals()[name] = found  # where it is found before this is called
+    return found
 
 
 def __dir__() -> list[str]:

@@ -325,7 +325,10 @@ def test_any_other_way_is_refused_by_name(parameters, way):
         tb.solve(**POINT, parameters=parameters, way=way)
 
 
-def test_without_a_compiler_the_loop_is_refused_with_the_name_of_the_extra(parameters, monkeypatch):
+def test_without_a_compiler_the_loop_is_refused_with_the_name_of_the_extra(
+    parameters, loop, monkeypatch
+):
+    loop(installed=False)
     monkeypatch.setattr("thirdbody.extras.find_spec", lambda name: None)
     with pytest.raises(ImportError, match=r'needs numba: pip install "thirdbody\[compiled\]"$'):
         tb.solve(**POINT, parameters=parameters, way="compiled")

@@ -23,6 +23,7 @@ In either case the moments have weights, e and 1 - e, that add up to 1.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -116,8 +117,9 @@ class ParticleLayer:
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         share = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
-        log_bare = np.zeros_like(share)
-        if not parameters.readings.coverage_limits.contacting:
+        if parameters.readings.coverage_limits.contacting:
+            log_bare = np.zeros_like(share)
+        else:
             every = moment.of_all * share  # I(X_min, X_max)
             log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))
         return cls(sizes.mean, sizes.spread, depth, share, log_bare, moment, parameters)
@@ -233,7 +235,7 @@ class Moment:
     def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
         """The moment that a law of ``sizes`` has, cut off at the truncation."""
         smallest = max(sizes.smallest, FARTHEST)
-        return cls(sizes.constant, sizes.linear, smallest, parameters.truncation)
+        return _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
 
     @classmethod
     def of_all_layers(cls, parameters: Parameters) -> Moment:
@@ -292,6 +294,12 @@ class Moment:
     def _terms(self, alpha):
         """phi(alpha) and c_2 + c_3 alpha."""
         return INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha), self.constant + self.linear * alpha
+
+
+@lru_cache(maxsize=64)
+def _moment(*fields):
+    """The moment with these fields: one object, which evaluates once what is computed once."""
+    return Moment(*fields)
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:

@@ -27,7 +27,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.extras import require
-from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver import availability
 from thirdbody.solver.points import Conditions
@@ -38,6 +37,8 @@ from thirdbody.solver.surfaces import (
     cells_of,
     few_surfaces,
     log_yields,
+    summits_of,
+    summits_of_one,
     table_size,
 )
 
@@ -63,6 +64,7 @@ THREADS_WORTH = SINGLE_WORTH = 100_000
 # A search looks at a surface so often that tables as coarse as for this rtol always pay.
 CHEAP_TABLES = 1e-5
 
+NONE = np.zeros(0, np.intp)  # no places
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 1024  # the same without tables, where each has some hundred nodes
 
@@ -79,7 +81,7 @@ def check_way(way: str | None) -> None:
     """
     if way is not None and way not in ALLOWED:
         raise ValueError(f"way is {way!r}; allowed: {', '.join(ALLOWED)}, or None to choose")
-    if way == COMPILED:
+    if way == COMPILED and not availability.is_loaded():
         require("compiled", "numba")
 
 
@@ -198,7 +200,7 @@ def groups_of(
     if few is None:
         cells = np.concatenate(
             [
-                cells_of(log_yields(_summits(conditions.take(piece).roughness, parameters)))
+                cells_of(log_yields(summits_of(conditions.roughness[piece], parameters)[1]))
                 for piece in _pieces(slice(0, conditions.size), CHUNK)
             ]
         )
@@ -207,16 +209,12 @@ def groups_of(
         labels = (4 * np.searchsorted(few, conditions.roughness) + kinds).astype(np.int16)
     for places in _runs(labels):
         first = places.start if isinstance(places, slice) else places[0]
-        summits = _summits(float(conditions.roughness[first]), parameters)
+        _, summits = summits_of_one(float(conditions.roughness[first]), parameters)
         if few is None:
             sheet = Sheet.of_cell(cells[first], summits.materials)
         else:
             sheet = Sheet.of_one(log_yields(summits), summits.materials)
         yield Group(sheet, int(kinds[first]), places)
-
-
-def _summits(roughness, parameters):
-    return SummitPopulation.of(parameters.surface(roughness), parameters)
 
 
 def _runs(labels):
@@ -257,6 +255,8 @@ def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> li
         # those that repay the tables of the loop count together for what it takes to load it
         many = sizes >= worth
         compiled = many & _loop_pays(sizes[many].sum())
+    if compiled.all():
+        return [COMPILED] * len(groups)
     others = repeatable_ways(groups, rtol)
     return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
 
@@ -351,9 +351,11 @@ class _Task:
 
         threads = threads_worth(sum(group.size for group in groups))
         if threads == 1:
-            return [settled(group) for group in groups]
-        with ThreadPoolExecutor(threads) as pool:
-            return [settled(group, pool.map) for group in groups]
+            left = [settled(group) for group in groups]
+        else:
+            with ThreadPoolExecutor(threads) as pool:
+                left = [settled(group, pool.map) for group in groups]
+        return [group for group in left if group.size]
 
     def solve_by_tables(self, places):
         """Points of one kind, by tables of their surfaces."""
@@ -374,11 +376,12 @@ class _Task:
                 found = solved(self.conditions.take(piece))
                 if not found.left.any():
                     self._store(piece, found, slice(None))
-                    return np.zeros(0, np.intp)
+                    return NONE
                 self._store(_chosen(piece, ~found.left), found, ~found.left)
                 return _chosen(piece, found.left)
 
-        return np.concatenate([np.zeros(0, np.intp), *each(left_of, _pieces(places, size))])
+        left = list(each(left_of, _pieces(places, size)))
+        return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
 
     def _store(self, places, found, chosen):
         """Store at ``places`` what is ``found`` of the ``chosen`` points of a piece."""

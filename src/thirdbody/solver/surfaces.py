@@ -80,6 +80,17 @@ class Sheet(NamedTuple):
         )
 
 
+def summits_of(
+    roughness: float | NDArray, parameters: Parameters
+) -> tuple[Surface, SummitPopulation]:
+    """The summits of a surface of ``roughness`` [m], or of several."""
+    surface = parameters.surface(roughness)
+    return surface, SummitPopulation.of(surface, parameters)
+
+
+summits_of_one = lru_cache(maxsize=512)(summits_of)  # of a surface: made once
+
+
 def log_yields(population: SummitPopulation) -> ArrayLike:
     """ln w_1 of a population, or of each of several."""
     return np.log(population.yield_interference)

@@ -6,6 +6,8 @@ or an area but its root of order ``ROOT``, which is an ordinary number where the
 
 from __future__ import annotations
 
+from functools import lru_cache
+from threading import local
 from typing import NamedTuple
 
 import numpy as np
@@ -161,13 +163,22 @@ class Model(NamedTuple):
     limits: Limits
 
 
-def make_block(real: type, integer: type) -> np.void:
+class Blocks(local):
+    """Blocks for points of each kind, made once by each thread."""
+
+    def __init__(self):
+        self.of = lru_cache(make_block)
+
+
+def make_block(real: type, integer: type, *kind: bool) -> np.void:
     """Room for the points of a block.
 
     Parameters
     ----------
     real, integer : type
         Types of numbers that are of one size, for instance ``numpy.float64`` and ``numpy.int64``.
+    *kind : bool
+        What distinguishes points that need a block of their own, because other rows stay zero.
 
     Returns
     -------

@@ -13,7 +13,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
@@ -44,18 +43,19 @@ from thirdbody.solver.compiled.layout import (
     SUMMIT_PARAMETER,
     SURFACE_SHARE,
     TOTAL_AREA,
-    make_block,
+    Blocks,
 )
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.machine_code import compiled
 from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
 from thirdbody.solver.points import Conditions
-from thirdbody.solver.surfaces import Sheet, log_yields
+from thirdbody.solver.surfaces import Sheet, log_yields, summits_of, summits_of_one
 
 OIL_VISCOSITIES = 1e-9, 1e-3  # [m2/s], of any oil
 # F_t* of which the summits would bear a share in float64 even beyond their tables
 LEAST_LOAD = 1e-20
 ROUGHER = 1e6  # by a factor
+BLOCKS = Blocks()
 
 
 class CompiledPoints:
@@ -97,31 +97,36 @@ class CompiledPoints:
     ):
         load, viscosity = conditions.load, conditions.viscosity
         diameter, density = conditions.particle_diameter, conditions.particle_density
-        roughness = conditions.roughness if sheet.is_cell else float(conditions.roughness[0])
+        if sheet.is_cell:
+            roughness = conditions.roughness
+            surface, summits = summits_of(roughness, parameters)
+        else:
+            roughness = float(conditions.roughness[0])
+            surface, summits = summits_of_one(roughness, parameters)
         self._parameters = parameters
         self._has_particles = bool(has_particles(diameter[0], density[0]))
         self._has_film = viscosity[0] > 0.0
         columns = np.empty((GIVEN, load.size), real)
         columns[PER_LOAD] = 1.0 / load.astype(real)
-        _fill_summits(columns, sheet, parameters.surface(roughness), parameters)
+        _fill_summits(columns, sheet, surface, summits)
         if self._has_particles:
             sigma = roughness.astype(real) if sheet.is_cell else roughness
             sizes = diameter.astype(real), sigma, density.astype(real)
             _fill_particles(columns, ParticleLayer.of(*sizes, parameters), sigma)
-        film_is_known = not parameters.readings.film_load.depends_on_shares
-        if self._has_film and film_is_known:
+        film_is_known = self._has_film and not parameters.readings.film_load.depends_on_shares
+        film_shares = self._has_film and not film_is_known
+        if film_is_known:
             self._means_nothing = _fill_known_film(columns, conditions, roughness, parameters)
-        elif self._has_film:
+        if film_shares:
             _fill_film(columns, roughness, viscosity.astype(real), parameters)
         found = np.empty((RESULTS, load.size))
+        kind = self._has_particles, film_shares, film_is_known
         compiled(solve_points)(
             prepare_model(sheet, parameters, rtol, real),
             columns,
-            self._has_particles,
-            self._has_film and not film_is_known,
-            self._has_film and film_is_known,
+            *kind,
             areas,
-            make_block(real, INTEGERS[real]),
+            BLOCKS.of(real, INTEGERS[real], *kind),
             found,
         )
         self.total_contact_area = found[TOTAL_AREA]
@@ -135,7 +140,7 @@ class CompiledPoints:
         if self._has_particles:
             self.left |= load > greatest_single_load(parameters)
         self.left |= load < LEAST_LOAD
-        if self._has_film and not film_is_known:
+        if film_shares:
             over_crossing = found[GAP] * columns[PER_CROSSING]
             self._means_nothing = over_crossing > _film_scales(parameters).thickest
 
@@ -175,13 +180,12 @@ class FilmScales(NamedTuple):
     thickest: float  # h_c up to which Eq. 7 has a meaning, over that there
 
 
-def _fill_summits(columns, sheet, surface, parameters):
+def _fill_summits(columns, sheet, surface, summits):
     """Fill the rows that say what is known of the summits."""
-    summits = SummitPopulation.of(surface, parameters)
     columns[OFFSET] = surface.summit_offset / surface.roughness
     columns[PER_DEVIATION] = surface.roughness / surface.summit_deviation
     columns[SUMMIT_PARAMETER] = summits.summit_parameter
-    columns[PLACE] = sheet.place(log_yields(summits))
+    columns[PLACE] = sheet.place(log_yields(summits)) if sheet.is_cell else 0.0
 
 
 def _fill_particles(columns, layer, roughness):
