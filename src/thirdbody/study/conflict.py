@@ -31,8 +31,8 @@ def conflict_rows(
     Parameters
     ----------
     claims : sequence of Claim
-        Statements of the paper; those of other figures, and those whose value the paper keeps
-        back, are passed over.
+        Statements of the paper; those of other figures, those whose value the paper keeps back,
+        and those that stand aside for others are passed over.
     readings : sequence of mapping
         Contents of calibrated files, as ``thirdbody.study.posterior.summary`` returns them.
     base : Parameters
@@ -72,7 +72,9 @@ def conflict_rows(
     ('Figure 4', 'free', 0.0)
     """
     chosen = [
-        claim for claim in claims if part_of_paper(claim.where) in PARTS and not claim.is_withheld
+        claim
+        for claim in claims
+        if part_of_paper(claim.where) in PARTS and not (claim.is_withheld or claim.aside)
     ]
     asked = referenced_conditions(chosen)
     for reading in readings:

@@ -49,7 +49,7 @@ def claims_markdown(
     parts = [
         "# Verdict on every statement of the paper",
         f"Inputs: the best of the reading `{default['reading']}` (objective "
-        f"{default['objective']:g}). A statement holds if it is met within its tolerance; the "
+        f"{default['objective']:g} when it was found). A statement holds if it is met within its tolerance; the "
         "statements, tolerances and their reasons are in `config/claims.yaml`, the inputs and "
         "their ensemble in `config/calibrated/`. Statements that repeat one another count once, as held "
         "if all of them hold that are tested; one is not tested if the model does not come to its "
