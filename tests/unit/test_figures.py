@@ -452,6 +452,7 @@ def test_windows_are_drawn_beside_the_printed_ones(datasets, printed):
         {"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9},
         {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": 1.2},
         {"roughness_m": 1e-7, "end": "high", "diameter_over_roughness": 1.1},
+        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": np.nan},
     ]
     figure = CURVE_FIGURES["fig09"].plot(
         datasets["fig09"], printed=printed["fig09"], windows=windows

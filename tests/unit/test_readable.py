@@ -38,6 +38,7 @@ def printed(curve, quantity, value, low, high, **fields):
         (-0.000123456, 0.0, "-0.000123"),
         (0.0, 0.1, "0"),
         (None, 0.0, ""),
+        (float("nan"), float("nan"), "none"),
     ],
 )
 def test_a_number_has_three_digits_or_those_that_its_error_leaves(value, error, text):

@@ -52,7 +52,9 @@ class Sheet:
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with so many digits, or fewer where ``error`` leaves fewer; empty for None.
+    """``value`` with so many digits, or fewer where ``error`` leaves fewer.
+
+    None is empty, and nan is none: what is missing, and what does not exist.
 
     Examples
     --------
@@ -61,6 +63,8 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
     """
     if value is None:
         return ""
+    if math.isnan(value):
+        return "none"
     if value == 0.0:
         return "0"
     places = digits - 1 - _exponent(float(f"{value:.{digits - 1}e}"))

@@ -272,6 +272,7 @@ def draw_windows(
         (row["diameter_over_roughness"], WINDOW_ENDS[f"window_{row['end']}"])
         for row in windows
         if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
+        and np.isfinite(row["diameter_over_roughness"])
     ]
     if ends:
         panel.add_line(Line2D(*np.transpose(ends), label="window", zorder=3, **WINDOW))
