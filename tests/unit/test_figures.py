@@ -401,12 +401,6 @@ def test_a_scene_without_dry_two_body_contact_has_no_panel_of_what_is_held_again
     assert [panel.y_name for panel in panels] == [AREA, SOLID, RATIO]
 
 
-def test_without_dry_two_body_contact_there_is_nothing_to_hold_areas_against(datasets):
-    (curve, *_) = shown_curves(datasets["fig11"])
-    with pytest.raises(ValueError, match="no dry two-body contact at a roughness of 3e-07 m"):
-        curve.values(datasets["fig11"], OVER)
-
-
 @pytest.mark.parametrize("name", PANELS)
 def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printed):
     data = datasets[name]

@@ -26,7 +26,7 @@ from thirdbody.figures.sheet.naming import parameter_title, shared_notes
 from thirdbody.figures.sheet.panel import Panel, panel_figure
 from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.sheet.styles import Styles
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve, shown_curves, two_body_areas
+from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve, shown_curves, with_relative_area
 
 MARKERS_PER_CURVE = 7
 PARTED = 1.6  # points between curves that are told apart
@@ -114,7 +114,8 @@ class CurveFigure:
             Rows of the table ``tpca_windows``.
         """
         curves = [each for each in shown_curves(data) if self._shows(each.condition)]
-        contents = self._panels(data, curves)
+        data = with_relative_area(data)
+        contents = self._panels(data)
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
         styles = Styles(conditions, self.parameter)
@@ -143,13 +144,9 @@ class CurveFigure:
         draw_key(figure, title, ", ".join(common), styles.key(conditions, marked), marks)
         return figure
 
-    def _panels(self, data, curves) -> Sequence[Content]:
-        surfaces = {curve.condition.roughness for curve in curves}
-        contents = [
-            content
-            for content in self.contents
-            if content.y != AREA_OVER_TWO_BODY or surfaces <= two_body_areas(data).keys()
-        ]
+    def _panels(self, data) -> Sequence[Content]:
+        held = AREA_OVER_TWO_BODY in data
+        contents = [each for each in self.contents if held or each.y != AREA_OVER_TWO_BODY]
         if not self.each_surface:
             return contents
         indices = range(data.sizes["roughness"])

@@ -29,26 +29,7 @@ class Curve:
         return label(self.condition)
 
     def values(self, data: xr.Dataset, name: str) -> NDArray[np.float64]:
-        """Values along the curve, shape (loads,).
-
-        Parameters
-        ----------
-        data : xarray.Dataset
-            The dataset of the curve.
-        name : str
-            A variable of it, or ``AREA_OVER_TWO_BODY``: A_t* over that of dry two-body contact at
-            the same load and roughness.
-
-        Raises
-        ------
-        ValueError
-            If the dataset holds no such two-body contact.
-        """
-        if name == AREA_OVER_TWO_BODY:
-            roughness, references = self.condition.roughness, two_body_areas(data)
-            if roughness not in references:
-                raise ValueError(f"no dry two-body contact at a roughness of {roughness:g} m")
-            return self.values(data, AREA) / references[roughness]
+        """Values of the variable ``name`` along the curve, shape (loads,)."""
         values = data[name].values
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
@@ -64,10 +45,20 @@ def shown_curves(data: xr.Dataset) -> list[Curve]:
     ]
 
 
-def two_body_areas(data: xr.Dataset) -> dict[float, NDArray[np.float64]]:
-    """A_t* of dry two-body contact over the loads, by the roughness [m] that ``data`` has it for."""
-    return {
+def with_relative_area(data: xr.Dataset) -> xr.Dataset:
+    """``data`` with A_t* over that of dry two-body contact at the same load and roughness.
+
+    The variable ``AREA_OVER_TWO_BODY`` is left out where a surface with curves has no such contact.
+    """
+    curves = shown_curves(data)
+    references = {
         curve.condition.roughness: curve.values(data, AREA)
-        for curve in shown_curves(data)
+        for curve in curves
         if curve.condition.is_dry and curve.condition.is_two_body
     }
+    if any(curve.condition.roughness not in references for curve in curves):
+        return data
+    reference = np.column_stack([references[value] for value in data["roughness"].values])
+    area = data[AREA]
+    relative = area.values / reference[:, np.newaxis, np.newaxis, :, np.newaxis]
+    return data.assign({AREA_OVER_TWO_BODY: (area.dims, relative)})
