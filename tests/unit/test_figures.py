@@ -441,6 +441,16 @@ def test_both_numbers_of_a_turning_point_meet_in_one_place(datasets, printed):
     assert tuple(drawn["printed; fig11a-turning-point-load-at-120cst"]) == expected
 
 
+def test_what_holds_up_to_a_load_is_marked_at_that_load(datasets, printed):
+    data = datasets["fig05"]
+    rows = [row for row in printed["fig05"] if row["load_max"]]
+    assert rows
+    flat = data.assign({SOLID: data[SOLID] * 0.0 + 1.0})
+    drawn = dict(drawn_points(CURVE_FIGURES["fig05"].plot(flat, printed=rows).axes[1]))
+    ((load, _),) = drawn[f"printed; {rows[0]['id']}"]
+    assert load == rows[0]["load_max"]
+
+
 def test_windows_are_drawn_beside_the_printed_ones(datasets, printed):
     windows = [
         {"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9},

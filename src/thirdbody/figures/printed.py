@@ -107,7 +107,7 @@ def draw_marks(panel: Panel, marks: Sequence[Mark], colour) -> None:
     points = [(mark.x, mark.y) for mark in marks]
     bars = [_bar(mark, SCALES[panel.y_name].share) for mark in marks]
     tolerances = [f"tolerance; {mark.name}" for mark in marks]
-    panel.add_bars(bars, tolerances, colour, linewidths=PRINTED["markeredgewidth"], zorder=3.3)
+    panel.add_bars(bars, tolerances, colour, linewidths=PRINTED["markeredgewidth"], zorder=3.5)
     look = PRINTED | {"color": colour, "label": "printed", "zorder": 3.4}
     panel.add_line(NamedPoints(points, names, **look))
 
@@ -210,9 +210,11 @@ class _Places:
         within = self.load <= (row["load_max"] or np.inf)
         within &= self.data["normal_load"].values <= (row["load_max_N"] or np.inf)
         values = self.values(row["quantity"])[within]
-        return float(
-            self.load[np.argmin(values) if row["extreme"] == "minimum" else values.argmax()]
+        found = np.flatnonzero(
+            values == (values.min() if row["extreme"] == "minimum" else values.max())
         )
+        # where it has the value throughout, the end of what the paper speaks of tells more
+        return float(self.load[found[-1 if row["load_max"] else 0]])
 
 
 def draw_printed_windows(panel: Panel, printed: Sequence[Mapping], roughness: float, ends) -> None:
