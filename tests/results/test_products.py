@@ -78,6 +78,27 @@ def test_curves_have_a_line_each_to_be_read(results, tables, name):
     assert sum(line.startswith("|") for line in lines) == len(curves) + 2
 
 
+def test_each_printed_number_is_drawn_on_its_figure(results):
+    printed = read_csv(results / "extracted" / "printed" / "all.csv", TABLES["printed"])
+    figures = {row["figure"] for row in printed if row["figure"]}
+    assert len(figures) > 5
+    for figure in figures:
+        with open(results / "figures" / f"{figure}.csv", newline="") as stream:
+            drawn = {row["curve"] for row in csv.DictReader(stream)}
+        ids = {row["id"] for row in printed if row["figure"] == figure}
+        assert {f"printed; {name}" for name in ids} <= drawn
+        assert {f"tolerance; {name}" for name in ids} <= drawn
+
+
+def test_each_figure_has_its_caption_and_alternative_text(results):
+    figures = sorted((results / "figures").glob("*.png"))
+    assert len(figures) >= 16
+    for figure in figures:
+        caption, seen = figure.with_suffix(".md").read_text(encoding="utf-8").split("\n\n")
+        assert caption.startswith("**")
+        assert seen.startswith("**Alternative text.** ")
+
+
 def test_the_papers_numbers_stand_beside_those_of_the_model(results):
     printed = read_csv(results / "extracted" / "printed" / "all.csv", TABLES["printed"])
     loads = (results / "tables" / "tpca_loads.md").read_text()
