@@ -87,9 +87,7 @@ rule render_accuracy:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_accuracy.py"),
     output:
-        multiext(
-            "results/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
+        multiext("results/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
             "results/figures/accuracy.png", caption="../report/figure.rst", category="Figures"
         ),

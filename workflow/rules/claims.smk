@@ -14,12 +14,8 @@ rule render_claims:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_claims.py"),
     output:
-        multiext(
-            "results/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
-        png=report(
-            "results/figures/claims.png", caption="../report/figure.rst", category="Figures"
-        ),
+        multiext("results/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("results/figures/claims.png", caption="../report/figure.rst", category="Figures"),
     log:
         "logs/render_claims.log",
     benchmark:
@@ -70,9 +66,7 @@ rule render_conflict:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_conflict.py"),
     output:
-        multiext(
-            "results/figures/conflict", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
+        multiext("results/figures/conflict", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
             "results/figures/conflict.png", caption="../report/figure.rst", category="Figures"
         ),

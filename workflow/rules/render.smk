@@ -26,9 +26,7 @@ rule render_figure:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_figure.py"),
     output:
-        multiext(
-            "results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
+        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
             "results/figures/{figure}.png", caption="../report/figure.rst", category="Figures"
         ),
@@ -53,9 +51,7 @@ rule render_schematic:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_schematic.py"),
     output:
-        multiext(
-            "results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
+        multiext("results/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
             "results/figures/{figure}.png", caption="../report/figure.rst", category="Figures"
         ),

@@ -55,9 +55,7 @@ rule render_sensitivity:
         style="src/thirdbody/figures/paper.mplstyle",
         modules=import_closure("workflow/scripts/render_sensitivity.py"),
     output:
-        multiext(
-            "results/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"
-        ),
+        multiext("results/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
             "results/figures/sensitivity.png", caption="../report/figure.rst", category="Figures"
         ),
