@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import LEAST
 from thirdbody.solver.plan import check_way, solve_points
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
@@ -128,7 +129,7 @@ def checked_axis(name: str, values: ArrayLike) -> NDArray:
         raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
     array = np.asarray(array, float)
     zero_allowed = name not in ("load", "roughness")
-    least = 0.0 if zero_allowed else np.nextafter(0.0, 1.0)
+    least = 0.0 if zero_allowed else LEAST
     if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"

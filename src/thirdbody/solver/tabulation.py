@@ -78,8 +78,17 @@ class PiecewisePolynomial:
         found.function = None
         found.coefficients = interpolants([member.coefficients[0] for member in members])
         x = sample_points(found.start, found.end, found.pieces, found.degree)
-        error = np.abs(found(x)[0] - middle(x)[0]).max()
+        error = np.abs(found.at(0.0)(x)[0] - middle(x)[0]).max()
         found.error = float(error) + max(member.error for member in (*members, middle))
+        return found
+
+    def at(self, place: float) -> PiecewisePolynomial:
+        """The polynomials of x alone that these are at one ``place``."""
+        found = copy(self)
+        together = self.coefficients[-1]
+        for term in self.coefficients[-2::-1]:
+            together = together * place + term
+        found.coefficients = together[None]
         return found
 
     def evaluated(self, x, member, place, function):

@@ -141,10 +141,8 @@ def _summits(sheet, rtol, degree, real) -> SummitModel:
 
 def _summit_rows(curve, places, *size):
     """Rows of the root of a ``curve`` of t that is known at some places on a sheet, and their error."""
-    found = [
-        _rows(_root_of(lambda t, place=place: curve(t, place)[0]), *size)
-        for place in (*places, 0.0)
-    ]
+    curves = [curve.at(place) for place in (*places, 0.0)]
+    found = [_rows(_root_of(lambda t, one=one: one(t)[0]), *size) for one in curves]
     (*at_places, middle), errors = zip(*found, strict=True)
     rows = interpolants(at_places)
     ends_and_centre = np.vander([-1.0, 0.0, 1.0], rows.shape[-1], increasing=True)
