@@ -462,7 +462,7 @@ def test_windows_are_drawn_beside_the_printed_ones(datasets, printed):
         datasets["fig09"], printed=printed["fig09"], windows=windows
     )
     drawn = dict(drawn_points(figure.axes[-1]))
-    np.testing.assert_array_equal(drawn["window"], [(0.9, 0.0), (1.2, 1.0)])
+    np.testing.assert_array_equal(drawn["window"], [(0.9, 0.5), (1.2, 0.5)])
     assert "printed; fig09-window" in drawn
 
 

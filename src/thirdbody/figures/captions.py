@@ -218,7 +218,7 @@ def _marks(figure) -> list[str]:
 MEANINGS = {
     "turning points": "Stars: turning points of the contact area.",
     "locus of the turning points": "Heavy dashes join the turning points.",
-    "window": "Diamonds: the ends of the range in which there are turning points.",
+    "window": "Diamonds: the ends of the range in which there are turning points, at no height of their own.",
     "printed": "Open squares: numbers that the paper prints, with bars as long as their tolerances.",
 } | {label: f"Crosses: {text}." for label, (text, _) in STATUS_MARKS.items()}
 

@@ -30,8 +30,7 @@ from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve, shown_curves, wit
 
 MARKERS_PER_CURVE = 7
 PARTED = 1.6  # points between curves that are told apart
-# of a window: where turning points sink to none, and where particles make up all of the contact
-WINDOW_ENDS = {"window_low": 0.0, "window_high": 1.0}
+WINDOW_HEIGHT = 0.5  # of windows in their panel, where no turning point is near their ends
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
 # of the key: the text, and a line about as wide as a band
 BAND_ENTRY = (
@@ -266,14 +265,14 @@ def draw_windows(
     if points:
         panel.add_line(Line2D(*np.transpose(points), label="turning points", **TURNING_POINTS))
     ends = [
-        (row["diameter_over_roughness"], WINDOW_ENDS[f"window_{row['end']}"])
+        (row["diameter_over_roughness"], WINDOW_HEIGHT)
         for row in windows
         if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
         and np.isfinite(row["diameter_over_roughness"])
     ]
     if ends:
         panel.add_line(Line2D(*np.transpose(ends), label="window", zorder=3, **WINDOW))
-    draw_printed_windows(panel, printed, roughness, WINDOW_ENDS)
+    draw_printed_windows(panel, printed, roughness, WINDOW_HEIGHT)
 
 
 def _on_surface(curves, data, surface):

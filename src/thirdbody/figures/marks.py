@@ -44,17 +44,12 @@ PRINTED = {
     "markeredgewidth": 1.1,
     "color": "black",
 }
-WINDOW = {
-    "linestyle": "none",
-    "marker": "d",
-    "markersize": 6.0,
-    "color": "C5",
-}
+WINDOW = {"linestyle": "-", "linewidth": 1.1, "marker": "d", "markersize": 6.0, "color": "C5"}
 # label of what is drawn: its text in the key, its style
 MARKS = {
     "turning points": ("turning point (TPCA)", TURNING_POINTS),
     "locus of the turning points": ("their locus", LOCUS),
-    "window": ("ends of their window", WINDOW),
+    "window": ("their window", WINDOW),
     "printed": ("printed, with tolerance", PRINTED),
 } | {
     meaning: (text, STATUS_LOOK | {"marker": marker, "linestyle": "none"})

@@ -217,21 +217,20 @@ class _Places:
         return float(self.load[found[-1 if row["load_max"] else 0]])
 
 
-def draw_printed_windows(panel: Panel, printed: Sequence[Mapping], roughness: float, ends) -> None:
-    """Draw the printed ends of windows on the surface of ``roughness`` [m].
-
-    ``ends`` gives the height of each end in the panel, ``window_low`` and ``window_high``; of several
-    windows the later ones stand farther inwards.
-    """
-    here = [row for row in printed if row["quantity"] in ends and _is_at(row, roughness)]
-    ranks = {name: rank for rank, name in enumerate(dict.fromkeys(row["id"] for row in here))}
-    inwards = {end: np.sign(np.mean(list(ends.values())) - height) for end, height in ends.items()}
+def draw_printed_windows(
+    panel: Panel, printed: Sequence[Mapping], roughness: float, height: float
+) -> None:
+    """Draw the printed windows on the surface of ``roughness`` [m], below each other from ``height``."""
+    here = [
+        row for row in printed if row["quantity"].startswith("window") and _is_at(row, roughness)
+    ]
+    heights = {
+        name: height - STACKED * rank
+        for rank, name in enumerate(dict.fromkeys(row["id"] for row in here), start=1)
+    }
     marks = [
-        Mark(row["id"], row["value"], height, (row["low"], row["high"]), "x")
+        Mark(row["id"], row["value"], heights[row["id"]], (row["low"], row["high"]), "x")
         for row in here
-        for height in [
-            ends[row["quantity"]] + STACKED * ranks[row["id"]] * inwards[row["quantity"]]
-        ]
     ]
     draw_marks(panel, marks, "black")
 
