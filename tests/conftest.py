@@ -34,6 +34,7 @@ INPUTS = {
     "truncation": 2.44,
     "participation": 0.0221,
     "elastic_depth_ratio": 0.0111,
+    "particle_plane": "surface",
     "elastic_limits": "printed",
     "coverage_limits": "printed",
     "film_load": "fluid",
@@ -51,6 +52,7 @@ READINGS = {
     "contacting": {"coverage_limits": "contacting"},
     "film_of_the_total_load": {"film_load": "total"},
     "no_offset": {"summit_offset": False},
+    "summit_plane": {"summit_offset": "as_rough", "particle_plane": "summit"},
     "unlike_materials": {
         "hardness_surface_1": 3.0e9,
         "hardness_surface_2": 7.0e9,

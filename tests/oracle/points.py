@@ -78,18 +78,16 @@ def covered_by_one(diameter, model):
 
 def draw_for_library(surfaces, points, seed):
     """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
-    library knows, of which any 24 in turn have all readings; and the surfaces' ``Parameters``.
+    library knows, of which any 48 in turn have all readings; and the surfaces' ``Parameters``.
     """
     drawn, conditions = draw(surfaces * points, seed)
     shared = np.repeat(np.arange(surfaces) * points, points)
     model = {name: values[shared] for name, values in drawn.items()}
-    names = [name for name in READINGS if name != "particle_plane"]
-    every = itertools.cycle(itertools.product(*(READINGS[name] for name in names)))
+    every = itertools.cycle(itertools.product(*READINGS.values()))
     for index, words in zip(range(surfaces), every):
         here = slice(index * points, (index + 1) * points)
-        for name, word in zip(names, words, strict=True):
+        for name, word in zip(READINGS, words, strict=True):
             model[name][here] = word
-    model["particle_plane"][:] = "surface"
     roughness = conditions["roughness"][shared]
     diameter = conditions["particle_diameter"] * roughness / conditions["roughness"]
     covered = conditions["particle_density"] * covered_by_one(
@@ -144,6 +142,7 @@ def move_to_kinks(model, conditions, inputs, oracle, seed):
     kink = np.where(rng.random(n) < 0.5, largest, elastic)
     kink = np.where((rng.random(n) < 0.2) & (depth > 0.0), depth, kink)
     apart = 10.0 ** rng.uniform(-14.0, np.log10(3e-2), n) * rng.choice([-1.0, 1.0], n)
+    kink = kink + np.where(model["particle_plane"] == "summit", model["y_s"], 0.0)
     separation = np.abs(kink * (1.0 + apart))
     others = {name: values for name, values in conditions.items() if name != "load"}
     load = oracle.evaluate(model, separation, **others)[0].astype(float)

@@ -21,8 +21,8 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::RuntimeWarning"),  # of points that have no film, or no load
 ]
 
-READINGS = 24  # combinations that ``draw_for_library`` takes in turn
-SURFACES = READINGS * max(1, int(os.environ.get("THIRDBODY_POINTS", 2400)) // (READINGS * 100))
+READINGS = 48  # combinations that ``draw_for_library`` takes in turn
+SURFACES = READINGS * max(1, int(os.environ.get("THIRDBODY_POINTS", 4800)) // (READINGS * 100))
 POINTS = 100  # on each surface
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11
 GOOD = [SOLUTION_STATUSES.index(name) for name in SOLUTION_STATUSES if name != "not_converged"]

@@ -181,10 +181,11 @@ def test_a_number_or_a_status_over_the_whole_domain(reading, rtol, way):
 
 READINGS = {
     "size_distribution": ("uncentred", "centred", "gap_convolved"),
+    "particle_plane": ("surface", "summit"),
     "elastic_limits": ("printed", "physical"),
     "coverage_limits": ("printed", "contacting"),
     "film_load": ("fluid", "total"),
-    "summit_offset": (True, False),
+    "summit_offset": (True, "as_rough", False),
 }
 # inputs of the model: ends, and whether their logarithm is spread evenly
 INPUTS = {

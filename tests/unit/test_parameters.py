@@ -32,7 +32,7 @@ NUMBERS = [
     "h_e_ratio",
 ]
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
-NAMES = ["phi_a", "elastic_limits", "coverage_limits", "film_load"]
+NAMES = ["phi_a", "particle_plane", "elastic_limits", "coverage_limits", "film_load"]
 
 
 def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):

@@ -57,10 +57,11 @@ def between(low, high):
 READINGS = st.fixed_dictionaries(
     {
         "size_distribution": st.sampled_from(["uncentred", "centred", "gap_convolved"]),
+        "particle_plane": st.sampled_from(["surface", "summit"]),
         "elastic_limits": st.sampled_from(["printed", "physical"]),
         "coverage_limits": st.sampled_from(["printed", "contacting"]),
         "film_load": st.sampled_from(["fluid", "total"]),
-        "summit_offset": st.booleans(),
+        "summit_offset": st.sampled_from([True, "as_rough", False]),
         "hardness_surface_1": between(1e9, 2e10),
         "hardness_surface_2": between(1e9, 2e10),
         "elastic_modulus_surfaces": between(5e10, 5e11),

@@ -43,6 +43,7 @@ PARTICLE_KEYS = {
     "truncation": "truncation",
     "participation": "participation",
     "elastic_depth_ratio": "h_e_ratio",
+    "particle_plane": "particle_plane",
     "elastic_limits": "elastic_limits",
     "coverage_limits": "coverage_limits",
     "film_load": "film_load",
@@ -119,7 +120,7 @@ class Parameters:
     summit_parameter_exponent: float
     summit_radius: float
     summit_radius_exponent: float
-    summit_offset: bool
+    summit_offset: bool | str
     size_distribution: str
     mean_ratio: float
     spread_ratio: float
@@ -127,6 +128,7 @@ class Parameters:
     truncation: float
     participation: float
     elastic_depth_ratio: float
+    particle_plane: str
     elastic_limits: str
     coverage_limits: str
     film_load: str
@@ -275,7 +277,8 @@ class Parameters:
         ----------
         model : mapping
             Values by the keys of ``model_parameters``; numbers may be text, and those of the
-            surface are no lists.  Other keys are ignored.
+            surface are no lists.  Other keys are ignored; older datasets have no ``particle_plane``,
+            which was that of the surface.
         roughness : float
             sigma [m] of the surface.
 
@@ -283,13 +286,15 @@ class Parameters:
         -------
         Parameters
         """
+        model = {"particle_plane": "surface", **model}
         keys = BODY_KEYS | PARTICLE_KEYS
         kinds = {name: cls.__annotations__[name] for name in keys}
         given = {
             name: float(model[key]) if kinds[name] == "float" else model[key]
             for name, key in keys.items()
         }
-        density, radius, offset = (float(model[key]) for key in ("eta_s", "R", "y_s"))
+        density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
+        raised = "as_rough" if deviation == roughness else True
         return cls(
             **given,
             reference_roughness=roughness,
@@ -297,7 +302,7 @@ class Parameters:
             summit_parameter_exponent=0.0,
             summit_radius=radius,
             summit_radius_exponent=0.0,
-            summit_offset=offset != 0.0,
+            summit_offset=raised if offset != 0.0 else False,
         )
 
     def as_dict(self) -> dict:

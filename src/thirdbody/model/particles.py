@@ -57,7 +57,8 @@ class ParticleLayer:
     Attributes
     ----------
     mean, spread : array
-        m and S [m] of the size distribution.
+        m and S [m] of the size distribution; m is counted from the plane between the surfaces, as d
+        is: where particles meet the separation of the summits' planes, y_s is added.
     depth : array
         h_e/S [1].
     share : array
@@ -122,7 +123,8 @@ class ParticleLayer:
         else:
             every = moment.of_all * share  # I(X_min, X_max)
             log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))
-        return cls(sizes.mean, sizes.spread, depth, share, log_bare, moment, parameters)
+        height = parameters.readings.particle_plane.height(roughness, parameters)
+        return cls(sizes.mean + height, sizes.spread, depth, share, log_bare, moment, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""

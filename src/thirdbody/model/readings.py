@@ -1,6 +1,6 @@
 """The readings: what the paper leaves open, each way to read it as an object.
 
-Five places of the paper can be read in several ways.  Each place is a class here, a *kind* of
+Six places of the paper can be read in several ways.  Each place is a class here, a *kind* of
 reading, and each way to read it is a subclass, which knows the word that the configuration has for
 it and whatever the equations need to know of it.  This module alone knows these words: all others
 ask the objects that ``Parameters.readings`` holds.
@@ -98,6 +98,15 @@ class SummitsAboveTheMeanPlane(SummitOffset, word=True):
                 "keep a variance"
             )
         return np.sqrt(variance), SUMMIT_PLANE * curvature_length
+
+
+class SummitsAboveTheMeanPlaneAsRough(SummitOffset, word="as_rough"):
+    """Summits lie above the mean plane and scatter as widely as the surface: one sigma for both."""
+
+    plane = "offset"
+
+    def deviation_and_offset(self, roughness, density, radius):
+        return roughness, SUMMIT_PLANE / (density * radius)
 
 
 class SummitsAtTheMeanPlane(SummitOffset, word=False):
@@ -224,6 +233,29 @@ class GapConvolved(SizeDistribution, word="gap_convolved"):
         return parameters.gap_ratio >= LEAST_SPREAD
 
 
+class ParticlePlane(Reading):
+    """From which plane the separation is measured that particles meet."""
+
+    def height(self, roughness: ArrayLike, parameters: Parameters) -> ArrayLike:
+        """Height of that plane above the mean plane [m], of the shape of ``roughness`` sigma [m]."""
+        raise NotImplementedError
+
+
+class ParticlesBetweenMeanPlanes(ParticlePlane, word="surface"):
+    """The mean plane of the surface: particles meet the separation h = R_x H_c of the film."""
+
+    def height(self, roughness, parameters):
+        return 0.0 * roughness
+
+
+class ParticlesBetweenSummitPlanes(ParticlePlane, word="summit"):
+    """The plane of the summits: particles meet the separation d = h - y_s that summits do, as the
+    paper writes one d in the integrals over both."""
+
+    def height(self, roughness, parameters):
+        return parameters.surface(roughness).summit_offset
+
+
 class ElasticLimits(Reading):
     """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e."""
 
@@ -336,6 +368,7 @@ class Readings:
 
     summit_offset: SummitOffset
     size_distribution: SizeDistribution
+    particle_plane: ParticlePlane
     elastic_limits: ElasticLimits
     coverage_limits: CoverageLimits
     film_load: FilmLoad

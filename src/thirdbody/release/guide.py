@@ -36,6 +36,7 @@ MODEL = {
     "truncation": ("1", "largest particle: mean + truncation times spread"),
     "participation": ("1", "share of the particles that carry load"),
     "h_e_ratio": ("1", "elastic depth of a particle over x_a"),
+    "particle_plane": ("", "plane from which particles meet the separation: surface or summit"),
     "elastic_limits": ("", "sizes of elastic particles: below d (printed) or above it (physical)"),
     "coverage_limits": ("", "particles that cover summits: all (printed) or contacting ones"),
     "film_load": ("", "load in the film formula: that of the fluid, or the total"),
