@@ -97,10 +97,11 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
     mode = state.contact_mode
     summits_touch = mode in ("two_body", "surface_surface", "hybrid")
     particle_bears = mode in ("particle_surface", "hybrid")
+    reach = _reach(state, parameters) if particle_bears else None
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits_touch, random)
         touches = lower > upper
-        particles = _particles(state, parameters, position, lower, upper, particle_bears, random)
+        particles = _particles(state, parameters, position, lower, upper, reach, random)
         bears = any(particle.bears_load for particle in particles)
         if (
             touches.any() == summits_touch
@@ -111,6 +112,18 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
             lower, upper = (np.where(touches, middle, heights) for heights in (lower, upper))
             return Section(state, position, lower, upper, touches, particles)
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
+
+
+def _reach(state, parameters):
+    """By how much a gap may exceed a particle that bears load in it [m].
+
+    Particles meet the separation of the plane that their reading names, and the elastic zone as printed
+    holds particles that are smaller than the separation.
+    """
+    readings = parameters.readings
+    height = readings.particle_plane.height(state.condition.roughness, parameters)
+    depth = parameters.elastic_depth_ratio * state.condition.particle_diameter
+    return height + max(-readings.elastic_limits.side, 0.0) * depth
 
 
 def correlation_length(state: State, parameters: Parameters) -> float:
@@ -154,30 +167,32 @@ def _profile(position, length, random):
     return np.convolve(noise, kernel, "valid") / np.sqrt(np.sum(kernel**2))
 
 
-def _particles(state, parameters, position, lower, upper, one_bears, random):
-    """Particles of a slab as deep as their mean distance; the first one is held if ``one_bears``.
+def _particles(state, parameters, position, lower, upper, reach, random):
+    """Particles of a slab as deep as their mean distance; the first one bears load if there is a
+    ``reach``.
 
-    It lies in the narrowest place on the right, and is larger than the gap there.
+    It lies in the narrowest place on the right, and is larger than the gap there less the reach.
     """
     count = round(position[-1] * np.sqrt(state.condition.particle_density))
     places = random.uniform(0.05, 0.95, count) * position[-1]
     smallest = np.zeros(count)
-    if one_bears:
+    if reach is not None:
         right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
         gap = np.where(right, upper - lower, np.inf)
-        places[0], smallest[0] = position[np.argmin(gap)], gap.min()
+        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
     # up to X_max, from the size distribution of the model
     diameters = parameters.readings.size_distribution.quantiles(
         random.uniform(size=count), smallest, state.condition.particle_diameter, parameters
     )
     return tuple(
-        _settled(place, diameter, position, lower, upper)
+        _settled(place, diameter, position, lower, upper, reach or 0.0)
         for place, diameter in zip(places, diameters, strict=True)
     )
 
 
-def _settled(place, diameter, position, lower, upper) -> Particle:
-    """The particle at rest on the lower surface, or held where the gap is narrower than it."""
+def _settled(place, diameter, position, lower, upper, reach) -> Particle:
+    """The particle at rest on the lower surface, or held where the gap is narrower than it; it bears
+    load where the gap exceeds it by no more than the ``reach``."""
     radius = 0.5 * diameter
     across = np.abs(position - place) < radius
     if not across.any():
@@ -185,7 +200,7 @@ def _settled(place, diameter, position, lower, upper) -> Particle:
     half_chord = np.sqrt(radius**2 - (position[across] - place) ** 2)
     rests = float((lower[across] + half_chord).max())
     hangs = float((upper[across] - half_chord).min())
-    return Particle(place, min(rests, 0.5 * (rests + hangs)), diameter, rests > hangs)
+    return Particle(place, min(rests, 0.5 * (rests + hangs)), diameter, rests + reach > hangs)
 
 
 def _are_apart(particles, contacts, length) -> bool:
