@@ -64,33 +64,19 @@ def readings_block() -> str:
 
 
 def identified_block() -> str:
-    """Inputs of the default reading, the range that is acceptable, and whether that pins them."""
+    """Inputs of the default reading, what is acceptable, and what each seed draws."""
     content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["inputs"])
     table = [
         {
             "input": name,
             "best": f"{content['inputs'][name]:.3g}",
             "acceptable": "{:.3g} to {:.3g}".format(*found["acceptable"]),
+            "90 % of what each seed draws": ", ".join(
+                "{:.3g} to {:.3g}".format(*ends) for ends in found["range_of_each_seed"]
+            ),
             "identified": "yes" if found["identified"] else "no",
         }
         for name, found in content["identification"].items()
-    ]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-
-
-def particle_term_block() -> str:
-    """Objectives of the printed particle term and of a free one, for sizes and summits alike."""
-    objective = {content["reading"]: content["objective"] for content in calibrated_files()}
-    table = [
-        {
-            "sizes and summits": name.removesuffix("_full"),
-            "p = 1": f"{value:.1f}",
-            "p free": f"{free:.1f}",
-            "cost of p = 1": f"{value - free:.1f}",
-        }
-        for name, value in objective.items()
-        if name.endswith("_full")
-        for free in [objective[name.removesuffix("_full") + "_free"]]
     ]
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
@@ -161,7 +147,6 @@ BLOCKS = {
     "windows": turning_points_block,
     "readings": readings_block,
     "identified": identified_block,
-    "particle_term": particle_term_block,
 }
 MEASURED = {"accuracy": accuracy_block}
 SPREAD = 3.0  # of times, between machines and runs

@@ -169,8 +169,9 @@ def surface_findings(data):
     """What is wrong between each roughness and its summits in the model."""
     summits = zip(*(data.model[name] for name in SUMMITS))
     for sigma, (density, radius, spread, offset) in zip(data.axes["roughness"], summits):
-        expected = plain_model.surface_roughness(density, radius, spread, offset)
-        if deviation(sigma, expected) > EVALUATION:
+        # summits above the mean plane scatter less than the surface, or as widely (one sigma)
+        known = spread, plain_model.surface_roughness(density, radius, spread, offset)
+        if min(deviation(sigma, each) for each in known) > EVALUATION:
             yield f"roughness {sigma:.6g} m is not that of the summits"
         if offset and deviation(offset, plain_model.summit_plane(density, radius)) > EVALUATION:
             yield f"y_s at roughness {sigma:.6g} m is not that of the summits"

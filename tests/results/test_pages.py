@@ -1,15 +1,41 @@
-"""Numbers in README and docs are those of the run."""
+"""Numbers in README and docs are those of the run; the page of the verdicts begins with them."""
 
+import json
 import runpy
 from pathlib import Path
 
 import pytest
 
+from thirdbody.configuration.plain_yaml import read_yaml
+
 pytestmark = pytest.mark.results
 
-TOOL = Path(__file__).parents[2] / "docs" / "readme_numbers.py"
+ROOT = Path(__file__).parents[2]
+RESULTS = ROOT / "results"
+TOOL = ROOT / "docs" / "readme_numbers.py"
 
 
 def test_the_pages_say_what_the_results_say(capsys):
     status = runpy.run_path(TOOL)["main"]([])
     assert status == 0, capsys.readouterr().out
+
+
+def test_the_default_is_the_reading_that_the_rule_ranks_first():
+    content = json.loads((RESULTS / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    ranked = [row["reading"] for row in content["readings"]]
+    assert content["reading"] == ranked[0]
+    assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["inputs"]).stem == ranked[0]
+
+
+def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():
+    content = json.loads((RESULTS / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    page = (RESULTS / "claims" / "claims.md").read_text(encoding="utf-8")
+    head = page[: page.index("## How to read this page")]
+    assert f"{content['judged']} distinct statements" in head
+    assert f" {content['held']} hold" in head
+    assert len(content["headline"]) == 12
+    assert len(content["predictions"]) == 6
+    for row in (*content["headline"], *content["predictions"]):
+        assert row["statement"] in head
+        assert row["model"] in head
+    assert {row["verdict"] for row in content["predictions"]} == {"value withheld"}

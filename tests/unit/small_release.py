@@ -24,7 +24,7 @@ SCENES = {
     # from boundary to full film, and combinations that are not shown
     "fig04": [([0, 1, 70, 120], [500], [300], [1.0e11]), ([90], [0], [100], [1.0e11])],
     # more particles than there is room for
-    "fig07": [([0, 90], [1000], [300], [1.0e10, 8.0e13])],
+    "fig07": [([0, 90], [1000], [300], [1.0e11, 2.0e11, 8.0e13])],
 }
 SCRIPT = "workflow/scripts/compute_dataset.py"
 SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)

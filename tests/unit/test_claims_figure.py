@@ -1,6 +1,5 @@
-"""The figures of the verdicts and of the conflict: every statement once, where its score is."""
+"""The figure of the verdicts: every statement once, where its score is."""
 
-from itertools import product
 from pathlib import Path
 
 import matplotlib.style
@@ -9,11 +8,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.figures import claims, conflict
+from thirdbody.figures import claims
 from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
-from thirdbody.study.conflict import PARTS, conflict_rows
 
 ROOT = Path(__file__).parents[2]
 PLACES = [
@@ -136,62 +134,3 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
 def test_distances_are_logarithmic_beyond_one_tolerance():
     assert_allclose([claims.score_of(each) for each in (0.0, 0.3, 1.0)], [0.0, 0.3, 1.0])
     assert_allclose(claims.score_of(10.0) - claims.score_of(1.0), np.log(10.0))
-
-
-def conflict_scores(score):
-    """Rows of six readings with two members; ``score`` of reading, member and part."""
-    return [
-        {
-            "reading": f"{sizes} {term}",
-            "size_distribution": sizes,
-            "summit_plane": "offset",
-            "particle_term": term,
-            "member": float(member),
-            "part": part,
-            "score": score(term, member, part, index),
-        }
-        for sizes, term, member, part, index in product(
-            conflict.DISTRIBUTIONS, conflict.TERMS, range(2), PARTS, range(4)
-        )
-    ]
-
-
-def test_conflict_shows_the_mean_score_of_each_member():
-    def score(term, member, part, index):
-        return 0.5 * index + member + (2.0 if term == "printed" and part == "Figure 11" else 0.0)
-
-    members = conflict.plot(conflict_scores(score)).axes[0]
-    points = dict(drawn_points(members))
-    assert len(points) == 6
-    for name, places in points.items():
-        height = 2.0 if "p = 1" in name else 0.0
-        assert_allclose(places, [[0.75, 0.75 + height], [1.75, 1.75 + height]])
-
-
-def test_conflict_shows_the_share_that_holds_at_the_best_inputs():
-    def score(term, member, part, index):
-        return 2.0 if member or (part == "Figure 6" and index == 0) else 0.9
-
-    shares = conflict.plot(conflict_scores(score)).axes[1]
-    points = dict(drawn_points(shares))
-    assert len(points) == 18
-    for name, ((share, _),) in points.items():
-        assert share == (75.0 if name.endswith("Figure 6") else 100.0)
-
-
-def test_conflict_is_judged_on_three_figures_alone(statements, parameters):
-    best = {"participation": 0.0221, "spread_ratio": 1.6}
-    reading = {"inputs": {"truncation": 2.44} | best, "ensemble": [best]}
-    fixed = {"inputs": {"participation": 1.0}, "ensemble": [{"spread_ratio": 1.6}]}
-    readings = [reading | {"reading": "free"}, fixed | {"reading": "printed"}]
-    rows = list(conflict_rows(statements, readings, parameters, (0.04, 80.0)))
-    assert {row["part"] for row in rows} == set(PARTS)
-    assert {(row["reading"], row["particle_term"]) for row in rows} == {
-        ("free", "free"),
-        ("printed", "printed"),
-    }
-    there = [c for c in statements if part_of_paper(c.where) in PARTS]
-    asked = [c.id for c in there if not (c.is_withheld or c.aside)]
-    assert len(asked) < sum(not c.is_withheld for c in there)
-    assert [row["id"] for row in rows] == 2 * asked
-    assert np.isfinite([row["score"] for row in rows]).all()

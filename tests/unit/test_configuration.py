@@ -212,7 +212,10 @@ def test_both_ends_of_the_bounds_are_allowed(write):
 
 def calibrated(inputs, member="{truncation: 2.0}"):
     """Text of a calibrated file."""
-    return f"reading: some\nobjective: 70.5\ninputs: {inputs}\nensemble: [{member}]\n"
+    return (
+        "reading: some\nobjective: 70.5\npenalty: 0.5\nidentification: {}\n"
+        f"inputs: {inputs}\nensemble: [{member}]\n"
+    )
 
 
 BAD_INPUTS = {
@@ -231,7 +234,10 @@ BAD_INPUTS = {
     "500 digits": ("truncation: " + "9" * 500, "truncation is 999"),
     "an unknown reading": ("film_load: solid", "film_load is 'solid'; allowed: fluid, total"),
     "a reading in a list": ("film_load: [fluid]", "film_load is ['fluid']; allowed: fluid, total"),
-    "a number for a truth value": ("summit_offset: 1", "summit_offset is 1; allowed: True, False"),
+    "a number for a truth value": (
+        "summit_offset: 1",
+        "summit_offset is 1; allowed: True, as_rough, False",
+    ),
     "an entry without value": ("ball_radius: {unit: m}", "ball_radius"),
     "a misspelt entry": ("ball_radius: {valeu: 6.35e-3}", "ball_radius"),
     "an unknown entry": ("ball_radius: {value: 6.35e-3, colour: red}", "ball_radius"),

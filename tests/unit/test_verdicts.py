@@ -1,11 +1,13 @@
 """What is made of the verdicts: words, counts, and the page, on made-up judgements."""
 
+import json
+
 import pytest
 
 from thirdbody.study import verdicts
 from thirdbody.study.checks import Verdict
 from thirdbody.study.claims import Claim
-from thirdbody.study.verdict_text import claims_markdown
+from thirdbody.study.verdict_text import claims_json, claims_markdown
 from thirdbody.study.verdicts import Judgement, Trial, counted_once, discriminating, outcome
 
 HELD = Verdict("1", 1.0, 0.0, 0.0, True, True)
@@ -24,6 +26,13 @@ TAKEN = claim("taken", contradicts=("aside",), published=1.0)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 TWINS = claim("one", cluster="twins"), claim("other", cluster="twins")
 CLAIMS = (TAKEN, ASIDE, *TWINS, claim("kept back", role="withheld"))
+
+DEFAULT = {
+    "reading": "some",
+    "objective": 1.0,
+    "inputs": {"truncation": 2.0},
+    "identification": {"truncation": {"range_of_each_seed": [[1.5, 2.5], [1.6, 2.4]]}},
+}
 
 
 def trial(main, *readings):
@@ -71,18 +80,64 @@ def test_what_holds_under_some_readings_and_fails_under_others_discriminates():
 
 
 def test_the_page_shows_contradictions_apart():
-    default = {"reading": "some", "objective": 1.0}
-    contents = [{"objective": 1.0}]
+    contents = [{"objective": 1.0, "penalty": 0.0, "identification": {}}]
     main = (MISSED, HELD, HELD, MISSED, HELD)
     held = trial(main, (HELD,) * 5)
     held = Trial(held.claims, held.main, (), (Judgement("lower one", main),), held.readings)
-    page = claims_markdown(held, default, contents, [])
-    assert "**0 of 2 hold, 0 %.**" in page
+    page = claims_markdown(held, DEFAULT, contents, [])
+    assert "**Of 2 distinct statements of the paper that can be judged 0 hold (0 %)**" in page
     apart = page.split("## Where the paper contradicts itself")[1].split("## The statements")[0]
     (row,) = (line for line in apart.splitlines() if line.startswith("| aside"))
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
     assert cells == ["aside", "yes", "taken (fails)", "Figure 9 says so or twice"]
-    failed = page.split("## What fails")[1]
+    failed = page.split("## What fails, and what would change it")[1]
     assert "**taken**" in failed
     assert "**other**" in failed
     assert "**aside**" not in failed
+
+
+def numbered(value):
+    """A verdict that holds, with this number."""
+    return Verdict(str(value), value, 0.0, 0.0, True, True)
+
+
+def test_headlines_give_the_range_of_the_ensemble_or_how_many_agree():
+    wordy = Verdict("boundary", float("nan"), 0.0, 0.0, True, True)
+    main = (numbered(10.0), HELD, wordy, HELD, numbered(3.0))
+    members = [
+        Judgement("member", (numbered(float(n)), HELD, MISSED if n < 5 else wordy, HELD, HELD))
+        for n in range(21)
+    ]
+    judged = trial(main)
+    judged = Trial(judged.claims, judged.main, tuple(members), (), ())
+    rows = {row["id"]: row for row in verdicts.headline_rows(judged, ["taken", "one"])}
+    assert list(rows) == ["taken", "one"]
+    assert rows["taken"]["ensemble, 90 %"] == "1 to 19"
+    assert (rows["taken"]["paper"], rows["taken"]["model"]) == ("1.0", "10.0")
+    assert rows["one"]["ensemble, 90 %"] == "16 of 21 agree"
+
+
+def test_the_first_reading_is_the_one_that_the_rule_prefers():
+    def content(objective, penalty, unknowns):
+        return {
+            "objective": objective,
+            "penalty": penalty,
+            "identification": dict.fromkeys(map(str, range(unknowns))),
+        }
+
+    most, fewer = (HELD,) * 5, (MISSED, HELD, HELD, HELD, HELD)
+    judged = trial(most, fewer, most, most, most)
+    contents = [content(1, 0, 1), content(4, 1.0, 3), content(3, 0.5, 3), content(2, 0.5, 2)]
+    ranked = [row["reading"] for row in verdicts.reading_rows(judged, contents, [])]
+    assert ranked == ["reading 3", "reading 2", "reading 1", "reading 0"]
+
+
+def test_programs_read_what_the_page_says():
+    nan = float("nan")
+    judged = trial((HELD, MISSED, HELD, MISSED, Verdict("?", nan, nan, nan, False, False)))
+    content = json.loads(claims_json(judged, DEFAULT, [], ["taken"]))
+    assert (content["held"], content["judged"]) == (1, 2)
+    assert content["inputs"] == DEFAULT["inputs"]
+    assert [row["id"] for row in content["headline"]] == ["taken"]
+    assert [row["id"] for row in content["predictions"]] == ["kept back"]
+    assert content["statements"][-1]["score"] is None

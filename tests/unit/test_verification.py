@@ -95,7 +95,7 @@ def test_verification_passes_in_the_archive_itself_and_leaves_it_alone(bare, bui
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.count("\n") == 1
     assert done.stdout.startswith(f"whole: {built.name}: {len(before)} files")
-    assert "3 datasets, 84 points" in done.stdout
+    assert "3 datasets, 98 points" in done.stdout
     assert files_in(built, built) == before
 
 

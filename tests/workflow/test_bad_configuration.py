@@ -191,7 +191,11 @@ CASES = [
     inputs("input is a word", b"truncation: wide\n", "truncation", "'wide'", "a number"),
     inputs("unknown reading", b"film_load: both\n", "film_load", "'both'", "fluid, total"),
     inputs(
-        "word for a truth", b"summit_offset: 'true'\n", "summit_offset", "'true'", "True, False"
+        "word for a truth",
+        b"summit_offset: 'true'\n",
+        "summit_offset",
+        "'true'",
+        "True, as_rough, False",
     ),
     inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 2"),
     put("entry without value", INPUTS, "truncation/value", ABSENT, INPUTS, "truncation", "allowed"),
@@ -218,10 +222,10 @@ CASES = [
     put(
         "reading that fixes too much",
         CALIBRATION,
-        "readings/centred_plane_full/fixed/participation",
+        "readings/uncentred_summit_wide_full/fixed/participation",
         2.0,
         CALIBRATION,
-        "readings.centred_plane_full.fixed.participation",
+        "readings.uncentred_summit_wide_full.fixed.participation",
         "2.0",
         "1e-06 to 1",
     ),

@@ -6,8 +6,8 @@ import pytest
 import yaml
 from workspace import Workspace
 
-READINGS = ("elastic_limit", "uncentred_plane_full")
-BUDGET = {"population": 5, "generations": 1, "starts": 1, "local": 2, "walk": 3}
+READINGS = ("uncentred_summit_wide_full", "centred_plane_free")
+BUDGET = {"population": 5, "generations": 1, "starts": 1, "local": 2, "walkers": 18, "steps": 2}
 
 
 @pytest.fixture(scope="module")
@@ -48,14 +48,16 @@ def test_the_same_seeds_give_the_same_files(calibrated, tmp_path):
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
-    searches = again.root / "results/calibration/elastic_limit"
+    searches = again.root / "results/calibration/centred_plane_free"
     (searches / "seed2.csv").unlink()
-    for follower in ("elastic_limit.yaml", "adopted.txt"):
+    for follower in ("centred_plane_free.yaml", "adopted.txt"):
         (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
     run = again.snakemake("calibrate")
     assert run.returncode == 0, run.stdout + run.stderr
     after = again.stamps()
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
-    assert searched == {"calibration/elastic_limit/seed2.csv"}
+    assert searched == {
+        f"calibration/centred_plane_free/seed2{part}.csv" for part in ("", "_samples")
+    }
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")

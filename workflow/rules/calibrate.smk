@@ -12,6 +12,7 @@ rule search_reading:
         modules=import_closure("workflow/scripts/search_reading.py"),
     output:
         evaluations="results/calibration/{reading}/seed{seed}.csv",
+        samples="results/calibration/{reading}/seed{seed}_samples.csv",
     log:
         "logs/search_reading/{reading}_{seed}.log",
     benchmark:
@@ -34,6 +35,9 @@ rule summarise_reading:
     input:
         evaluations=expand(
             "results/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
+        ),
+        samples=expand(
+            "results/calibration/{{reading}}/seed{seed}_samples.csv", seed=CALIBRATION["seeds"]
         ),
         modules=import_closure("workflow/scripts/summarise_reading.py"),
     output:

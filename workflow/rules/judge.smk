@@ -19,6 +19,7 @@ rule judge_claims:
     output:
         table="results/claims/claims.csv",
         text="results/claims/claims.md",
+        data="results/claims/verdicts.json",
     log:
         "logs/judge_claims.log",
     benchmark:

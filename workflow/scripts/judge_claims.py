@@ -6,19 +6,21 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.claims import load_claims
-from thirdbody.study.verdict_text import claims_markdown
+from thirdbody.study.verdict_text import claims_json, claims_markdown
 from thirdbody.study.verdicts import Court, Trial, verdict_rows
 
 
-def judge_claims(claims, default, calibrated, settings, parameters, table, text):
+def judge_claims(claims, default, calibrated, settings, parameters, table, text, data):
     """Judge ``claims`` under the inputs of the file ``default`` and those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
     main, readings = read_calibrated(default), [read_calibrated(path) for path in calibrated]
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
-    page = claims_markdown(trial, main, readings, settings["headline"])
-    with whole(table, text) as (table_part, text_part):
+    given = trial, main, readings, settings["headline"]
+    page, content = claims_markdown(*given), claims_json(*given)
+    with whole(table, text, data) as (table_part, text_part, data_part):
         write_csv(table_part, verdict_rows(trial), TABLES["claims"])
         text_part.write_text(page, encoding="utf-8")
+        data_part.write_text(content, encoding="utf-8")
 
 
 if __name__ == "__main__":
@@ -31,4 +33,5 @@ if __name__ == "__main__":
             snakemake.params.parameters,
             snakemake.output.table,
             snakemake.output.text,
+            snakemake.output.data,
         )

@@ -1,4 +1,4 @@
-"""Search the unprinted inputs of one reading from one seed."""
+"""Search the unprinted inputs of one reading from one seed, and sample those that explain as much."""
 
 import numpy as np
 
@@ -6,14 +6,19 @@ from thirdbody.data.files import logged, whole
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Objective, Reading, search
 from thirdbody.study.claims import load_claims
+from thirdbody.study.sampling import posterior_sample
 
 
-def run(reading, seed, claims, settings, parameters, evaluations):
-    """Write every evaluation of the search of ``reading`` that starts from ``seed``."""
+def run(name, seed, claims, settings, parameters, evaluations, samples):
+    """Write every evaluation of the search of the reading ``name`` from ``seed``, and its samples."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
-    rows = search(Reading.of(reading, settings), objective, settings["budget"], seed)
-    with whole(evaluations) as part:
-        np.savetxt(part, rows, fmt="%.10g", delimiter=",")
+    reading, budget = Reading.of(name, settings), settings["budget"]
+    budget = budget | {"steps": settings["readings"][name].get("steps", budget["steps"])}
+    rows = search(reading, objective, budget, seed)
+    drawn = posterior_sample(reading, objective, rows, budget, seed)
+    with whole(evaluations, samples) as parts:
+        for part, each in zip(parts, (rows, drawn), strict=True):
+            np.savetxt(part, each, fmt="%.10g", delimiter=",")
 
 
 if __name__ == "__main__":
@@ -25,4 +30,5 @@ if __name__ == "__main__":
             snakemake.params.settings,
             snakemake.params.parameters,
             snakemake.output.evaluations,
+            snakemake.output.samples,
         )

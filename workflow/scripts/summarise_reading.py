@@ -12,10 +12,13 @@ HEADER = (
 )
 
 
-def summarise(reading, evaluations, settings, calibrated):
+def summarise(reading, evaluations, samples, settings, calibrated):
     """Write the best inputs of ``reading``, their ensemble and what it identifies."""
-    searches = [np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations]
-    content = summary(Reading.of(reading, settings), searches, settings)
+    searches, drawn = (
+        [np.loadtxt(path, delimiter=",", ndmin=2) for path in paths]
+        for paths in (evaluations, samples)
+    )
+    content = summary(Reading.of(reading, settings), searches, drawn, settings)
     with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
         stream.write(HEADER)
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
@@ -26,6 +29,7 @@ if __name__ == "__main__":
         summarise(
             snakemake.wildcards.reading,
             snakemake.input.evaluations,
+            snakemake.input.samples,
             snakemake.params.settings,
             snakemake.output.calibrated,
         )

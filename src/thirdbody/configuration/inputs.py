@@ -47,7 +47,7 @@ def load_parameters(path: str | Path | None = None) -> Parameters:
     >>> parameters.ball_radius  # [m]
     0.00635
     >>> parameters.size_distribution
-    'centred'
+    'uncentred'
     """
     from thirdbody.model.parameters import Parameters  # needs numpy; the workflow is read without
 

@@ -106,19 +106,6 @@ def unknowns_are_listed(calibration: dict) -> Iterator[Breach]:
         for index, name in enumerate(settings.get("unknowns", [])):
             if name not in unknowns:
                 yield Breach(allowed, ("readings", reading, "unknowns", index))
-        for name in settings["start"]:
-            if name not in unknowns:
-                path = "readings", reading, "start"
-                yield Breach(allowed, path, fault=f"unknown key {name!r}")
-
-
-def unknowns_have_a_start(calibration: dict) -> Iterator[Breach]:
-    """The first search of a reading begins at a value of each of its unknowns."""
-    for reading, settings in calibration["readings"].items():
-        for name in (*calibration["always"], *settings.get("unknowns", [])):
-            if name not in settings["start"]:
-                path = "readings", reading, "start"
-                yield Breach("it must be given", path, fault=f"key {name!r} is missing")
 
 
 RULES = {
@@ -131,7 +118,6 @@ RULES = {
         contradictions_are_mutual,
         contradictions_are_settled,
         unknowns_are_listed,
-        unknowns_have_a_start,
     )
 }
 

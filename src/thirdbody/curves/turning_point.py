@@ -107,7 +107,7 @@ def turning_points(
     >>> separation = thirdbody.solve(loads, *condition, inputs).separation
     >>> columns = [numpy.array([value]) for value in condition]
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
-    array([4.612e-07])
+    array([7.987e-07])
     """
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
     three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))

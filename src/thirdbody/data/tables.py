@@ -135,17 +135,6 @@ TABLES = {
         Column("cluster", "string", "", "name in common of statements that repeat one another"),
         Column("contradicts", "string", "", "statements of the paper that say the opposite"),
     ),
-    "conflict": (
-        Column("reading", "string", "", "calibrated reading of the printed equations"),
-        Column("size_distribution", "string", "", "phi_a: uncentred, centred or gap_convolved"),
-        Column("summit_plane", "string", "", "offset from the mean plane, or at that plane"),
-        Column("particle_term", "string", "", "printed (participation 1) or free"),
-        Column("participation", "number", "1", "share of the particles that carry load"),
-        Column("member", "number", "1", "place in the reading's ensemble, 0 for its best inputs"),
-        Column("id", "string", "", "name of the statement in config/claims.yaml"),
-        Column("part", "string", "", "figure of the paper that the statement is about"),
-        Column("score", "number", "1", "tolerances off up to 1, then 1 + their logarithm"),
-    ),
     "sensitivity": (
         Column("measure", "string", "", "elasticity, or sobol_total: total Sobol index"),
         Column("output", "string", "", "the result that responds"),

@@ -44,17 +44,18 @@ CAPTIONS = {
     "fig01": Caption(
         "Figure 1. A lubricated interface with third particles, true to scale",
         "Surfaces and particles are drawn from the distributions that the model assumes, at the "
-        "separation that it finds. Particles that are held between the surfaces bear load.",
+        "separation that it finds. Particles that the model lets bear load are marked: where the "
+        "elastic zone h_e of Eqs. 4 and 5 is wide, the gap may be wider than they are.",
         "A cut through two rough surfaces, one above the other, with lubricant and round particles "
         "in the gap; an arrow marks the separation d, two arrows the load.",
     ),
     "fig02": Caption(
         "Figure 2. The three contact modes, true to scale",
         "In the s-s mode (A) summits bear the load, in the p-s mode (B) particles, in the hybrid "
-        "mode (C) both.",
-        "Three cuts through two rough surfaces with round particles between them. In A small "
-        "particles lie free in the gap and summits touch; in B large particles hold the surfaces "
-        "apart; in C both summits and particles touch.",
+        "mode (C) both. Where the elastic zone h_e of Eqs. 4 and 5 is wide, particles bear load in "
+        "gaps that are wider than they are.",
+        "Three cuts through two rough surfaces with round particles between them. In A summits touch "
+        "and no particle bears load; in B particles alone bear it; in C both summits and particles do.",
     ),
     "fig03": Caption(
         "Figure 3. Contact modes in dry contact with particles of various diameters",
@@ -119,13 +120,6 @@ CAPTIONS = {
         "one and logarithmically beyond; up to the vertical line the statement holds.",
         "Two columns of horizontal lines that end in markers, grouped by the figure of the paper; "
         "the statements beyond the line of one tolerance are named.",
-    ),
-    "conflict": Caption(
-        "Whether Figures 4, 6 and 11 can be met together",
-        "Readings of the printed equations that meet Figures 4 and 6 are held against how they meet "
-        "Figure 11.",
-        "A scatter plot of mean scores, one marker a member of an ensemble, beside a chart of the "
-        "share of statements that hold for each reading.",
     ),
     "sensitivity": Caption(
         "How results respond to the inputs that the paper does not print",

@@ -25,6 +25,7 @@ COMPARED = {
     ("figures", ".png"): "compared by eye, with the figure of the paper where it has one",
     ("figures", ".csv"): "the points drawn; every number is compared",
     ("claims", ".csv"): "statements of the paper; every verdict is compared",
+    ("claims", ".json"): "the same verdicts for programs; every one is compared",
     ("accuracy", ".csv"): "time of solving; its order of magnitude is compared, as machines differ",
 }
 

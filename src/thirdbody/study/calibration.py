@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import differential_evolution, least_squares
+from scipy.stats.qmc import LatinHypercube
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
@@ -35,8 +36,6 @@ LOCAL_POOL = 12
 DIFFERENCE_STEP = 4e-3
 # Distance that the start of a local search keeps from the faces of the unit cube.
 EDGE = 1e-3
-# Steps of the random walk, as a fraction of the spread of the best sets found before it.
-WALK_STEP = 0.15
 
 
 @dataclass(frozen=True)
@@ -125,14 +124,11 @@ class Reading:
         Inputs that the reading fixes, by name of the field of ``Parameters``, SI.
     unknowns : tuple of Unknown
         Inputs to be found; their order is that of the columns of positions.
-    start : dict
-        A value of each unknown to start from, by name, SI.
     """
 
     name: str
     fixed: dict[str, Any]
     unknowns: tuple[Unknown, ...]
-    start: dict[str, float]
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Reading:
@@ -161,7 +157,7 @@ class Reading:
             )
             for each in names
         )
-        return cls(name, entry["fixed"], tuple(unknowns), entry["start"])
+        return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: ArrayLike) -> dict[str, float]:
         """Values of the unknowns at their positions.
@@ -293,8 +289,8 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of a reading for the least objective, and record every evaluation.
 
-    Differential evolution over the whole unit cube comes first, then least squares from several of
-    the best sets of inputs, then a random walk over those that are about as good as the best.
+    Differential evolution over the whole unit cube comes first, from sets of inputs that know
+    nothing, and then least squares from several of the best.
 
     Parameters
     ----------
@@ -303,8 +299,8 @@ def search(
     objective : Objective
         The sum of the squares of ``objective.misses(reading, positions)`` is minimised.
     budget : mapping
-        How much to evaluate: ``population`` and ``generations`` of the differential evolution,
-        ``starts`` of local searches of ``local`` steps each, and steps of the ``walk``.
+        How much to evaluate: ``population`` and ``generations`` of the differential evolution, and
+        ``starts`` of local searches of ``local`` steps each.
     seed : int
         Of the random numbers: the same seed gives the same result.
     report : callable
@@ -320,11 +316,11 @@ def search(
     An objective of one's own, least where the ratio is 1.5:
 
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
-    >>> reading = Reading("one", {}, (ratio,), {"gap_ratio": 3.0})
+    >>> reading = Reading("one", {}, (ratio,))
     >>> class Valley:
     ...     def misses(self, reading, positions):
     ...         return np.array([reading.values(positions)["gap_ratio"] - 1.5])
-    >>> budget = {"population": 8, "generations": 2, "starts": 1, "local": 8, "walk": 4}
+    >>> budget = {"population": 8, "generations": 2, "starts": 1, "local": 8}
     >>> rows = search(reading, Valley(), budget, seed=1)
     >>> best = rows[rows[:, -1].argmin()]
     >>> round(reading.values(best[:-1])["gap_ratio"], 3)
@@ -340,31 +336,18 @@ def search(
             report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {least:.3f}")
         return misses
 
-    rng = np.random.default_rng(seed)
-    _global_search(reading, recorded, budget, rng)
+    _global_search(recorded, len(reading.unknowns), budget, np.random.default_rng(seed))
     for row in spread_out(acceptable(np.array(rows), np.inf)[:LOCAL_POOL], budget["starts"]):
         _local_search(recorded, row[:-1], budget["local"])
-    _walk(recorded, np.array(rows), budget["walk"], rng)
     return np.array(rows)
 
 
-def _global_search(reading, recorded, budget, rng) -> None:
-    """Differential evolution over the unit cube.
-
-    The first population holds the start of the reading, sets scattered about it, and, every third
-    one, sets from anywhere in the cube.
-    """
-    start = np.array(
-        [unknown.position(reading.start[unknown.name]) for unknown in reading.unknowns]
-    )
-    size = (budget["population"], start.size)
-    near = start + rng.normal(scale=0.08, size=size)
-    population = np.where(np.arange(size[0])[:, None] % 3 == 0, rng.uniform(size=size), near)
-    population[0] = start
+def _global_search(recorded, unknowns, budget, rng) -> None:
+    """Differential evolution over the unit cube, from a Latin hypercube."""
     differential_evolution(
         lambda positions: np.sum(recorded(positions) ** 2),
-        [(0.0, 1.0)] * start.size,
-        init=np.clip(population, 0.0, 1.0),
+        [(0.0, 1.0)] * unknowns,
+        init=LatinHypercube(unknowns, rng=rng).random(budget["population"]),
         maxiter=budget["generations"],
         mutation=(0.3, 0.9),
         recombination=0.8,
@@ -386,22 +369,6 @@ def _local_search(recorded, start, steps) -> None:
         xtol=1e-4,
         ftol=1e-4,
     )
-
-
-def _walk(recorded, rows, evaluations, rng) -> None:
-    """Metropolis random walk from the best set of inputs, to record sets about as good.
-
-    The objective is taken as a negative log-likelihood: a step that raises it by x is accepted
-    with probability e^-x.
-    """
-    best = rows[np.argsort(rows[:, -1], kind="stable")[: 4 * rows.shape[1]]]
-    steps = WALK_STEP * np.maximum(best[:, :-1].std(axis=0), 1e-3)
-    position, value = best[0, :-1], best[0, -1]
-    for _ in range(evaluations):
-        trial = np.clip(position + steps * rng.normal(size=steps.size), 0.0, 1.0)
-        found = np.sum(recorded(trial) ** 2)
-        if np.log(rng.uniform()) < value - found:
-            position, value = trial, found
 
 
 def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.study.calibration import Reading, acceptable, spread_out
+from thirdbody.study.calibration import Reading, acceptable
 
 DIGITS = 6  # significant ones of a number in the file
 # An input is identified if its acceptable values span less than this share of its bounds.
@@ -22,7 +22,10 @@ PROFILE_BINS = 12  # equal parts of an input's bounds
 
 
 def summary(
-    reading: Reading, searches: Sequence[NDArray[np.float64]], settings: Mapping[str, Any]
+    reading: Reading,
+    searches: Sequence[NDArray[np.float64]],
+    samples: Sequence[NDArray[np.float64]],
+    settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Sum up the searches of a reading.
 
@@ -32,6 +35,8 @@ def summary(
         The reading whose unknowns were searched.
     searches : sequence of array, shape (evaluations, unknowns + 1)
         What ``thirdbody.study.calibration.search`` returned for each seed.
+    samples : sequence of array, shape (samples, unknowns + 1)
+        What ``thirdbody.study.sampling.posterior_sample`` returned for each seed.
     settings : mapping
         Content of ``config/calibration.yaml``, of which ``acceptance`` and ``ensemble`` are used.
 
@@ -39,37 +44,41 @@ def summary(
     -------
     dict
         Content of ``config/calibrated/<reading>.yaml``, SI: ``inputs`` are the best found,
-        ``ensemble`` a number of acceptable sets far apart from each other, the best first;
-        ``identification`` tells of each unknown the acceptable range, whether it is narrow, and
-        the least objective in each part of its bounds; ``correlations`` tells pairs of unknowns
-        that the statements constrain together only.
+        ``ensemble`` a number of sampled sets, the best first; ``identification`` tells of each
+        unknown the acceptable range, whether it is narrow, the median and the 90 % range of the
+        samples of each seed, and the least objective in each part of its bounds; ``correlations``
+        tells pairs of unknowns that the statements constrain together only.
 
     Examples
     --------
     >>> from thirdbody.study.calibration import Unknown
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
-    >>> reading = Reading("one", {}, (ratio,), {"gap_ratio": 3.0})
+    >>> reading = Reading("one", {}, (ratio,))
     >>> evaluated = np.array([[0.10, 7.0], [0.50, 3.0], [0.55, 3.4]])
-    >>> found = summary(reading, [evaluated], {"acceptance": 1.0, "ensemble": 2})
+    >>> sampled = np.array([[0.55, 3.4]])
+    >>> found = summary(reading, [evaluated], [sampled], {"acceptance": 1.0, "ensemble": 2})
     >>> found["inputs"], found["ensemble"]
     ({'gap_ratio': 2.0}, [{'gap_ratio': 2.0}, {'gap_ratio': 2.2}])
     >>> found["identification"]["gap_ratio"]["identified"]
     True
     """
-    rows = np.concatenate(searches)
+    rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
-    members = spread_out(good, settings["ensemble"])
+    pooled = np.concatenate(samples)
+    drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1).round().astype(int)
+    members = [good[0], *pooled[drawn]]
     return {
         "reading": reading.name,
         "objective": _rounded(good[0, -1]),
+        "penalty": _rounded(_penalty(reading, good[0])),
         "objective_of_each_seed": [_rounded(each[:, -1].min()) for each in searches],
-        "evaluations": len(rows),
+        "evaluations": sum(map(len, searches)),
         "acceptable": len(good),
         "inputs": {**reading.fixed, **_inputs(reading, good[0])},
         "ensemble": [_inputs(reading, member) for member in members],
         "objective_of_each_member": [_rounded(member[-1]) for member in members],
-        "identification": _identification(reading, rows, good),
-        "correlations": _correlations(reading, good),
+        "identification": _identification(reading, rows, good, samples),
+        "correlations": _correlations(reading, pooled),
     }
 
 
@@ -77,12 +86,17 @@ def _rounded(value) -> float:
     return float(f"{value:.{DIGITS}g}")
 
 
+def _penalty(reading: Reading, row) -> float:
+    values = reading.values(row[:-1])
+    return sum(unknown.penalty(values[unknown.name]) for unknown in reading.unknowns)
+
+
 def _inputs(reading: Reading, row) -> dict:
     return {name: _rounded(value) for name, value in reading.values(row[:-1]).items()}
 
 
-def _identification(reading: Reading, rows, good) -> dict:
-    """For each unknown: its acceptable range, whether that is narrow, and its profile.
+def _identification(reading: Reading, rows, good, samples) -> dict:
+    """For each unknown: its acceptable range, whether that is narrow, what is drawn, its profile.
 
     The profile is the least objective found with the unknown in each of equal parts of its bounds.
     """
@@ -90,21 +104,28 @@ def _identification(reading: Reading, rows, good) -> dict:
     for index, unknown in enumerate(reading.unknowns):
         low, high = good[:, index].min(), good[:, index].max()
         part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
+
+        def quantiles(sample, shares, index=index, unknown=unknown):
+            places = np.quantile(sample[:, index], shares)
+            return [_rounded(unknown.value(place)) for place in places]
+
         least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
         result[unknown.name] = {
             "acceptable": [_rounded(unknown.value(low)), _rounded(unknown.value(high))],
             "identified": bool(high - low < IDENTIFIED_SHARE),
+            "median_of_each_seed": [quantiles(each, [0.5])[0] for each in samples],
+            "range_of_each_seed": [quantiles(each, [0.05, 0.95]) for each in samples],
             "profile": [_rounded(value) if np.isfinite(value) else None for value in least],
         }
     return result
 
 
-def _correlations(reading: Reading, good) -> list[dict]:
-    """Pairs of unknowns that are correlated among the acceptable sets ``good``."""
-    if len(good) < 3:
+def _correlations(reading: Reading, sample) -> list[dict]:
+    """Pairs of unknowns that are correlated among the sets that are drawn."""
+    if len(sample) < 3:
         return []
     with np.errstate(invalid="ignore"):
-        matrix = np.corrcoef(good[:, :-1].T)
+        matrix = np.atleast_2d(np.corrcoef(sample[:, :-1].T))
     names = [unknown.name for unknown in reading.unknowns]
     return [
         {"between": [names[a], names[b]], "coefficient": float(f"{matrix[a, b]:.2f}")}

@@ -1,7 +1,9 @@
-"""The verdicts as a page for a reviewer: counts, then every statement, then those that fail."""
+"""The verdicts as a page: first what is understood in two minutes, then every statement."""
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -14,6 +16,7 @@ from thirdbody.study.verdicts import (
     counts,
     discriminating,
     explanations,
+    headline_rows,
     reading_rows,
     verdict_rows,
 )
@@ -41,20 +44,32 @@ def claims_markdown(
     Returns
     -------
     str
-        Markdown: counts, how near each reading comes, every verdict, and for each statement that
-        fails what would change it.
+        Markdown: the verdict in a sentence, headline numbers, what fails, the inputs, predictions;
+        then counts, how near each reading comes, every verdict, and for each statement that fails
+        what would change it.
     """
     rows, why = verdict_rows(trial), explanations(trial)
     compared = reading_rows(trial, readings, headline)
+    withheld = [claim.id for claim in trial.claims if claim.is_withheld]
     parts = [
         "# Verdict on every statement of the paper",
+        _summary(rows),
+        "## The paper's numbers",
+        "Loads are F_t* [1], film ranges H_c [1], windows ends of x_a/σ [1].",
+        _numbers(headline_rows(trial, headline)),
+        "## What fails",
+        _misfits(rows),
+        "## The inputs that it took",
+        _inputs(default),
+        "## Predictions of the numbers that the text keeps back",
+        _numbers(headline_rows(trial, withheld)),
+        "## How to read this page",
         f"Inputs: the best of the reading `{default['reading']}` (objective "
         f"{default['objective']:g} when it was found). A statement holds if it is met within its tolerance; the "
         "statements, tolerances and their reasons are in `config/claims.yaml`, the inputs and "
         "their ensemble in `config/calibrated/`. Statements that repeat one another count once, as held "
         "if all of them hold that are tested; one is not tested if the model does not come to its "
         "condition within the loads. Those that the paper itself contradicts stand apart.",
-        _summary(rows),
         f"Of the statements, {len(discriminating(trial))} discriminate between the "
         f"{len(trial.readings)} readings: they hold under some and fail under others.",
         "## Counts by role",
@@ -63,8 +78,9 @@ def claims_markdown(
         _counted(rows, "figure"),
         "## How near each reading comes",
         "At the best inputs of each, solved as coarsely as in the calibration (windows to about "
-        "0.01); ✓ marks what is within the statement's tolerance. How far the members of each "
-        "ensemble come is drawn in `results/figures/conflict.png`.",
+        "0.01); ✓ marks what is within the statement's tolerance. The first is the default, by a rule that "
+        "knows nothing of `validation`: most statements of the calibration hold, repeats counted once; "
+        "then the least penalty for unusual inputs; then the fewest inputs that were searched.",
         tabulate(compared, headers="keys", tablefmt="github", disable_numparse=True),
         "## Where the paper contradicts itself",
         "Of two sentences that exclude each other one is taken, and the other stays outside the shares "
@@ -80,11 +96,94 @@ def claims_markdown(
     return "\n\n".join(parts) + "\n"
 
 
+def claims_json(
+    trial: Trial,
+    default: Mapping[str, Any],
+    readings: Sequence[Mapping[str, Any]],
+    headline: Sequence[str],
+) -> str:
+    """The same for programs: what ``claims_markdown`` says, as a JSON object.
+
+    Parameters are those of ``claims_markdown``; numbers that are none are null.
+    """
+    withheld = [claim.id for claim in trial.claims if claim.is_withheld]
+    rows = verdict_rows(trial)
+    outcomes = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
+    held, judged = counted_once(outcomes)
+    content = {
+        "held": held,
+        "judged": judged,
+        "reading": default["reading"],
+        "inputs": default["inputs"],
+        "identification": default["identification"],
+        "headline": headline_rows(trial, headline),
+        "predictions": headline_rows(trial, withheld),
+        "readings": reading_rows(trial, readings, headline),
+        "statements": rows,
+    }
+    return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
+
+
+def _without_nan(content):
+    """The same content with null for every number that is none."""
+    if isinstance(content, Mapping):
+        return {name: _without_nan(value) for name, value in content.items()}
+    if isinstance(content, (list, tuple)):
+        return [_without_nan(value) for value in content]
+    if isinstance(content, float):
+        return content if math.isfinite(content) else None
+    return content
+
+
 def _summary(rows) -> str:
     outcomes = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
     held, judged = counted_once(outcomes)
-    share = f", {100 * held / judged:.0f} %" if judged else ""
-    return f"**{held} of {judged} hold{share}.**"
+    share = f" ({100 * held / judged:.0f} %)" if judged else ""
+    return (
+        f"**Of {judged} distinct statements of the paper that can be judged {held} hold{share}**, with "
+        "one set of inputs for all figures."
+    )
+
+
+def _numbers(rows) -> str:
+    """Numbers of the paper and the model side by side."""
+    cells = [
+        {name: _cell(value) for name, value in row.items() if name != "id" and value}
+        for row in rows
+    ]
+    return tabulate(cells, headers="keys", tablefmt="github", disable_numparse=True)
+
+
+def _misfits(rows) -> str:
+    """Statements that fail, those of a cluster together, each with what was measured."""
+    clusters: dict[str, list] = {}
+    for row in rows:
+        if row["verdict"] == FAILS:
+            clusters.setdefault(row["cluster"] or row["id"], []).append(row)
+    return "\n".join(
+        "- "
+        + "; ".join(
+            f"{row['where'].split(', section')[0]}: {row['statement']} Measured: {row['measured']}"
+            + (f" (paper: {row['published']})" if row["published"] else "")
+            for row in some
+        )
+        for some in clusters.values()
+    )
+
+
+def _inputs(default: Mapping) -> str:
+    """The inputs that were searched: the best, and 90 % of what each seed draws."""
+    cells = [
+        {
+            "input": name,
+            "best": f"{default['inputs'][name]:.3g}",
+            "90 % of each seed's sample": ", ".join(
+                "{:.3g} to {:.3g}".format(*ends) for ends in found.get("range_of_each_seed", ())
+            ),
+        }
+        for name, found in default["identification"].items()
+    ]
+    return tabulate(cells, headers="keys", tablefmt="github", disable_numparse=True)
 
 
 def _counted(rows, by: str) -> str:

@@ -9,7 +9,7 @@ make rows of tables and text of a trial.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -217,6 +217,48 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     ]
 
 
+def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]:
+    """Numbers of the paper, of the model and of the ensemble, for some statements.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+    chosen : collection of str
+        Ids of the statements.
+
+    Returns
+    -------
+    list of dict
+        For each, in the order of the statements: what it says, the paper's and the model's number,
+        the range that holds 90 % of the ensemble, and the verdict.  Where the statement is no single
+        number, the range is the share of the ensemble that agrees with the verdict.
+    """
+    rows = []
+    for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True)):
+        if claim.id not in chosen:
+            continue
+        values = np.array([each.value for each in _on(trial.ensemble, index)])
+        values = values[np.isfinite(values)]
+        if values.size and np.isfinite(verdict.value):
+            ends = np.quantile(values, [0.05, 0.95])
+            within = " to ".join(f"{end:.3g}" for end in ends)
+        else:
+            same = _agreeing(trial.ensemble, index, verdict)
+            within = f"{same} of {len(trial.ensemble)} agree"
+        rows.append(
+            {
+                "statement": claim.statement,
+                "id": claim.id,
+                "paper": _published(claim),
+                "model": verdict.measured,
+                "ensemble, 90 %": within,
+                "verdict": outcome(claim, verdict),
+            }
+        )
+    return rows
+
+
 def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
     """How many judgements come to the same as ``verdict`` on the statement at ``index``."""
     same = verdict.tested, verdict.holds
@@ -245,24 +287,31 @@ def reading_rows(
     Returns
     -------
     list of dict
-        For each reading, the least objective first: its objective, how many statements of each
-        role hold, repeats counted once, and what is measured for those of ``headline``.
+        For each reading how many statements of each role hold, repeats counted once, the penalty
+        of its inputs for being unusual, how many they are, its objective, and what is measured for
+        the statements of ``headline``.  The first is to be the default: most statements that it was
+        fitted to hold under it, then its inputs are the least unusual, then the fewest.
     """
-    rows = []
+    rows, ranks = [], {}
     for judgement, content in zip(trial.readings, readings, strict=True):
-        row = {"reading": judgement.name, "objective": content["objective"]}
+        row = {"reading": judgement.name}
+        held = {}
         for role in ("calibration", "validation"):
             outcomes = [
                 (claim.cluster or claim.id, outcome(claim, verdict))
                 for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True)
                 if claim.role == role
             ]
-            row[role] = "{}/{}".format(*counted_once(outcomes))
+            held[role], judged = counted_once(outcomes)
+            row[role] = f"{held[role]}/{judged}"
+        found = content["penalty"], len(content["identification"])
+        row |= {"penalty": f"{found[0]:.2f}", "inputs": found[1], "objective": content["objective"]}
+        ranks[judgement.name] = -held["calibration"], *found
         for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True):
             if claim.id in headline:
                 row[claim.id] = verdict.measured + (" ✓" if verdict.holds else "")
         rows.append(row)
-    return sorted(rows, key=lambda row: row["objective"])
+    return sorted(rows, key=lambda row: ranks[row["reading"]])
 
 
 def _published(claim: Claim) -> str:
