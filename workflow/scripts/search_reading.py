@@ -13,7 +13,6 @@ def run(name, seed, claims, settings, parameters, evaluations, samples):
     """Write every evaluation of the search of the reading ``name`` from ``seed``, and its samples."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
     reading, budget = Reading.of(name, settings), settings["budget"]
-    budget = budget | {"steps": settings["readings"][name].get("steps", budget["steps"])}
     rows = search(reading, objective, budget, seed)
     drawn = posterior_sample(reading, objective, rows, budget, seed)
     with whole(evaluations, samples) as parts:

@@ -123,7 +123,7 @@ def _reach(state, parameters):
     readings = parameters.readings
     height = readings.particle_plane.height(state.condition.roughness, parameters)
     depth = parameters.elastic_depth_ratio * state.condition.particle_diameter
-    return height + max(-readings.elastic_limits.side, 0.0) * depth
+    return height + readings.elastic_limits.beyond * depth
 
 
 def correlation_length(state: State, parameters: Parameters) -> float:

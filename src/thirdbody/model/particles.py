@@ -135,7 +135,7 @@ class ParticleLayer:
     @property
     def reach(self) -> NDArray:
         """Separation [m] beyond which no particle touches: X_max, or X_max + h_e as printed."""
-        beyond = max(-self.parameters.readings.elastic_limits.side, 0.0)
+        beyond = self.parameters.readings.elastic_limits.beyond
         return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
 
     def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:

@@ -51,12 +51,7 @@ class Reading:
 
 
 class SummitOffset(Reading):
-    """Where the summits' mean plane lies, and how widely summits scatter about it.
-
-    ``plane`` is its name in tables.
-    """
-
-    plane: ClassVar[str]
+    """Where the summits' mean plane lies, and how widely summits scatter about it."""
 
     def deviation_and_offset(
         self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
@@ -84,8 +79,6 @@ class SummitOffset(Reading):
 class SummitsAboveTheMeanPlane(SummitOffset, word=True):
     """Summits lie above the mean plane and scatter less than the surface (McCool 1986)."""
 
-    plane = "offset"
-
     def deviation_and_offset(self, roughness, density, radius):
         curvature_length = 1.0 / (density * radius)
         variance = roughness**2 - SUMMIT_VARIANCE * curvature_length**2
@@ -103,16 +96,12 @@ class SummitsAboveTheMeanPlane(SummitOffset, word=True):
 class SummitsAboveTheMeanPlaneAsRough(SummitOffset, word="as_rough"):
     """Summits lie above the mean plane and scatter as widely as the surface: one sigma for both."""
 
-    plane = "offset"
-
     def deviation_and_offset(self, roughness, density, radius):
         return roughness, SUMMIT_PLANE / (density * radius)
 
 
 class SummitsAtTheMeanPlane(SummitOffset, word=False):
     """Summits scatter about the mean plane as widely as the surface itself."""
-
-    plane = "plane"
 
     def deviation_and_offset(self, roughness, density, radius):
         return roughness, 0.0 * roughness
@@ -260,6 +249,11 @@ class ElasticLimits(Reading):
     """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e."""
 
     side: ClassVar[float]
+
+    @property
+    def beyond(self) -> float:
+        """How much farther apart than their size particles bear load, in h_e [1]."""
+        return max(-self.side, 0.0)
 
     def weights(self, elastic_factor: float) -> tuple[float, float]:
         """How much the sizes above d count in A_sa, and those above d + ``side`` h_e [1], for the

@@ -105,11 +105,11 @@ def decreasing_roots(
     Each iteration takes Newton's step if it stays within the bracket and at least halves the step,
     or the function where that is not ``FAR`` from zero, and else the middle of the bracket.
     Newton's steps shrink quadratically near a root: the next one is estimated from the last two,
-    with ``CAUTION``.  An
-    element settles once that next step is too small to matter to the function or to what is wanted,
-    or its steps are rounding, or its bracket is as narrow as float64 allows.  When all have, an
-    element is finished if the function changes its sign within the error that is then promised; if
-    not, because a kink lies between, its search goes on from the end that disagrees.
+    with ``CAUTION``.  An element settles once that next step is too small to matter to the function
+    or to what is wanted, or its steps are rounding, or its bracket is as narrow as float64 allows.
+    When all have, an element is finished if the function changes its sign within the error that is
+    then promised; if not, because a kink lies between, its search goes on from the end that
+    disagrees.
     """
     found = Roots(*np.full((3, guess.size), np.nan))
     active = np.arange(guess.size)

@@ -221,10 +221,9 @@ class Objective:
             Values of all inputs that are neither fixed by a reading nor searched.
         """
         fitted = tuple(c for c in claims if c.role == CALIBRATION and not c.aside)
-        sizes = Counter(claim.cluster or claim.id for claim in fitted)
+        sizes = Counter(claim.counted_as for claim in fitted)
         weights = [
-            settings["weights"].get(claim.kind, 1.0) / sizes[claim.cluster or claim.id]
-            for claim in fitted
+            settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
         ]
         asked = referenced_conditions(fitted)
         return cls(fitted, asked, np.array(weights), tuple(settings["newtons"]), base)

@@ -156,6 +156,11 @@ class Claim:
         return tuple(condition._replace(**changes) for condition in self.curves)
 
     @property
+    def counted_as(self) -> str:
+        """What it counts as: its cluster, or itself if nothing repeats it."""
+        return self.cluster or self.id
+
+    @property
     def source(self) -> str:
         """Method of ``thirdbody.study.checks.Evidence`` that gives what the claim speaks of."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:

@@ -18,6 +18,7 @@ DIGITS = 6  # significant ones of a number in the file
 # An input is identified if its acceptable values span less than this share of its bounds.
 IDENTIFIED_SHARE = 0.25
 NOTABLE_CORRELATION = 0.6  # smaller coefficients are not told
+SHARES = 0.05, 0.5, 0.95  # quantiles that are told of what each seed draws
 PROFILE_BINS = 12  # equal parts of an input's bounds
 
 
@@ -104,17 +105,16 @@ def _identification(reading: Reading, rows, good, samples) -> dict:
     for index, unknown in enumerate(reading.unknowns):
         low, high = good[:, index].min(), good[:, index].max()
         part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
-
-        def quantiles(sample, shares, index=index, unknown=unknown):
-            places = np.quantile(sample[:, index], shares)
-            return [_rounded(unknown.value(place)) for place in places]
-
+        drawn = [
+            [_rounded(unknown.value(place)) for place in np.quantile(each[:, index], SHARES)]
+            for each in samples
+        ]
         least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
         result[unknown.name] = {
             "acceptable": [_rounded(unknown.value(low)), _rounded(unknown.value(high))],
             "identified": bool(high - low < IDENTIFIED_SHARE),
-            "median_of_each_seed": [quantiles(each, [0.5])[0] for each in samples],
-            "range_of_each_seed": [quantiles(each, [0.05, 0.95]) for each in samples],
+            "median_of_each_seed": [median for _, median, _ in drawn],
+            "range_of_each_seed": [[first, last] for first, _, last in drawn],
             "profile": [_rounded(value) if np.isfinite(value) else None for value in least],
         }
     return result

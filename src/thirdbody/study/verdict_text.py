@@ -12,11 +12,11 @@ from tabulate import tabulate
 from thirdbody.study.verdicts import (
     FAILS,
     Trial,
-    counted_once,
     counts,
     discriminating,
     explanations,
     headline_rows,
+    held_once,
     reading_rows,
     verdict_rows,
 )
@@ -50,7 +50,6 @@ def claims_markdown(
     """
     rows, why = verdict_rows(trial), explanations(trial)
     compared = reading_rows(trial, readings, headline)
-    withheld = [claim.id for claim in trial.claims if claim.is_withheld]
     parts = [
         "# Verdict on every statement of the paper",
         _summary(rows),
@@ -62,7 +61,7 @@ def claims_markdown(
         "## The inputs that it took",
         _inputs(default),
         "## Predictions of the numbers that the text keeps back",
-        _numbers(headline_rows(trial, withheld)),
+        _numbers(headline_rows(trial, _withheld(trial))),
         "## How to read this page",
         f"Inputs: the best of the reading `{default['reading']}` (objective "
         f"{default['objective']:g} when it was found). A statement holds if it is met within its tolerance; the "
@@ -106,10 +105,8 @@ def claims_json(
 
     Parameters are those of ``claims_markdown``; numbers that are none are null.
     """
-    withheld = [claim.id for claim in trial.claims if claim.is_withheld]
     rows = verdict_rows(trial)
-    outcomes = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
-    held, judged = counted_once(outcomes)
+    held, judged = held_once(rows)
     content = {
         "held": held,
         "judged": judged,
@@ -117,11 +114,16 @@ def claims_json(
         "inputs": default["inputs"],
         "identification": default["identification"],
         "headline": headline_rows(trial, headline),
-        "predictions": headline_rows(trial, withheld),
+        "predictions": headline_rows(trial, _withheld(trial)),
         "readings": reading_rows(trial, readings, headline),
         "statements": rows,
     }
     return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
+
+
+def _withheld(trial: Trial) -> list[str]:
+    """Ids of the statements whose number the text keeps back."""
+    return [claim.id for claim in trial.claims if claim.is_withheld]
 
 
 def _without_nan(content):
@@ -136,8 +138,7 @@ def _without_nan(content):
 
 
 def _summary(rows) -> str:
-    outcomes = [(row["cluster"] or row["id"], row["verdict"]) for row in rows]
-    held, judged = counted_once(outcomes)
+    held, judged = held_once(rows)
     share = f" ({100 * held / judged:.0f} %)" if judged else ""
     return (
         f"**Of {judged} distinct statements of the paper that can be judged {held} hold{share}**, with "

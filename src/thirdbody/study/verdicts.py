@@ -298,7 +298,7 @@ def reading_rows(
         held = {}
         for role in ("calibration", "validation"):
             outcomes = [
-                (claim.cluster or claim.id, outcome(claim, verdict))
+                (claim.counted_as, outcome(claim, verdict))
                 for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True)
                 if claim.role == role
             ]
@@ -371,6 +371,11 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
     return sum(clusters.values()), len(clusters)
 
 
+def held_once(rows: Iterable[Mapping[str, Any]]) -> tuple[int, int]:
+    """``counted_once`` of rows of the table ``claims``."""
+    return counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
+
+
 def discriminating(trial: Trial) -> list[str]:
     """Ids of the statements that hold under some readings and fail under others."""
     found = []
@@ -400,7 +405,7 @@ def explanations(trial: Trial) -> dict[str, str]:
         for index, (claim, verdict) in enumerate(
             zip(trial.claims, trial.main.verdicts, strict=True)
         )
-        if not verdict.holds and not claim.is_withheld
+        if outcome(claim, verdict) == FAILS
     }
 
 
@@ -483,7 +488,7 @@ def counts(rows: Sequence[Mapping[str, Any]], by: str) -> list[dict[str, Any]]:
     table = []
     for name, group in groups.items():
         count = Counter(row["verdict"] for row in group)
-        held, judged = counted_once((row["cluster"] or row["id"], row["verdict"]) for row in group)
+        held, judged = held_once(group)
         table.append(
             {by: name, **{each: count[each] for each in order}}
             | {"hold, repeats once": f"{held} of {judged}" if judged else ""}
