@@ -184,7 +184,7 @@ def _frame(panel, lines):
     panel.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000\nor more"])
     panel.tick_params(labelsize=6)
     panel.set_xlabel("deviation in tolerances; logarithmic beyond 1", fontsize=7)
-    panel.write(0.0, 1.0, f"({panel.letter})", fontweight="bold", y_points=4, va="bottom")
+    panel.write(0.0, 1.0, f"({panel.letter})", y_points=4, va="bottom")
 
 
 def _draw_key(figure, rows):

@@ -111,7 +111,7 @@ class Panel(Axes):
         self.heading = title
         newtons = NEWTONS_RISE * (self.x_name == "load")
         above = {"y_points": TITLE_RISE + newtons, "va": "bottom"}
-        self.write(0.0, 1.0, f"({self.letter})", fontweight="bold", **above)
+        self.write(0.0, 1.0, f"({self.letter})", color="black", **above)
         self.write(0.0, 1.0, title, x_points=20, **above)
 
     def add_outlines(self, outlines: Sequence[NDArray], names: Sequence[str], **style) -> None:
