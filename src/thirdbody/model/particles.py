@@ -257,7 +257,7 @@ class Moment:
         next_to_it = within & (alpha > self.largest - NEXT_TO_LARGEST)
         if next_to_it.any():
             length = self.largest - alpha[next_to_it]
-            slopes = self._slope(self.largest - length[:, None] * NODES)
+            _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
             moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
 
@@ -285,17 +285,10 @@ class Moment:
 
     def _untruncated(self, alpha):
         """M(alpha) and dM/dalpha."""
-        density, polynomial = self._terms(alpha)
-        return ndtr(-alpha) + polynomial * density, self._slope(alpha)
-
-    def _slope(self, alpha):
-        """dM/dalpha."""
-        density, polynomial = self._terms(alpha)
-        return -density * (1.0 - self.linear + polynomial * alpha)
-
-    def _terms(self, alpha):
-        """phi(alpha) and c_2 + c_3 alpha."""
-        return INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha), self.constant + self.linear * alpha
+        density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)  # phi(alpha)
+        polynomial = self.constant + self.linear * alpha
+        slope = -density * (1.0 - self.linear + polynomial * alpha)
+        return ndtr(-alpha) + polynomial * density, slope
 
 
 @lru_cache(maxsize=64)
@@ -338,12 +331,15 @@ def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
     A first guess: the larger of the separations at which the sizes above d and those above the
-    other limit of the elastic integral have the area by themselves.
+    other limit of the elastic integral have the area by themselves.  Minus infinity where all
+    particles together have less than the area.
     """
     parameters = layer.parameters
     wanted = area / (layer.share * parameters.hardness_surface_2)
     sampled = layer.moment.samples()
-    alpha, shifted = (np.interp(part * wanted, *sampled) for part in parts_bearing(parameters))
+    alpha, shifted = (
+        np.interp(part * wanted, *sampled, right=-np.inf) for part in parts_bearing(parameters)
+    )
     shifted = shifted - parameters.readings.elastic_limits.side * layer.depth
     return layer.mean + layer.spread * np.maximum(alpha, shifted)
 
