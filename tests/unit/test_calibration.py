@@ -14,18 +14,18 @@ from thirdbody.study.calibration import (
     Unknown,
     acceptable,
     loss,
-    search,
     spread_out,
 )
 from thirdbody.study.checks import MISSING_SCORE
 from thirdbody.study.claims import VALIDATION, load_claims, referenced_conditions
 from thirdbody.study.posterior import summary
 from thirdbody.study.sampling import posterior_sample
+from thirdbody.study.search import search
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
 SETTINGS = read_yaml(CONFIG / "calibration.yaml")
-BUDGET = {"population": 8, "generations": 4, "starts": 2, "local": 12, "walkers": 8, "steps": 10}
+BUDGET = {"population": 8, "evaluations": 300, "walkers": 8, "steps": 10}
 LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
 LOGARITHMIC = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 READING = Reading("two", {}, (LINEAR, LOGARITHMIC))
@@ -100,7 +100,10 @@ def test_statements_that_repeat_one_another_share_one_weight(parameters):
     assert_allclose([sum(shares) for shares in clusters.values()], 1.0)
 
 
-def test_no_reading_of_the_configuration_searches_what_it_fixes():
+def test_what_a_reading_fixes_it_does_not_search():
+    exact = Reading.of("uncentred_summit_wide_full_exact", SETTINGS)
+    names = {unknown.name for unknown in exact.unknowns}
+    assert names == {*SETTINGS["always"], "elastic_depth_ratio"} - exact.fixed.keys()
     for name in SETTINGS["readings"]:
         reading = Reading.of(name, SETTINGS)
         for unknown in reading.unknowns:
@@ -113,8 +116,8 @@ def test_no_reading_of_the_configuration_searches_what_it_fixes():
 def test_a_search_finds_what_minimises_the_misses():
     rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
     best = READING.values(rows[np.argmin(rows[:, -1]), :-1])
-    assert best["gap_ratio"] == pytest.approx(1.5, abs=1e-3)
-    assert best["summit_radius"] == pytest.approx(1e-4, rel=1e-2)
+    assert best["gap_ratio"] == pytest.approx(1.5, abs=0.03)
+    assert len(rows) < BUDGET["evaluations"] + 8 * BUDGET["population"]
 
 
 def test_a_seed_fixes_every_evaluation():
@@ -135,7 +138,7 @@ def test_a_search_of_the_real_model_repeats_itself(parameters):
     settings["readings"] = {"few": {**SETTINGS["readings"]["uncentred_summit_wide_full"]}}
     reading = Reading.of("few", settings)
     objective = Objective.of(CLAIMS, settings, parameters)
-    budget = BUDGET | {"population": 5, "generations": 1, "local": 2, "walkers": 6, "steps": 2}
+    budget = BUDGET | {"population": 5, "evaluations": 15, "walkers": 6, "steps": 2}
     one, other = (search(reading, objective, budget, 3, report=lambda line: None) for _ in range(2))
     assert np.array_equal(one, other)
     assert one[:, -1].min() < one[0, -1] + 1e-12
@@ -187,8 +190,10 @@ def test_a_summary_tells_what_is_identified_and_what_is_not():
         posterior_sample(READING, Valley(), rows, BUDGET, seed, report=lambda line: None)
         for seed, rows in enumerate(searches)
     ]
-    found = summary(READING, searches, samples, {"acceptance": 0.02, "ensemble": 4})
-    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=1e-3)
+    fronts = [{"one": [[0.5, 9.0], [2.0, 4.0]]}, {"one": [[1.0, 9.5], [1.5, 5.0]]}]
+    found = summary(READING, searches, samples, fronts, {"acceptance": 0.02, "ensemble": 4})
+    assert found["fronts"] == {"one": [[0.5, 9.0], [1.5, 5.0], [2.0, 4.0]]}
+    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.03)
     assert found["identification"]["gap_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
     assert found["evaluations"] == sum(map(len, searches))

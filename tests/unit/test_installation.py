@@ -41,7 +41,7 @@ LACKING = {
     "import thirdbody.solver.compiled.points": ("numba", "compiled"),
     "from thirdbody.solver.plan import check_way; check_way('compiled')": ("numba", "compiled"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
-    "import thirdbody.study.sobol": ("SALib, emcee, tabulate", "study"),
+    "import thirdbody.study.sobol": ("SALib, cma, emcee, tabulate", "study"),
 }
 
 

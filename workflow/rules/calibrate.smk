@@ -1,6 +1,7 @@
 # Calibration: `snakemake -c2 calibrate`, not part of the default run.  One search a reading and
-# seed, so that an interruption loses no finished search.  What it finds is then copied to
-# config/calibrated/, which is kept in git and read by the default run.
+# seed, so that an interruption loses no finished search; then samples, which begin at what all
+# searches of the reading have found.  The result is copied to config/calibrated/, which is kept in
+# git and read by the default run.
 
 CALIBRATION = settings["calibration"]
 
@@ -12,7 +13,7 @@ rule search_reading:
         modules=import_closure("workflow/scripts/search_reading.py"),
     output:
         evaluations="results/calibration/{reading}/seed{seed}.csv",
-        samples="results/calibration/{reading}/seed{seed}_samples.csv",
+        fronts="results/calibration/{reading}/seed{seed}_fronts.json",
     log:
         "logs/search_reading/{reading}_{seed}.log",
     benchmark:
@@ -31,6 +32,34 @@ rule search_reading:
         "../scripts/search_reading.py"
 
 
+rule sample_reading:
+    input:
+        evaluations=expand(
+            "results/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
+        ),
+        claims="config/claims.yaml",
+        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
+        modules=import_closure("workflow/scripts/sample_reading.py"),
+    output:
+        samples="results/calibration/{reading}/seed{seed}_samples.csv",
+    log:
+        "logs/sample_reading/{reading}_{seed}.log",
+    benchmark:
+        "logs/sample_reading/{reading}_{seed}.tsv"
+    wildcard_constraints:
+        seed="[0-9]+",
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+    message:
+        "Sampling the inputs of {wildcards.reading} from seed {wildcards.seed}"
+    script:
+        "../scripts/sample_reading.py"
+
+
 rule summarise_reading:
     input:
         evaluations=expand(
@@ -38,6 +67,9 @@ rule summarise_reading:
         ),
         samples=expand(
             "results/calibration/{{reading}}/seed{seed}_samples.csv", seed=CALIBRATION["seeds"]
+        ),
+        fronts=expand(
+            "results/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
         ),
         modules=import_closure("workflow/scripts/summarise_reading.py"),
     output:

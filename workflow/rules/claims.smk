@@ -20,3 +20,26 @@ rule render_claims:
         "Drawing the verdicts"
     script:
         "../scripts/render_claims.py"
+
+
+rule render_fronts:
+    input:
+        calibrated=CALIBRATED,
+        style="src/thirdbody/figures/paper.mplstyle",
+        modules=import_closure("workflow/scripts/render_fronts.py"),
+    output:
+        multiext("results/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("results/figures/fronts.png", caption="../report/figure.rst", category="Figures"),
+    log:
+        "logs/render_fronts.log",
+    benchmark:
+        "logs/render_fronts.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        default=str(settings["inputs"]),
+    message:
+        "Drawing what each chief statement costs the others"
+    script:
+        "../scripts/render_fronts.py"

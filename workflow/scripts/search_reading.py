@@ -1,23 +1,26 @@
-"""Search the unprinted inputs of one reading from one seed, and sample those that explain as much."""
+"""Search the unprinted inputs of one reading from one seed."""
+
+import json
 
 import numpy as np
 
 from thirdbody.data.files import logged, whole
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.calibration import Objective, Reading, search
+from thirdbody.study.calibration import Objective, Reading
 from thirdbody.study.claims import load_claims
-from thirdbody.study.sampling import posterior_sample
+from thirdbody.study.fronts import Witness
+from thirdbody.study.search import search
 
 
-def run(name, seed, claims, settings, parameters, evaluations, samples):
-    """Write every evaluation of the search of the reading ``name`` from ``seed``, and its samples."""
+def run(name, seed, claims, settings, parameters, evaluations, fronts):
+    """Write all evaluations of a search of the reading ``name``, and their fronts."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
-    reading, budget = Reading.of(name, settings), settings["budget"]
-    rows = search(reading, objective, budget, seed)
-    drawn = posterior_sample(reading, objective, rows, budget, seed)
-    with whole(evaluations, samples) as parts:
-        for part, each in zip(parts, (rows, drawn), strict=True):
-            np.savetxt(part, each, fmt="%.10g", delimiter=",")
+    witness = Witness(objective, settings["headline"])
+    rows = search(Reading.of(name, settings), objective, settings["budget"], seed, see=witness.see)
+    told = {statement: front.tolist() for statement, front in witness.fronts.items()}
+    with whole(evaluations, fronts) as (part, seen):
+        np.savetxt(part, rows, fmt="%.10g", delimiter=",")
+        seen.write_text(json.dumps(told), encoding="utf-8")
 
 
 if __name__ == "__main__":
@@ -29,5 +32,5 @@ if __name__ == "__main__":
             snakemake.params.settings,
             snakemake.params.parameters,
             snakemake.output.evaluations,
-            snakemake.output.samples,
+            snakemake.output.fronts,
         )

@@ -1,5 +1,8 @@
 """The calibrated inputs of one reading from its searches."""
 
+import json
+from pathlib import Path
+
 import numpy as np
 import yaml
 
@@ -12,13 +15,14 @@ HEADER = (
 )
 
 
-def summarise(reading, evaluations, samples, settings, calibrated):
+def summarise(reading, evaluations, samples, fronts, settings, calibrated):
     """Write the best inputs of ``reading``, their ensemble and what it identifies."""
     searches, drawn = (
         [np.loadtxt(path, delimiter=",", ndmin=2) for path in paths]
         for paths in (evaluations, samples)
     )
-    content = summary(Reading.of(reading, settings), searches, drawn, settings)
+    seen = [json.loads(Path(path).read_text(encoding="utf-8")) for path in fronts]
+    content = summary(Reading.of(reading, settings), searches, drawn, seen, settings)
     with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
         stream.write(HEADER)
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
@@ -30,6 +34,7 @@ if __name__ == "__main__":
             snakemake.wildcards.reading,
             snakemake.input.evaluations,
             snakemake.input.samples,
+            snakemake.input.fronts,
             snakemake.params.settings,
             snakemake.output.calibrated,
         )

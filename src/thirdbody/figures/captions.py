@@ -121,6 +121,14 @@ CAPTIONS = {
         "Two columns of horizontal lines that end in markers, grouped by the figure of the paper; "
         "the statements beyond the line of one tolerance are named.",
     ),
+    "fronts": Caption(
+        "What it costs the other statements that one of them holds",
+        "A panel is a chief statement, a line a reading of the equations. To the left of the "
+        "vertical line the statement holds; the lower a line is there, the better all others are "
+        "explained together with it. Each line joins the best that any evaluation of the searches "
+        "has found, so that what is really possible lies on it or below.",
+        "Panels with falling steps, one line a reading, and a vertical line at one tolerance.",
+    ),
     "sensitivity": Caption(
         "How results respond to the inputs that the paper does not print",
         "A result is a column, an input a row. Elasticities tell by how many percent the result "

@@ -10,4 +10,4 @@ print are found (``calibration``, ``sampling``, ``posterior``), what becomes of 
 
 from thirdbody.extras import require
 
-require("study", "SALib", "emcee", "tabulate")
+require("study", "SALib", "cma", "emcee", "tabulate")

@@ -7,21 +7,20 @@ ranges usual in nature, the weights of the objective, and how long to search.
 
 A search works on *positions*: the value of each unknown as a number between 0 and 1, its place
 between its bounds on a linear or logarithmic scale.  All positions together are a point in the unit
-cube.  Every evaluation is recorded; ``thirdbody.study.posterior`` tells from these records which
-values explain the statements about equally well.
+cube.  ``thirdbody.study.search`` searches it and records every evaluation;
+``thirdbody.study.posterior`` tells from these records which values explain the statements about
+equally well.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.optimize import differential_evolution, least_squares
-from scipy.stats.qmc import LatinHypercube
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
@@ -30,12 +29,6 @@ from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
 SLOPE_OF_LOSS = 0.1
-# Local searches start from sets of inputs that are far apart among so many of the best.
-LOCAL_POOL = 12
-# Step of a position in a finite difference: the change of a score is well above the solver's error.
-DIFFERENCE_STEP = 4e-3
-# Distance that the start of a local search keeps from the faces of the unit cube.
-EDGE = 1e-3
 
 
 @dataclass(frozen=True)
@@ -134,6 +127,8 @@ class Reading:
     def of(cls, name: str, settings: Mapping[str, Any]) -> Reading:
         """Take a reading from the configuration.
 
+        An unknown of every reading is none of this one if it fixes it.
+
         Parameters
         ----------
         name : str
@@ -148,6 +143,7 @@ class Reading:
         """
         entry = settings["readings"][name]
         names = (*settings["always"], *entry.get("unknowns", ()))
+        free = [each for each in names if each not in entry["fixed"]]
         unknowns = (
             Unknown(
                 each,
@@ -155,7 +151,7 @@ class Reading:
                 tuple(settings["unknowns"][each]["usual"]),
                 settings["unknowns"][each]["scale"] == "logarithmic",
             )
-            for each in names
+            for each in free
         )
         return cls(name, entry["fixed"], tuple(unknowns))
 
@@ -262,8 +258,8 @@ class Objective:
 def loss(score: ArrayLike) -> ArrayLike:
     """Loss of a statement.
 
-    It is about one half where the statement just holds, and grows slowly far off, so that a
-    statement that cannot hold does not drown the others.
+    It is small wherever the statement holds, steepest where it ceases to, and grows slowly far
+    off, so that a statement that cannot hold does not drown the others.
 
     Parameters
     ----------
@@ -274,100 +270,9 @@ def loss(score: ArrayLike) -> ArrayLike:
     Returns
     -------
     array_like
-        s^2/(1 + s^2) + 0.1 s for each score s [1].
+        s^4/(1 + s^4) + 0.1 s for each score s [1].
     """
-    return score**2 / (1.0 + score**2) + SLOPE_OF_LOSS * score
-
-
-def search(
-    reading: Reading,
-    objective: Objective,
-    budget: Mapping[str, int],
-    seed: int,
-    report: Callable[[str], object] = print,
-) -> NDArray[np.float64]:
-    """Search the unknowns of a reading for the least objective, and record every evaluation.
-
-    Differential evolution over the whole unit cube comes first, from sets of inputs that know
-    nothing, and then least squares from several of the best.
-
-    Parameters
-    ----------
-    reading : Reading
-        Its unknowns are searched.
-    objective : Objective
-        The sum of the squares of ``objective.misses(reading, positions)`` is minimised.
-    budget : mapping
-        How much to evaluate: ``population`` and ``generations`` of the differential evolution, and
-        ``starts`` of local searches of ``local`` steps each.
-    seed : int
-        Of the random numbers: the same seed gives the same result.
-    report : callable
-        Is given a line of text from time to time.
-
-    Returns
-    -------
-    array, shape (evaluations, unknowns + 1)
-        Positions [1], and in the last column the objective there [1], in the order of evaluation.
-
-    Examples
-    --------
-    An objective of one's own, least where the ratio is 1.5:
-
-    >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
-    >>> reading = Reading("one", {}, (ratio,))
-    >>> class Valley:
-    ...     def misses(self, reading, positions):
-    ...         return np.array([reading.values(positions)["gap_ratio"] - 1.5])
-    >>> budget = {"population": 8, "generations": 2, "starts": 1, "local": 8}
-    >>> rows = search(reading, Valley(), budget, seed=1)
-    >>> best = rows[rows[:, -1].argmin()]
-    >>> round(reading.values(best[:-1])["gap_ratio"], 3)
-    1.5
-    """
-    rows: list[np.ndarray] = []
-
-    def recorded(positions):
-        misses = objective.misses(reading, positions)
-        rows.append(np.append(positions, np.sum(misses**2)))
-        if len(rows) % 50 == 0:
-            least = min(row[-1] for row in rows)
-            report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {least:.3f}")
-        return misses
-
-    _global_search(recorded, len(reading.unknowns), budget, np.random.default_rng(seed))
-    for row in spread_out(acceptable(np.array(rows), np.inf)[:LOCAL_POOL], budget["starts"]):
-        _local_search(recorded, row[:-1], budget["local"])
-    return np.array(rows)
-
-
-def _global_search(recorded, unknowns, budget, rng) -> None:
-    """Differential evolution over the unit cube, from a Latin hypercube."""
-    differential_evolution(
-        lambda positions: np.sum(recorded(positions) ** 2),
-        [(0.0, 1.0)] * unknowns,
-        init=LatinHypercube(unknowns, rng=rng).random(budget["population"]),
-        maxiter=budget["generations"],
-        mutation=(0.3, 0.9),
-        recombination=0.8,
-        tol=0.0,
-        polish=False,
-        rng=rng,
-    )
-
-
-def _local_search(recorded, start, steps) -> None:
-    """Least squares on the misses from ``start``, in at most ``steps`` Gauss-Newton steps."""
-    least_squares(
-        recorded,
-        np.clip(start, EDGE, 1.0 - EDGE),
-        bounds=(0.0, 1.0),
-        diff_step=DIFFERENCE_STEP,
-        x_scale=0.1,
-        max_nfev=steps,
-        xtol=1e-4,
-        ftol=1e-4,
-    )
+    return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:

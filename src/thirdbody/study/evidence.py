@@ -13,7 +13,7 @@ from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import is_as_asked
-from thirdbody.solver.plan import REPEATABLE
+from thirdbody.solver.plan import COMPILED, REPEATABLE
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
@@ -36,17 +36,20 @@ class Effort:
         Relative error asked for [1].
     window : WindowSearch
         How the ends of windows are sought.
+    way : str
+        How curves are solved, as ``thirdbody.solve`` names it.
     """
 
     loads: int
     rtol: float
     window: WindowSearch
+    way: str
 
 
-FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
+FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)), REPEATABLE)
 # For the many evaluations of a calibration; its errors are far below the tolerances of all claims.
 QUICK_EFFORT = Effort(
-    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
+    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4), COMPILED
 )
 
 
@@ -144,7 +147,7 @@ class SolvedEvidence:
     def _solution(self):
         columns = np.array(self._conditions).T
         given = self.loads[:, None], *columns
-        return solve(*given, self.parameters, self.effort.rtol, NEEDED, way=REPEATABLE)
+        return solve(*given, self.parameters, self.effort.rtol, NEEDED, way=self.effort.way)
 
     @cached_property
     def _curves(self) -> dict[Condition, Curve]:

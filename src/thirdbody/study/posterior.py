@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Reading, acceptable
+from thirdbody.study.fronts import merged
 
 DIGITS = 6  # significant ones of a number in the file
 # An input is identified if its acceptable values span less than this share of its bounds.
@@ -26,6 +27,7 @@ def summary(
     reading: Reading,
     searches: Sequence[NDArray[np.float64]],
     samples: Sequence[NDArray[np.float64]],
+    fronts: Sequence[Mapping[str, Sequence[Sequence[float]]]],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     """Sum up the searches of a reading.
@@ -38,6 +40,8 @@ def summary(
         What ``thirdbody.study.calibration.search`` returned for each seed.
     samples : sequence of array, shape (samples, unknowns + 1)
         What ``thirdbody.study.sampling.posterior_sample`` returned for each seed.
+    fronts : sequence of mapping
+        What a ``thirdbody.study.fronts.Witness`` has seen of the search of each seed.
     settings : mapping
         Content of ``config/calibration.yaml``, of which ``acceptance`` and ``ensemble`` are used.
 
@@ -48,7 +52,8 @@ def summary(
         ``ensemble`` a number of sampled sets, the best first; ``identification`` tells of each
         unknown the acceptable range, whether it is narrow, the median and the 90 % range of the
         samples of each seed, and the least objective in each part of its bounds; ``correlations``
-        tells pairs of unknowns that the statements constrain together only.
+        tells pairs of unknowns that the statements constrain together only; ``fronts`` tells of
+        each chief statement what the others lose as it comes to hold.
 
     Examples
     --------
@@ -57,7 +62,7 @@ def summary(
     >>> reading = Reading("one", {}, (ratio,))
     >>> evaluated = np.array([[0.10, 7.0], [0.50, 3.0], [0.55, 3.4]])
     >>> sampled = np.array([[0.55, 3.4]])
-    >>> found = summary(reading, [evaluated], [sampled], {"acceptance": 1.0, "ensemble": 2})
+    >>> found = summary(reading, [evaluated], [sampled], [], {"acceptance": 1.0, "ensemble": 2})
     >>> found["inputs"], found["ensemble"]
     ({'gap_ratio': 2.0}, [{'gap_ratio': 2.0}, {'gap_ratio': 2.2}])
     >>> found["identification"]["gap_ratio"]["identified"]
@@ -80,6 +85,7 @@ def summary(
         "objective_of_each_member": [_rounded(member[-1]) for member in members],
         "identification": _identification(reading, rows, good, samples),
         "correlations": _correlations(reading, pooled),
+        "fronts": _fronts(fronts),
     }
 
 
@@ -118,6 +124,16 @@ def _identification(reading: Reading, rows, good, samples) -> dict:
             "profile": [_rounded(value) if np.isfinite(value) else None for value in least],
         }
     return result
+
+
+def _fronts(fronts) -> dict:
+    """For each chief statement: pairs of its score and the objective without it, best ones only."""
+    return {
+        name: [
+            list(map(_rounded, point)) for point in merged(np.array(each[name]) for each in fronts)
+        ]
+        for name in (fronts[0] if fronts else ())
+    }
 
 
 def _correlations(reading: Reading, sample) -> list[dict]:

@@ -1,0 +1,32 @@
+"""Draw what it costs the other statements that one of them holds; nothing is solved here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.files import logged
+from thirdbody.figures.captions import caption_text
+from thirdbody.figures.fronts import plot
+from thirdbody.figures.sheet.saving import save
+
+
+def render(default, calibrated, style, stem):
+    """Draw the fronts of all ``calibrated`` readings, that of the file ``default`` first."""
+    files = sorted(calibrated, key=lambda path: path != default)
+    readings = [read_yaml(path) for path in files]
+    with matplotlib.style.context(style, after_reset=True):
+        drawn = plot(readings)
+        save(drawn, stem, caption_text("fronts", drawn))
+    print(f"{len(readings)} readings drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.params.default,
+            snakemake.input.calibrated,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )

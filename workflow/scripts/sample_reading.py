@@ -1,0 +1,31 @@
+"""Sample the inputs that explain about as much as the best ones of one reading, from one seed."""
+
+import numpy as np
+
+from thirdbody.data.files import logged, whole
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Objective, Reading
+from thirdbody.study.claims import load_claims
+from thirdbody.study.sampling import posterior_sample
+
+
+def sample(name, seed, evaluations, claims, settings, parameters, samples):
+    """Write sets of inputs of the reading ``name``, drawn from what its searches have found."""
+    objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
+    found = np.vstack([np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations])
+    drawn = posterior_sample(Reading.of(name, settings), objective, found, settings["budget"], seed)
+    with whole(samples) as part:
+        np.savetxt(part, drawn, fmt="%.10g", delimiter=",")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        sample(
+            snakemake.wildcards.reading,
+            int(snakemake.wildcards.seed),
+            snakemake.input.evaluations,
+            snakemake.input.claims,
+            snakemake.params.settings,
+            snakemake.params.parameters,
+            snakemake.output.samples,
+        )
