@@ -25,7 +25,7 @@ from thirdbody.study.search import search
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
 SETTINGS = read_yaml(CONFIG / "calibration.yaml")
-BUDGET = {"population": 8, "evaluations": 300, "walkers": 8, "steps": 10}
+BUDGET = {"scattered": 9, "population": 8, "evaluations": 300, "walkers": 8, "steps": 10}
 LINEAR = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), False)
 LOGARITHMIC = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 READING = Reading("two", {}, (LINEAR, LOGARITHMIC))
@@ -138,7 +138,7 @@ def test_a_search_of_the_real_model_repeats_itself(parameters):
     settings["readings"] = {"few": {**SETTINGS["readings"]["uncentred_summit_wide_full"]}}
     reading = Reading.of("few", settings)
     objective = Objective.of(CLAIMS, settings, parameters)
-    budget = BUDGET | {"population": 5, "evaluations": 15, "walkers": 6, "steps": 2}
+    budget = BUDGET | {"scattered": 3, "population": 5, "evaluations": 15, "walkers": 6, "steps": 2}
     one, other = (search(reading, objective, budget, 3, report=lambda line: None) for _ in range(2))
     assert np.array_equal(one, other)
     assert one[:, -1].min() < one[0, -1] + 1e-12

@@ -1,4 +1,4 @@
-# The verdicts drawn.
+# The verdicts drawn, and what it costs the other statements that a chief one holds.
 
 
 rule render_claims:

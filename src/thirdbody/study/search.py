@@ -7,11 +7,12 @@ from collections.abc import Callable, Mapping
 import cma
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats.qmc import LatinHypercube
 
 from thirdbody.study.calibration import Objective, Reading
 
-FIRST_STEP = 0.3  # deviation of the first steps of a search, in the unit cube
-SAME_HEIGHT = 0.01  # a descent has converged when objectives differ by no more [1]
+FIRST_STEP = 0.2  # deviation of the first steps of a search, in the unit cube
+SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
 RESTARTS = 9  # more than any number of evaluations reaches
 
 
@@ -25,9 +26,9 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of a reading for the least objective, and record every evaluation.
 
-    An evolution strategy that adapts the covariance of its steps begins at a place that knows
-    nothing.  Once it has converged it begins anew elsewhere with twice the population, as long as
-    evaluations are left.
+    An evolution strategy that adapts the covariance of its steps begins at the best of some places
+    that are scattered over the unit cube and know nothing.  Once it has converged it begins anew
+    with twice the population, as long as evaluations are left.
 
     Parameters
     ----------
@@ -36,8 +37,8 @@ def search(
     objective : Objective
         The sum of the squares of ``objective.misses(reading, positions)`` is minimised.
     budget : mapping
-        How much to evaluate: ``population`` of the first descent, and ``evaluations`` in all, of
-        which the last generation may be beyond.
+        How much to evaluate: ``scattered`` places before each descent, the ``population`` of the
+        first one, and ``evaluations`` of all descents, which the last generation may exceed.
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     report : callable
@@ -67,7 +68,7 @@ def search(
     ...     def misses(self, reading, positions):
     ...         values = reading.values(positions)
     ...         return np.array([values["gap_ratio"] - 1.5, values["mean_ratio"] - 1.0])
-    >>> budget = {"population": 8, "evaluations": 200}
+    >>> budget = {"scattered": 20, "population": 8, "evaluations": 200}
     >>> rows = search(reading, Valley(), budget, seed=1, report=lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
     >>> round(reading.values(best[:-1])["gap_ratio"], 1)
@@ -94,6 +95,10 @@ def search(
         "seed": seed,
         "verbose": -9,
     }
-    start = lambda: rng.random(len(reading.unknowns))  # noqa: E731
+
+    def start():
+        places = LatinHypercube(len(reading.unknowns), rng=rng).random(budget["scattered"])
+        return min(places, key=recorded)
+
     cma.fmin2(recorded, start, FIRST_STEP, options, restarts=RESTARTS)
     return np.array(rows)
