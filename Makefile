@@ -1,5 +1,6 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
+# make docs        the documentation as a site, docs/_build/index.html
 # make verify      whether the release is whole, and the products are those that it holds
 # make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
@@ -18,7 +19,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test test-survival verify sums accuracy overhead lock lowest format clean
+.PHONY: reproduce test docs test-survival verify sums accuracy overhead lock lowest format clean
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -26,6 +27,9 @@ reproduce: $(VENV)/workflow.done
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
 	$(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile
+
+docs: $(VENV)/test.done
+	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build
 
 test-survival: $(VENV)/test.done
 	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival

@@ -1,4 +1,6 @@
-"""Puts the numbers of the last run into README and docs, between their markers.
+"""Puts the numbers of the last run, and the table of variables, into README and docs.
+
+Each stands between two markers that name it.
 
     python docs/readme_numbers.py            say which pages differ from results/, exit 1 if any
     python docs/readme_numbers.py --write    renew them
@@ -14,12 +16,17 @@ from pathlib import Path
 from tabulate import tabulate
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.conditions import AXES
+from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.solver.plan import COMPILING_WORTH, LOADING_WORTH
 from thirdbody.study.verdicts import counts
 
 ROOT = Path(__file__).resolve().parents[1]
-PAGES = (ROOT / "README.md", ROOT / "docs" / "calibration.md")
+PAGES = (
+    ROOT / "README.md",
+    *(ROOT / "docs" / name for name in ("calibration.md", "nomenclature.md")),
+)
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
 
@@ -81,6 +88,7 @@ def identified_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
+RESULTS_SHOWN = NORMAL_LOAD, *VARIABLES.values()
 USES = {
     1e-3: "sweeps of 10⁸ points, design charts, monitoring",
     1e-6: "fits and uncertainty studies, which compare results",
@@ -142,7 +150,25 @@ def accuracy_block() -> str:
     )
 
 
+def variables_block() -> str:
+    """Conditions and results: what each is called and what it is."""
+    given = [(axis.sign, axis, "") for axis in AXES.values()]
+    found = [(quantity.symbol, quantity, quantity.equation) for quantity in RESULTS_SHOWN]
+    table = [
+        {
+            "symbol": symbol.replace("none", ""),
+            "name in files and code": f"`{each.name}`",
+            "unit": each.units,
+            "what it is": each.long_name,
+            "defined in": equation.replace("none", "") and f"Eq. {equation}".replace("Eq. s", "s"),
+        }
+        for symbol, each, equation in given + found
+    ]
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
 BLOCKS = {
+    "variables": variables_block,
     "claims": claims_block,
     "windows": turning_points_block,
     "readings": readings_block,

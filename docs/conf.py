@@ -1,0 +1,43 @@
+"""How the pages of `docs/` become a site: `make docs`, without a network."""
+
+from importlib import metadata
+
+from docutils.nodes import SkipNode
+from latex2mathml.converter import convert
+
+project = "thirdbody"
+author = "The thirdbody developers"
+copyright = "2026, the thirdbody developers (code MIT, texts and data CC BY 4.0)"
+release = metadata.version("thirdbody")
+
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+myst_enable_extensions = ["dollarmath"]
+myst_heading_anchors = 3
+html_theme = "alabaster"
+html_theme_options = {"description": "Rough surfaces, particles and an oil film under load"}
+html_math_renderer = "mathml"
+exclude_patterns = ["_build"]
+
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # docstrings say the types with their units
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+
+
+def _inline(self, node):
+    self.body.append(convert(node.astext()))
+    raise SkipNode
+
+
+def _block(self, node):
+    self.body.append(f"<p>{convert(node.astext(), display='block')}</p>")
+    raise SkipNode
+
+
+def setup(app):
+    """Write formulas as MathML, which browsers show without a script from elsewhere."""
+    app.add_html_math_renderer("mathml", (_inline, None), (_block, None))

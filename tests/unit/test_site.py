@@ -1,0 +1,46 @@
+"""The documentation becomes a site without a warning, its notebooks run, and it loads nothing."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGES = [page.stem for page in DOCS.glob("*.md")]
+LOADED = re.compile(r"""<(?:script|img|link|iframe)\b[^>]*\b(?:src|href)=["'](https?:[^"']*)""")
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    place = tmp_path_factory.mktemp("site")
+    build = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", DOCS, place]
+    ended = subprocess.run(build, capture_output=True, text=True)
+    assert ended.returncode == 0, ended.stderr
+    return place
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_page_is_reached_from_the_first(site, page):
+    assert (site / f"{page}.html").is_file()
+    assert f'href="{page}.html' in (site / "index.html").read_text(encoding="utf-8") or page == "index"
+
+
+def test_notebooks_show_what_they_computed(site):
+    paper = (site / "notebooks" / "the_paper_in_ten_minutes.html").read_text(encoding="utf-8")
+    assert paper.count("<img") >= 4
+    mine = (site / "notebooks" / "my_own_bearing.html").read_text(encoding="utf-8")
+    assert re.search(r"mixed lubrication: from \d+ cSt", mine)
+    assert "worst promised error: " in mine
+
+
+def test_formulas_need_no_script(site):
+    page = (site / "model.html").read_text(encoding="utf-8")
+    assert page.count("<math") > 10
+    assert "$" not in page.split("<body", 1)[1]
+
+
+def test_nothing_is_loaded_from_elsewhere(site):
+    for page in site.rglob("*.html"):
+        assert LOADED.findall(page.read_text(encoding="utf-8")) == [], page.name
