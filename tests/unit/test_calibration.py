@@ -101,7 +101,7 @@ def test_statements_that_repeat_one_another_share_one_weight(parameters):
 
 
 def test_what_a_reading_fixes_it_does_not_search():
-    exact = Reading.of("uncentred_summit_wide_full_exact", SETTINGS)
+    exact = Reading.of("uncentred_surface_wide_full_exact", SETTINGS)
     names = {unknown.name for unknown in exact.unknowns}
     assert names == {*SETTINGS["always"], "elastic_depth_ratio"} - exact.fixed.keys()
     for name in SETTINGS["readings"]:

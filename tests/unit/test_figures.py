@@ -527,9 +527,45 @@ def test_schematics_have_the_same_bytes_every_time(schematics, parameters, tmp_p
     assert saved(schematics["fig02"], tmp_path / "a") == saved(again, tmp_path / "b")
 
 
-def test_a_figure_without_a_row_is_refused_in_one_line():
-    with pytest.raises(ValueError, match="fig99 has no row in .*; allowed: fig03, fig04"):
-        curve_figure("fig99")
+def own(parameters, **varied):
+    """Dataset of a scene of one's own."""
+    given = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [300], "roughness_nm": [300]}
+    group = given | {"particle_density_per_m2": [1e11]} | varied
+    scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
+    made = Scene.of("mine", scene, parameters.newtons_per_load)
+    return xr.decode_cf(scene_dataset(made, parameters, 1e-4))
+
+
+@pytest.mark.parametrize(
+    "parameter, varied, panels, curves",
+    [
+        ("viscosity", {}, 4, 2),
+        ("particle_diameter", {"particle_diameter_nm": [0, 200, 400]}, 4, 6),
+        ("particle_density", {"particle_density_per_m2": [1e10, 1e11]}, 4, 4),
+        ("particle_diameter", {"viscosity_cSt": [0], "particle_diameter_nm": [200, 400]}, 2, 2),
+        ("roughness", {"viscosity_cSt": [90], "roughness_nm": [100, 300]}, 4, 2),
+        ("viscosity", {"viscosity_cSt": [50, 90], "roughness_nm": [100, 300]}, 8, 2),
+    ],
+)
+def test_a_scene_of_ones_own_is_drawn_by_what_varies(
+    parameter, varied, panels, curves, parameters, tmp_path
+):
+    data = own(parameters, **varied)
+    chosen = curve_figure("mine", data)
+    assert chosen.parameter == parameter
+    figure = chosen.plot(data)
+    assert [len(data_lines(panel)) for panel in figure.axes] == [curves] * panels
+    text = caption_text("mine", figure, data)
+    assert text.startswith("**Mine.** (A) ")
+    save(figure, tmp_path / "mine", text)
+
+
+def test_what_one_figure_cannot_tell_apart_is_refused_in_one_line(parameters):
+    data = own(parameters, viscosity_cSt=[50, 90], particle_diameter_nm=[200, 400])
+    with pytest.raises(
+        ValueError, match="mine: viscosity and particle_diameter vary; allowed: one"
+    ):
+        curve_figure("mine", data)
 
 
 def test_figures_never_import_pyplot():
@@ -538,7 +574,7 @@ def test_figures_never_import_pyplot():
 
 
 def test_every_figure_has_a_caption():
-    others = {"claims", "sensitivity", "accuracy"}
+    others = {"fronts", "claims", "sensitivity", "accuracy"}
     assert set(CAPTIONS) == others | set(SCHEMATICS) | set(CURVE_FIGURES)
     for name, caption in CAPTIONS.items():
         # curves are told from what is drawn, all else has words of its own

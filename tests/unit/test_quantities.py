@@ -12,6 +12,7 @@ from thirdbody.solver import solution
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
 
+
 def test_every_variable_of_a_solution_is_described_and_no_other():
     assert VARIABLES.keys() == set(solution.VARIABLES) - {"separation_count"}
     assert FLAGS.keys() == set(solution.FLAGS)

@@ -24,7 +24,9 @@ def site(tmp_path_factory):
 @pytest.mark.parametrize("page", PAGES)
 def test_every_page_is_reached_from_the_first(site, page):
     assert (site / f"{page}.html").is_file()
-    assert f'href="{page}.html' in (site / "index.html").read_text(encoding="utf-8") or page == "index"
+    assert (
+        f'href="{page}.html' in (site / "index.html").read_text(encoding="utf-8") or page == "index"
+    )
 
 
 def test_notebooks_show_what_they_computed(site):

@@ -18,6 +18,17 @@ PRODUCTS = {
     "accuracy/solver_cost.csv",
 }
 
+MINE = """
+scenes:
+  mine:
+    title: Two sizes of particles in a thick oil
+    curves:
+      - viscosity_cSt: [0, 120]
+        particle_diameter_nm: [300, 600]
+        roughness_nm: [300]
+        particle_density_per_m2: [1.0e+11]
+"""
+
 
 def test_a_minimal_run_makes_every_product(finished):
     made = {name for name in finished.stamps() if (finished.root / "results" / name).stat().st_size}
@@ -44,6 +55,24 @@ def test_nothing_is_left_to_do_after_a_run(finished):
 def test_a_copy_of_the_repository_runs_its_own_library(finished, module):
     told = finished.python(f"import {module}; print({module}.__file__)")
     assert told.stdout.startswith(str(finished.root / "src"))
+
+
+def test_a_scene_of_ones_own_has_all_that_a_figure_of_the_paper_has(workspace):
+    (workspace.root / "mine.yaml").write_text(MINE)
+    names = (
+        "datasets/mine.nc",
+        "figures/mine.png",
+        "bands/mine.nc",
+        "extracted/tpca_loads/mine.csv",
+    )
+    wanted = [f"results/{name}" for name in names]
+    before = workspace.stamps()
+    run = workspace.snakemake(*wanted, "--config", "changes=mine.yaml")
+    assert run.returncode == 0, run.stderr
+    after = workspace.stamps()
+    assert {f"results/{name}" for name in after} >= set(wanted)
+    assert {name: after[name] for name in before} == before  # the paper's products stay as they are
+    assert workspace.snakemake("--dry-run").returncode == 0
 
 
 def test_the_report_is_one_file_made_offline(workspace, tmp_path):

@@ -14,7 +14,8 @@ from thirdbody.release.bag import files_in
 from thirdbody.release.citation import Release
 from thirdbody.release.codecheck import targets
 
-NAME = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff").full_name
+PAPER = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff")
+NAME = PAPER.of_other_configuration().full_name  # of the few loads that are solved here
 ELSEWHERE = {
     "TZ": "Pacific/Kiritimati",
     "LC_ALL": "C",
@@ -48,6 +49,17 @@ def verified(program, *arguments):
 def verified_with_products(released):
     program = ROOT / "verification" / "verify.py"
     return verified(program, released, "--results", released.parents[1])
+
+
+def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
+    workspace = Workspace(released.parents[2])
+    dry_run = workspace.snakemake("release", "--dry-run", config=())
+    assert f"{PAPER.full_name}.zip" in dry_run.stdout + dry_run.stderr
+    dry_run = workspace.snakemake("release", "--dry-run")
+    assert f"{PAPER.full_name}.zip" not in dry_run.stdout + dry_run.stderr
+    crate = json.loads((released / "data" / "ro-crate-metadata.json").read_text(encoding="utf-8"))
+    (root,) = (each for each in crate["@graph"] if each["@id"] == "./")
+    assert root["version"] == PAPER.of_other_configuration().version
 
 
 def test_release_is_one_folder_its_archive_and_the_record(released, tell):

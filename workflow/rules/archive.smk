@@ -1,6 +1,7 @@
 # The release: one folder, one archive file of it, and beside them the record of their making.
 import sys
 
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.run.jobs import jobs_behind
 from thirdbody.release.sources import source_files
@@ -9,6 +10,11 @@ try:
     RELEASE = Release.of("pyproject.toml", "CITATION.cff")
 except ValueError as error:
     sys.exit(f"{error}")
+
+# nothing but the paper's configuration is sealed under the name and version of the project
+IS_CHANGED = config != read_yaml("config/config.yaml") | read_yaml("config/scenes.yaml")
+if IS_CHANGED:
+    RELEASE = RELEASE.of_other_configuration()
 
 # what is measured on a machine differs from run to run: it goes to the record
 MEASURED = "results/accuracy/"
@@ -43,6 +49,7 @@ rule stage_release:
         settings={"config": config, "parameters": settings["parameters"]},
         jobs=lambda wildcards, input: jobs_behind([*input.products, *input.bands], workflow.rules),
         software=software_versions("pyproject.toml"),
+        is_changed=IS_CHANGED,
     message:
         "Filling the folder of the release"
     script:

@@ -35,7 +35,7 @@ rule render_figure:
     benchmark:
         "logs/render_figure/{figure}.tsv"
     wildcard_constraints:
-        figure="|".join(CURVE_FIGURES),
+        figure="|".join(settings["scenes"]),
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

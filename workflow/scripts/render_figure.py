@@ -27,7 +27,7 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, band)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
-        drawn = curve_figure(figure).plot(data, points, envelope, numbers, ends)
+        drawn = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
         save(drawn, stem, caption_text(figure, drawn, data))
     print(f"{figure}: drawn")
 

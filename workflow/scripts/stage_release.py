@@ -9,14 +9,17 @@ from thirdbody.release.staging import stage, whole_folder
 from thirdbody.run.custody import require_recorded
 
 
-def fill(place, products, sources, run):
+def fill(place, products, sources, run, is_changed):
     """Write the folder ``place`` of the release that the ``sources`` describe.
 
-    A product is to be as it was made: one without a record of that may be damaged.
+    A product is to be as it was made: one without a record of that may be damaged.  ``is_changed``
+    says that the configuration is not the paper's.
     """
     require_recorded(products)
+    release = Release.of("pyproject.toml", "CITATION.cff")
+    release = release.of_other_configuration() if is_changed else release
     with whole_folder(place) as folder:
-        stage(folder, products, sources, run, Release.of("pyproject.toml", "CITATION.cff"))
+        stage(folder, products, sources, run, release)
     print(f"{place}: {len(products)} products, {len(sources)} sources")
 
 
@@ -31,4 +34,5 @@ if __name__ == "__main__":
                 [Job(**job) for job in snakemake.params.jobs],
                 snakemake.params.software,
             ),
+            snakemake.params.is_changed,
         )

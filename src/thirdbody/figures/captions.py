@@ -150,7 +150,7 @@ def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> s
     Parameters
     ----------
     name : str
-        One of ``CAPTIONS``.
+        One of ``CAPTIONS``, or that of a scene of one's own, whose dataset has a title.
     figure : Figure
         The figure as it is drawn.
     data : xarray.Dataset, optional
@@ -161,11 +161,11 @@ def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> s
     str
         Two paragraphs.
     """
-    caption = CAPTIONS[name]
+    caption = CAPTIONS[name] if data is None else CAPTIONS.get(name, Caption(data.title, ""))
     told = [f"**{caption.title}.**"]
     if data is not None:
         told += [_panels(figure), _conditions(data), *_marks(figure)]
-    told.append(caption.reading)
+    told += [caption.reading] * bool(caption.reading)
     seen = caption.seen or " ".join(_seen(panel) for panel in figure.axes)
     return f"{' '.join(told)}\n\n**Alternative text.** {seen}\n"
 

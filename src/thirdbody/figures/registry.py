@@ -1,7 +1,7 @@
 """The figures of the paper, and what each panel of theirs shows.
 
 A figure of curves is a row here; what its curves are computed for stands under the same name in
-``config/scenes.yaml``.
+``config/scenes.yaml``.  A scene that is not the paper's needs no row.
 """
 
 from __future__ import annotations
@@ -9,12 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import xarray as xr
 from matplotlib.figure import Figure
 
+from thirdbody.data.conditions import Condition
 from thirdbody.data.schematic import Section
 from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY
+from thirdbody.figures.shown import AREA_OVER_TWO_BODY, shown_curves
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
@@ -62,15 +64,43 @@ CURVE_FIGURES = {
 }
 
 
-def curve_figure(name: str) -> CurveFigure:
-    """The row of a figure of curves.
+def curve_figure(name: str, data: xr.Dataset) -> CurveFigure:
+    """What a figure of curves shows.
+
+    Parameters
+    ----------
+    name : str
+        Of a figure of the paper, its row; any other is that of a scene of one's own.
+    data : xarray.Dataset
+        Its dataset.
+
+    Returns
+    -------
+    CurveFigure
+        Of a scene of one's own: areas, and shares of the load and the film unless all is dry, over
+        the load, on each surface, with curves that differ in the one condition that varies.  Dry
+        and lubricated contact are told apart beside that.
 
     Raises
     ------
     ValueError
-        If it has none.
+        If more conditions vary than one figure can tell apart.
     """
-    if name not in CURVE_FIGURES:
-        allowed = ", ".join(CURVE_FIGURES)
-        raise ValueError(f"{name} has no row in {__name__}; allowed: {allowed}")
-    return CURVE_FIGURES[name]
+    if name in CURVE_FIGURES:
+        return CURVE_FIGURES[name]
+    conditions = [curve.condition for curve in shown_curves(data)]
+    levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
+    absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
+    varying = [axis for axis, none in absent.items() if len(levels[axis] - none) > 1]
+    if len(varying) > 1 and len(levels["viscosity"]) == 2 and 0.0 in levels["viscosity"]:
+        varying.remove("viscosity")
+    if len(varying) > 1:
+        raise ValueError(
+            f"{name}: {' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
+            "contact, and any number of roughnesses"
+        )
+    contents = (RATIO, AREA) if levels["viscosity"] == {0.0} else (RATIO, AREA, SOLID, FILM)
+    surfaces = len(levels["roughness"])
+    if not varying and surfaces > 1:
+        return CurveFigure("roughness", contents)
+    return CurveFigure(*varying or ["viscosity"], contents, surfaces > 1)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
@@ -73,6 +73,22 @@ class Release:
                 f"allowed: {project['version']}, as in {pyproject}"
             )
         return cls(project["name"], project["version"], cited["date-released"], cited)
+
+    def of_other_configuration(self) -> Release:
+        """The same under a name and version that say that the configuration is not the paper's.
+
+        Examples
+        --------
+        >>> release = Release.of("pyproject.toml", "CITATION.cff").of_other_configuration()
+        >>> release.full_name.endswith("+changed")
+        True
+        >>> release.citation["title"].rpartition(", ")[2]
+        'with a changed configuration'
+        """
+        version = f"{self.version}+changed"
+        title = f"{self.citation['title']}, with a changed configuration"
+        citation = {**self.citation, "version": version, "title": title}
+        return replace(self, version=version, citation=citation)
 
     @property
     def full_name(self) -> str:
