@@ -9,6 +9,7 @@ MEDIA_TYPES = {
     ".bib": "application/x-bibtex",
     ".cff": "application/yaml",
     ".csv": "text/csv",
+    ".ipynb": "application/x-ipynb+json",
     ".json": "application/json",
     ".md": "text/markdown",
     ".nc": "application/x-netcdf",

@@ -7,7 +7,10 @@ from pathlib import Path
 SOURCES = (
     ".ci/*",
     ".gitignore",
+    ".snakemake-workflow-catalog.yml",
+    "CHANGELOG.md",
     "CITATION.cff",
+    "CONTRIBUTING.md",
     "LICENSE",
     "LICENSE-DATA",
     "Makefile",
@@ -20,6 +23,7 @@ SOURCES = (
     "docs/*.md",
     "docs/*.py",
     "docs/*.png",
+    "docs/notebooks/*.ipynb",
     "locks/*.txt",
     "src/**/*.mplstyle",
     "src/**/*.py",
