@@ -19,16 +19,36 @@ larger than memory.  The equations stand in ``thirdbody.model``, the balance of 
 ``thirdbody.solver``: both need numpy and scipy alone.  Other rooms say which extra they need.
 """
 
-__all__ = ["Parameters", "Solution", "__version__", "grid", "load_parameters", "solve", "stream"]
+__all__ = [
+    "Interface",
+    "Parameters",
+    "Solution",
+    "__version__",
+    "bearing",
+    "find",
+    "grid",
+    "load_parameters",
+    "solve",
+    "stream",
+    "transitions",
+    "turning_point",
+    "turning_window",
+]
 
 # where each stands, for Python; __init__.pyi says it to editors and type checkers
 _MODULES = {
+    "Interface": "answers.interface",
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
+    "bearing": "answers.bearing",
+    "find": "answers.find",
     "grid": "data.dataset",
     "load_parameters": "configuration.inputs",
     "solve": "solver.solve",
     "stream": "data.streaming",
+    "transitions": "answers.changes",
+    "turning_point": "answers.turning",
+    "turning_window": "answers.turning",
 }
 
 

@@ -1,3 +1,9 @@
+from thirdbody.answers.bearing import bearing as bearing
+from thirdbody.answers.changes import transitions as transitions
+from thirdbody.answers.find import find as find
+from thirdbody.answers.interface import Interface as Interface
+from thirdbody.answers.turning import turning_point as turning_point
+from thirdbody.answers.turning import turning_window as turning_window
 from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.streaming import stream as stream

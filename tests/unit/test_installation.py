@@ -38,6 +38,14 @@ LACKING = {
     "from thirdbody import grid": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
+    "import thirdbody; thirdbody.Interface": (
+        "xarray, netCDF4, yaml, jsonschema, tabulate",
+        "data",
+    ),
+    "from thirdbody.command.main import main": (
+        "xarray, netCDF4, yaml, jsonschema, tabulate",
+        "data",
+    ),
     "import thirdbody.solver.compiled.points": ("numba", "compiled"),
     "from thirdbody.solver.plan import check_way; check_way('compiled')": ("numba", "compiled"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),

@@ -7,11 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.curves.crossings import level_roots
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.plan import REPEATABLE
-from thirdbody.solver.solve import solve
 
 LIMITS = (
     ("solid_load_fraction", BOUNDARY_LIMIT),
@@ -65,14 +64,10 @@ def transitions(
     if curve.size == 0:
         return limit, curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
 
-    def excess_at(log_load):
-        wanted = set(quantities)
-        given = np.exp(log_load), *conditions[:, curve]
-        solution = solve(*given, parameters, rtol, wanted, way=REPEATABLE)
-        found = np.stack([getattr(solution, quantity) for quantity in quantities])
-        return found[limit, np.arange(limit.size)] - np.take(levels, limit)
-
+    names = "viscosity", "particle_diameter", "roughness", "particle_density"
+    given = dict(zip(names, conditions[:, curve], strict=True))
+    passed = np.array(quantities)[limit], np.array(levels)[limit]
     ends = np.log(load[step]), np.log(load[step + 1])
-    root, width = bracketed_roots(excess_at, *ends, 0.1 * rtol)
+    root, width = level_roots("load", ends, *passed, given, parameters, rtol, way=REPEATABLE)
     crossing = np.exp(root)
     return limit, curve, crossing, crossing * (width + rtol), above[limit, step + 1, curve]

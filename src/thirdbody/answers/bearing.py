@@ -1,0 +1,207 @@
+"""``bearing``: the inputs that follow from a ball, a speed, an oil and the materials in contact.
+
+The film's parameters are those below Eq. 8 of the paper, which are Masjedi & Khonsari's (2015):
+U = mu_0 u/(E_ss R_x), G = alpha E_ss and V = v_h/E_ss.  The model holds U over the kinematic
+viscosity, rho u/(E_ss R_x), because mu_0 = rho nu.  The moduli are those of Hertz,
+1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which give Table 1 for two bodies of steel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from thirdbody.answers.answer import Answer, Row
+from thirdbody.data.conditions import AXES
+from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
+from thirdbody.model.parameters import Parameters
+
+
+@dataclass(frozen=True)
+class Material:
+    """Young's modulus [Pa], Poisson's ratio [1] and hardness [Pa] of a body."""
+
+    modulus: float
+    poisson_ratio: float
+    hardness: float
+
+    def __post_init__(self):
+        if not (self.modulus > 0.0 and 0.0 <= self.poisson_ratio <= 0.5 and self.hardness > 0.0):
+            raise ValueError(
+                f"material is {self}; allowed: modulus and hardness positive, Poisson's ratio 0 to 0.5"
+            )
+
+    @property
+    def compliance(self) -> float:
+        """(1 - v^2)/E [Pa-1]."""
+        return (1.0 - self.poisson_ratio**2) / self.modulus
+
+
+MATERIALS = {
+    # Table 1; its modulus of steel is the one that gives E_ss = 112 GPa
+    "steel": Material(STEEL_MODULUS, POISSON_RATIO, 5.0e9),
+    # common values of hot pressed bearing balls, within the limits of ASTM F2094
+    "silicon nitride": Material(310e9, 0.27, 15.0e9),
+    # common values of dense alumina
+    "alumina": Material(380e9, 0.22, 16.0e9),
+}
+
+
+def hertz_modulus(one: Material, other: Material) -> float:
+    """Equivalent modulus E [Pa] of two bodies in contact, 1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2.
+
+    Examples
+    --------
+    >>> round(hertz_modulus(MATERIALS["steel"], MATERIALS["steel"]) / 1e9)
+    112
+    """
+    return 1.0 / (one.compliance + other.compliance)
+
+
+def bearing(
+    parameters: Parameters,
+    *,
+    ball_radius_mm: float | None = None,
+    speed_m_per_s: float | None = None,
+    oil_density_kg_per_m3: float | None = None,
+    dynamic_viscosity_mPa_s: float | None = None,
+    viscosity_cSt: float | None = None,
+    pressure_viscosity_per_GPa: float | None = None,
+    ball: Material | None = None,
+    flat: Material | None = None,
+    particle: Material | None = None,
+) -> Parameters:
+    """Derive the inputs of the model for another ball, speed, oil or other materials.
+
+    What is not given stays as it is in ``parameters``: also the product of density and speed, and
+    the pressure-viscosity coefficient, which U and G of ``parameters`` imply.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs to begin with.
+    ball_radius_mm : float, optional
+        R_x [mm]; of two balls 1/R_x = 1/R_1 + 1/R_2.
+    speed_m_per_s : float, optional
+        Rolling speed u [m/s].
+    oil_density_kg_per_m3 : float, optional
+        Density rho of the oil [kg m-3]; it is needed with the speed, or the two viscosities are.
+    dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
+        mu_0 [mPa s] and nu [cSt] of the oil, from which rho = mu_0/nu.
+    pressure_viscosity_per_GPa : float, optional
+        alpha [GPa-1].
+    ball, flat, particle : Material, optional
+        Materials of both bodies and of the particles; where one is given, the others are steel.
+
+    Returns
+    -------
+    Parameters
+        ``apparent_area`` A_n, to which loads refer, stays: it is an input of its own.
+
+    Raises
+    ------
+    ValueError
+        For a number that is not positive, a speed without the density of the oil, and a density
+        without a speed.
+
+    Examples
+    --------
+    A ball of silicon nitride on steel, at 2 m/s in an oil of 850 kg/m3:
+
+    >>> import thirdbody as tb
+    >>> inputs = tb.bearing(
+    ...     tb.load_parameters(),
+    ...     ball=MATERIALS["silicon nitride"],
+    ...     speed_m_per_s=2.0,
+    ...     oil_density_kg_per_m3=850.0,
+    ... )
+    >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
+    134.1
+    """
+    numbers = {
+        "ball_radius_mm": ball_radius_mm,
+        "speed_m_per_s": speed_m_per_s,
+        "oil_density_kg_per_m3": oil_density_kg_per_m3,
+        "dynamic_viscosity_mPa_s": dynamic_viscosity_mPa_s,
+        "viscosity_cSt": viscosity_cSt,
+        "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
+    }
+    for name, value in numbers.items():
+        if value is not None and not 0.0 < value < float("inf"):
+            raise ValueError(f"{name} is {value!r}; allowed: positive numbers")
+    modulus = parameters.elastic_modulus_surfaces
+    changes = {}
+    if (ball, flat, particle) != (None, None, None):
+        ball, flat, particle = (each or MATERIALS["steel"] for each in (ball, flat, particle))
+        modulus = hertz_modulus(ball, flat)
+        changes = {
+            "elastic_modulus_surfaces": modulus,
+            "elastic_modulus_particle": 1.0
+            / (particle.compliance + max(ball.compliance, flat.compliance)),
+            "hardness_surface_1": ball.hardness,
+            "hardness_surface_2": flat.hardness,
+            "hardness_parameter": min(ball.hardness, flat.hardness) / modulus,
+        }
+    radius = parameters.ball_radius if ball_radius_mm is None else 1e-3 * ball_radius_mm
+    density = oil_density_kg_per_m3
+    if dynamic_viscosity_mPa_s is not None and viscosity_cSt is not None:
+        density = 1e-3 * dynamic_viscosity_mPa_s / AXES["viscosity"].to_si(viscosity_cSt)
+    if (speed_m_per_s is None) != (density is None):
+        raise ValueError(
+            f"speed_m_per_s is {speed_m_per_s} and the oil's density {density}; allowed: both, or "
+            "neither (a density, or dynamic_viscosity_mPa_s with viscosity_cSt)"
+        )
+    stiffer = modulus / parameters.elastic_modulus_surfaces
+    speed_per_viscosity = parameters.speed_per_viscosity
+    speed_per_viscosity /= stiffer * (radius / parameters.ball_radius)
+    if speed_m_per_s is not None:
+        speed_per_viscosity = density * speed_m_per_s / (modulus * radius)
+    material_parameter = parameters.material_parameter * stiffer
+    if pressure_viscosity_per_GPa is not None:
+        material_parameter = 1e-9 * pressure_viscosity_per_GPa * modulus
+    return replace(
+        parameters,
+        **changes,
+        ball_radius=radius,
+        speed_per_viscosity=speed_per_viscosity,
+        material_parameter=material_parameter,
+    )
+
+
+# what each derived input is, and the formula that it follows from
+FORMULAS = {
+    "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
+    "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
+    "hardness_surface_1": ("Pa", "H_s1, hardness of the ball"),
+    "hardness_surface_2": ("Pa", "H_s2, hardness of the flat"),
+    "ball_radius": ("m", "R_x, radius of the ball"),
+    "material_parameter": ("1", "G = alpha E_ss (below Eq. 8)"),
+    "hardness_parameter": ("1", "V = v_h/E_ss, softer body (below Eq. 8)"),
+    "speed_per_viscosity": ("s m-2", "U/nu = rho u/(E_ss R_x) (below Eq. 8)"),
+}
+
+
+def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
+    """Question 8 as an answer: the inputs that ``bearing`` derives, each with its formula.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        What ``bearing`` returned.
+    viscosity_cSt : float, optional
+        nu [cSt], for which U is told as well.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> derived(tb.load_parameters()).value("ball_radius")
+    0.00635
+    """
+    rows = [
+        Row(name, formula, getattr(parameters, name), unit)
+        for name, (unit, formula) in FORMULAS.items()
+    ]
+    if viscosity_cSt is not None:
+        speed = parameters.speed_per_viscosity * AXES["viscosity"].to_si(viscosity_cSt)
+        rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
+    note = f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays"
+    return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), (note,))

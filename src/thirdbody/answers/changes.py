@@ -1,0 +1,155 @@
+"""``transitions``: where one lubrication regime or contact mode passes into the next, along any axis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from thirdbody.answers.find import SWEEP, crossings, sweep_values
+from thirdbody.answers.units import in_si
+from thirdbody.curves.transitions import LIMITS
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import (
+    CONTACT_MODES,
+    LUBRICATION_REGIMES,
+    SOLUTION_STATUSES,
+    contact_mode,
+    lubrication_regime,
+)
+from thirdbody.solver.solve import DEFAULT_RTOL
+
+# What a quantity decides: the flag, its function and its names
+_DECIDES = {
+    "solid_load_fraction": ("lubrication_regime", lubrication_regime, LUBRICATION_REGIMES),
+    "particle_contact_area_ratio": (
+        "contact_mode",
+        lambda ratio: contact_mode(ratio, True),
+        CONTACT_MODES,
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Border:
+    """What lies on both sides of a limit.
+
+    Attributes
+    ----------
+    flag : str
+        ``lubrication_regime`` or ``contact_mode``.
+    below, above : str
+        The regime or mode below the limit, and that above it.
+    """
+
+    flag: str
+    below: str
+    above: str
+
+    @classmethod
+    def of(cls, quantity: str, level: float) -> Border:
+        """The border at a level of a quantity, one of ``LIMITS``.
+
+        Examples
+        --------
+        >>> Border.of("solid_load_fraction", 0.90)
+        Border(flag='lubrication_regime', below='mixed', above='boundary')
+        """
+        flag, function, names = _DECIDES[quantity]
+        below, above = function(level + np.array([-1e-9, 1e-9])).tolist()
+        return cls(flag, names[below], names[above])
+
+
+BORDERS = tuple(Border.of(*limit) for limit in LIMITS)
+
+
+@dataclass(frozen=True)
+class Transition:
+    """A change of regime or mode along an axis.
+
+    Attributes
+    ----------
+    query : int
+        Index of the query, in the flat order of the shape to which the other axes broadcast.
+    border : Border
+        The limit that is passed.
+    before, after : str
+        Regime or mode at smaller and at larger values of the axis.
+    value, error : float
+        Where it is, and a bound on the error of that, in the unit of the axis.
+    solution_status : str
+        One of ``thirdbody.model.regimes.SOLUTION_STATUSES``: whether the equations mean something
+        there.
+    """
+
+    query: int
+    border: Border
+    before: str
+    after: str
+    value: float
+    error: float
+    solution_status: str
+
+
+def transitions(
+    along: str = "load",
+    *,
+    parameters: Parameters,
+    between: tuple[float, float] | None = None,
+    count: int = SWEEP,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> list[Transition]:
+    """Find where lubrication regime and contact mode change along one of the five axes.
+
+    Parameters
+    ----------
+    along, parameters, between, count, rtol, **conditions
+        As of ``thirdbody.find``, with the same search and the same names for axes and units.
+
+    Returns
+    -------
+    list of Transition
+        By query, and then by where they are.
+
+    Raises
+    ------
+    ValueError
+        As ``thirdbody.find``.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> found = tb.transitions(
+    ...     "viscosity_cSt",
+    ...     between=(20, 1000),
+    ...     parameters=tb.load_parameters(),
+    ...     load_N=10,
+    ...     particle_diameter_nm=500,
+    ...     roughness_nm=300,
+    ...     particle_density_per_m2=1e11,
+    ... )
+    >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
+    [('boundary', 'mixed'), ('mixed', 'full_film')]
+    """
+    unit, swept = sweep_values(along, between, count, parameters)
+    given = in_si(conditions, parameters, but=unit.axis.name)
+    columns = map(np.ravel, np.broadcast_arrays(*given.values()))
+    others = dict(zip(given, columns, strict=True))
+    queries = next(iter(others.values())).size
+    limits = [(quantity, np.full(queries, level)) for quantity, level in LIMITS]
+    found = crossings(limits, unit, swept, others, parameters, rtol)
+    changes = [
+        Transition(
+            query,
+            border,
+            *((border.below, border.above) if rises else (border.above, border.below)),
+            value,
+            error,
+            SOLUTION_STATUSES[status],
+        )
+        for border, fields in zip(BORDERS, found, strict=True)
+        for query, value, error, rises, status in zip(*(each.tolist() for each in fields))
+    ]
+    return sorted(changes, key=lambda change: (change.query, change.value))

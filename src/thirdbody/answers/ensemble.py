@@ -1,0 +1,81 @@
+"""How far numbers depend on which of the calibrated inputs one takes: the ensemble of the calibration.
+
+The paper leaves some inputs unprinted, and many sets of them explain its statements about equally
+well.  The calibrated file holds some of these sets; every number is computed with each, and what
+nine in ten of them give is the range that stands beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from thirdbody.configuration.inputs import load_parameters, read_calibrated
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
+from thirdbody.model.parameters import Parameters
+
+ENDS = (0.05, 0.95)  # quantiles between which the range lies
+
+
+def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
+    """The sets of inputs of the calibration, with what the user has changed.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the user: those that differ from the calibrated default are the same in every set.
+
+    Returns
+    -------
+    tuple of Parameters
+        A set for each member of the calibrated file that ``config/config.yaml`` names; none if that
+        file holds no ensemble.
+
+    Raises
+    ------
+    ValueError
+        In one line: the file, the key at fault, its value and what is allowed.
+
+    Examples
+    --------
+    >>> from dataclasses import replace
+    >>> import thirdbody
+    >>> inputs = replace(thirdbody.load_parameters(), ball_radius=0.01)
+    >>> members = calibrated_ensemble(inputs)
+    >>> {member.ball_radius for member in members}, len({member.apparent_area for member in members}) > 1
+    ({0.01}, True)
+    """
+    directory = config_directory()
+    path = directory.parent / read_yaml(directory / "config.yaml")["inputs"]
+    if "ensemble" not in read_yaml(path):
+        return ()
+    default = load_parameters()
+    return tuple(
+        replace(
+            parameters,
+            **{
+                name: value
+                for name, value in member.items()
+                if getattr(parameters, name) == getattr(default, name)
+            },
+        )
+        for member in read_calibrated(path)["ensemble"]
+    )
+
+
+def spread(values: Sequence[float]) -> tuple[float, float] | None:
+    """Between which two numbers nine in ten of ``values`` lie, None where there are none.
+
+    Examples
+    --------
+    >>> spread([float(value) for value in range(21)])
+    (1.0, 19.0)
+    """
+    known = [value for value in values if np.isfinite(value)]
+    if not known:
+        return None
+    low, high = np.quantile(known, ENDS)
+    return float(low), float(high)

@@ -1,0 +1,136 @@
+"""``turning_point`` and ``turning_window``: where the particles' share of the contact area turns."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, in_si
+from thirdbody.curves.turning_point import TurningPoints, turning_points
+from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
+from thirdbody.data.paper_tables import LOADS
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import DEFAULT_RTOL, solve
+
+SWEEP = 60  # loads between which maxima are looked for
+RATIOS = np.linspace(0.2, 3.0, 113)  # x_a/sigma of a window's first sweep
+TOLERANCE = 1e-6  # of its ends
+
+
+def turning_point(
+    *,
+    parameters: Parameters,
+    between_N: tuple[float, float] = LOADS,
+    count: int = SWEEP,
+    rtol: float = DEFAULT_RTOL,
+    **conditions: ArrayLike,
+) -> TurningPoints:
+    """Find the turning point of the contact area over the load: the maximum of A_sa,t*.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    between_N : pair of float
+        First and last load of the curve [N], by default those of the paper (Table 2): the maximum
+        has to stand out from the least values on both sides within them.
+    count : int
+        Number of loads between which maxima are looked for; of two within one step none is seen.
+    rtol : float
+        Relative error asked for.
+    **conditions : array_like
+        Viscosity, particle diameter, roughness and particle density, in SI (``viscosity``, ...) or in
+        engineering units (``viscosity_cSt``, ...); they broadcast.
+
+    Returns
+    -------
+    TurningPoints
+        Arrays of the broadcast shape; ``exists`` says which curves have one.  ``load`` is F_t* [1],
+        times ``parameters.newtons_per_load`` a load in newtons.
+
+    Raises
+    ------
+    ValueError
+        For a condition that is missing, given twice or not positive, and loads that do not increase.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> found = tb.turning_point(
+    ...     parameters=tb.load_parameters(),
+    ...     viscosity_cSt=0,
+    ...     particle_diameter_nm=[20, 300],
+    ...     roughness_nm=300,
+    ...     particle_density_per_m2=1e11,
+    ... )
+    >>> found.exists
+    array([False,  True])
+    """
+    loads = np.geomspace(*load_range(between_N, parameters), count)
+    given = in_si(conditions, parameters, but="load")
+    columns = np.broadcast_arrays(*given.values())
+    curves = dict(zip(given, map(np.ravel, columns), strict=True))
+    solved = solve(
+        load=loads[:, None], **curves, parameters=parameters, rtol=rtol, variables=["separation"]
+    )
+    found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
+    shape = columns[0].shape
+    return TurningPoints(
+        **{field.name: getattr(found, field.name).reshape(shape) for field in fields(found)}
+    )
+
+
+def turning_window(
+    *,
+    parameters: Parameters,
+    between_N: tuple[float, float] = LOADS,
+    **conditions: float,
+) -> Window:
+    """Find the diameters over roughness between which dry contact has a turning point.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    between_N : pair of float
+        First and last load of the curves [N], by default those of the paper (Table 2).
+    **conditions : float
+        Roughness and particle density: ``roughness`` [m] or ``roughness_nm``, and
+        ``particle_density_per_m2``.
+
+    Returns
+    -------
+    Window
+        The longest range of x_a/sigma, between 0.2 and 3, in which there is one; nan: there is none.
+
+    Raises
+    ------
+    ValueError
+        As ``turning_point``.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> window = tb.turning_window(
+    ...     parameters=tb.load_parameters(), roughness_nm=300, particle_density_per_m2=1e11
+    ... )
+    >>> bool(window.low < 1.0 < window.high)
+    True
+    """
+    given = in_si({"viscosity": 0.0, "particle_diameter": 0.0} | conditions, parameters, "load")
+    loads = load_range(between_N, parameters)
+    search = WindowSearch(RATIOS, tolerance=TOLERANCE)
+    density = float(given["particle_density"])
+    (found,) = turning_point_windows([search], [given["roughness"]], density, loads, parameters)
+    return found
+
+
+def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
+    """First and last load F_t* [1] of a curve, from newtons."""
+    low, high = between_N
+    if not 0.0 < low < high < np.inf:
+        raise ValueError(f"between_N is {low:g} to {high:g}; allowed: positive and increasing")
+    first, last = Unit.of(LOAD_IN_NEWTONS, parameters).to_si(between_N).tolist()
+    return first, last

@@ -1,0 +1,88 @@
+"""Where solved quantities pass a level between two known points, along any of the five conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.solver.solve import solve
+
+
+def excess_over(
+    quantity: NDArray,
+    level: NDArray,
+    given: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    also: Collection[str] = (),
+    way: str | None = None,
+) -> tuple[NDArray, dict[str, NDArray]]:
+    """By how much quantities exceed levels.
+
+    Parameters
+    ----------
+    quantity : array of str, shape (n,)
+        A variable of ``Solution`` for each point.
+    level : array, shape (n,)
+        What it is compared with.
+    given : mapping
+        The five conditions of each point, arguments of ``solve``.
+    parameters, rtol, way
+        As for ``solve``.
+    also : collection of str
+        Other variables that are wanted.
+
+    Returns
+    -------
+    excess : array, shape (n,)
+        Quantity less level; nan where there is no solution.
+    others : dict
+        The variables of ``also``.
+    """
+    names = np.unique(quantity)
+    wanted = {*names.tolist(), *also}
+    found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted, way=way)
+    values = np.choose(np.searchsorted(names, quantity), [getattr(found, name) for name in names])
+    return values - level, {name: getattr(found, name) for name in also}
+
+
+def level_roots(
+    along: str,
+    ends: tuple[NDArray, NDArray],
+    quantity: NDArray,
+    level: NDArray,
+    given: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    way: str | None = None,
+) -> tuple[NDArray, NDArray]:
+    """Where each quantity passes its level between two values of one condition.
+
+    Parameters
+    ----------
+    along : str
+        Name of the condition.
+    ends : pair of array, shape (n,)
+        ln of the condition [SI] on both sides of the crossing.
+    quantity, level : array, shape (n,)
+        As for ``excess_over``.
+    given : mapping
+        The other four conditions.
+    parameters, rtol, way
+        As for ``solve``.
+
+    Returns
+    -------
+    root, width : array, shape (n,)
+        ln of the condition there, and how narrowly that is enclosed [1].
+    """
+
+    def excess(log_condition):
+        conditions = {**given, along: np.exp(log_condition)}
+        return excess_over(quantity, level, conditions, parameters, rtol, way=way)[0]
+
+    return bracketed_roots(excess, *ends, 0.1 * rtol)

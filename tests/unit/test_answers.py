@@ -1,0 +1,195 @@
+"""The answers of an interface against solves of one's own."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.answers.answer import Row
+from thirdbody.answers.bearing import MATERIALS, derived
+from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.data.quantities import QUANTITIES
+
+GIVEN = {
+    "load_N": 10.0,
+    "viscosity_cSt": 90.0,
+    "particle_diameter_nm": 500.0,
+    "roughness_nm": 300.0,
+    "particle_density_per_m2": 1e11,
+}
+AXES = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
+
+
+@pytest.fixture(scope="module")
+def interface():
+    return tb.Interface(**GIVEN)
+
+
+def solved(inputs, load_N=10.0, viscosity=90e-6, diameter=500e-9, roughness=300e-9, density=1e11):
+    return tb.solve(
+        load=load_N / inputs.newtons_per_load,
+        viscosity=viscosity,
+        particle_diameter=diameter,
+        roughness=roughness,
+        particle_density=density,
+        parameters=inputs,
+    )
+
+
+def test_the_state_is_what_solve_gives_in_other_units(interface, defaults):
+    state, solution = interface.state(), solved(defaults)
+    assert state.found
+    for name in QUANTITIES:
+        scale = 1e9 if name == "separation" else 1.0
+        assert state.value(name) == pytest.approx(scale * float(getattr(solution, name)))
+    assert state.value("lubrication_regime") == "mixed"
+
+
+def test_the_range_is_that_of_the_members(interface, defaults):
+    members = calibrated_ensemble(defaults)
+    shares = [float(solved(each).solid_load_fraction) for each in members]
+    row = {row.name: row for row in interface.state().rows}["solid_load_fraction"]
+    assert (row.low, row.high) == pytest.approx(tuple(np.quantile(shares, [0.05, 0.95])))
+    assert (row.agree, row.members) == (len(members), len(members))
+
+
+def test_members_keep_what_the_user_has_changed(defaults):
+    mine = replace(defaults, ball_radius=0.01, apparent_area=0.5 * defaults.apparent_area)
+    members = calibrated_ensemble(mine)
+    assert members
+    assert {each.ball_radius for each in members} == {0.01}
+    assert {each.apparent_area for each in members} == {mine.apparent_area}
+
+
+@pytest.mark.parametrize("along", AXES)
+def test_at_a_change_the_regime_or_mode_changes(interface, along):
+    answer = interface.transitions(along)
+    key = {"load": "load_N", "viscosity": "viscosity_cSt", "roughness": "roughness_nm"}
+    key |= {"particle_diameter": "particle_diameter_nm"}
+    key |= {"particle_density": "particle_density_per_m2"}
+    changes = [row for row in answer.rows if row.value is not None]
+    assert answer.found and changes
+    for row in changes:
+        before, after = row.name.split("_to_")
+        for factor, name in ((1.0 - 1e-6, before), (1.0 + 1e-6, after)):
+            state = interface.changed(**{key[along]: factor * row.value}).state()
+            words = state.value("lubrication_regime"), state.value("contact_mode")
+            assert name.replace("_", " ") in words
+
+
+def test_a_border_that_is_not_passed_is_told(interface):
+    answer = interface.changed(viscosity_cSt=0).transitions("load", ["lubrication_regime"])
+    assert not answer.found
+    assert [row.value for row in answer.rows] == [None, None]
+    assert "searched: load 0.01 to 1000 N" in answer.notes
+
+
+def test_changes_where_the_film_formula_has_no_meaning_are_left_out(interface):
+    thin = interface.changed(load_N=0.05, particle_density_per_m2=0)
+    answer = thin.transitions("viscosity", between=(0.01, 1000))
+    inside = [row.value for row in answer.rows if row.value is not None]
+    for value in inside:
+        status = thin.changed(viscosity_cSt=value).state().value("solution_status")
+        assert status != "outside film formula"
+
+
+def test_the_turning_point_is_a_maximum(interface, defaults):
+    dry = interface.changed(viscosity_cSt=0, particle_diameter_nm=300)
+    answer = dry.turning_point()
+    load = answer.value("load_N")
+    loads = load * np.array([0.98, 1.0, 1.02])
+    ratio = solved(defaults, loads, 0.0, 300e-9).particle_contact_area_ratio
+    assert ratio[1] > max(ratio[0], ratio[2])
+    assert answer.value("peak_ratio") == pytest.approx(ratio[1], rel=1e-8)
+    assert answer.value("load") == pytest.approx(load / defaults.newtons_per_load)
+    low, high = answer.value("low"), answer.value("high")
+    for size, there in ((low, False), (high, True)):
+        for factor, inside in ((0.99, there), (1.01, not there)):
+            changed = dry.changed(particle_diameter_nm=factor * size)
+            assert changed.turning_point().found == inside
+
+
+def test_without_a_turning_point_none_is_found(interface):
+    assert not interface.changed(particle_diameter_nm=20).turning_point().found
+
+
+@pytest.mark.parametrize("along", AXES)
+def test_a_curve_is_what_solve_gives(interface, along):
+    curve = interface.curve(along, 80.0, 120.0, count=5)
+    assert_allclose(curve.points, np.geomspace(80.0, 120.0, 5))
+    key = curve.along
+    for index in (0, 4):
+        state = interface.changed(**{key: float(curve.points[index])}).state()
+        got = curve.values["solid_load_fraction"][index]
+        assert state.value("solid_load_fraction") == pytest.approx(got, rel=1e-8)
+    header, *rows = curve.to_csv().splitlines()
+    assert header.startswith(f"{key},total_contact_area,total_contact_area_low,")
+    assert len(rows) == 5
+
+
+def test_a_comparison_has_both_values_and_the_range_of_the_change(interface):
+    other = interface.changed(viscosity_cSt=120.0)
+    rows = {row.name: row for row in interface.compare(other).rows}
+    share = rows["solid_load_fraction"]
+    assert share.value == interface.state().value("solid_load_fraction")
+    assert share.other == other.state().value("solid_load_fraction")
+    assert share.low <= share.high < 0.0
+
+
+def test_table_1_and_2_follow_from_what_an_engineer_knows(defaults):
+    steel = MATERIALS["steel"]
+    inputs = tb.bearing(
+        replace(defaults, elastic_modulus_surfaces=1e9, material_parameter=1.0),
+        ball=steel,
+        flat=steel,
+        particle=steel,
+        pressure_viscosity_per_GPa=18.2,
+        speed_m_per_s=4.0,
+        dynamic_viscosity_mPa_s=129.8,
+        viscosity_cSt=150.0,
+    )
+    assert inputs.elastic_modulus_surfaces == pytest.approx(112e9, rel=2e-3)
+    assert inputs.elastic_modulus_particle == pytest.approx(112e9, rel=2e-3)
+    assert inputs.material_parameter == pytest.approx(2038, rel=2e-3)
+    assert inputs.speed_per_viscosity * 150e-6 == pytest.approx(7.3e-10, rel=2e-3)
+    assert derived(inputs, 150.0).value("speed_parameter") == pytest.approx(7.3e-10, rel=2e-3)
+
+
+def test_what_is_not_given_stays(defaults):
+    assert tb.bearing(defaults) == defaults
+    larger = tb.bearing(defaults, ball_radius_mm=12.7)
+    assert larger.speed_per_viscosity == pytest.approx(0.5 * defaults.speed_per_viscosity)
+    assert larger.hardness_parameter == defaults.hardness_parameter
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"ball_radius_mm": -1.0},
+        {"speed_m_per_s": 2.0},
+        {"oil_density_kg_per_m3": 850.0},
+        {"speed_m_per_s": 2.0, "dynamic_viscosity_mPa_s": 100.0},
+        {"pressure_viscosity_per_GPa": float("nan")},
+    ],
+)
+def test_a_bearing_that_cannot_be_is_refused(defaults, given):
+    with pytest.raises(ValueError, match="allowed: "):
+        tb.bearing(defaults, **given)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("load_N", 0.0), ("roughness_nm", -1.0), ("viscosity_cSt", np.nan), ("load_N", "10")],
+)
+def test_an_interface_is_checked_when_it_is_made(name, value):
+    with pytest.raises(ValueError, match=f"{name} is .*; allowed: "):
+        tb.Interface(**GIVEN | {name: value})
+
+
+def test_rows_say_how_many_members_agree():
+    row = Row.of("a", "A", "mixed", "", ["mixed", "boundary", None])
+    assert (row.agree, row.members, row.range_text) == (1, 3, "1 of 3")
+    none = Row.of("a", "A", None, "N", [None, 2.0])
+    assert none.range_text == "2 to 2, 1 of 2 have none"

@@ -1,0 +1,116 @@
+"""``find`` and ``transitions`` against curves that are solved at many more points."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.answers.units import ENGINEERING, Unit, in_si
+from thirdbody.curves.transitions import LIMITS
+
+pytestmark = pytest.mark.filterwarnings("error")
+
+GIVEN = {
+    "load_N": np.array([0.5, 10.0, 40.0]),
+    "viscosity_cSt": np.array([0.0, 90.0, 130.0]),
+    "particle_diameter_nm": np.array([375.0, 500.0, 300.0]),
+    "roughness_nm": np.array([300.0, 300.0, 150.0]),
+    "particle_density_per_m2": np.array([1e11, 1e11, 4e11]),
+}
+DENSE = 6001
+
+
+def others(key):
+    return {name: values for name, values in GIVEN.items() if name != key}
+
+
+def dense(key, variable, level, parameters):
+    """Query of every crossing of a dense curve, the points on both sides, and its direction."""
+    unit = Unit.of(key, parameters)
+    points = np.geomspace(*unit.searched(parameters), DENSE)
+    given = in_si(others(key) | {key: points[:, None]}, parameters)
+    values = getattr(tb.solve(**given, parameters=parameters), variable) - level
+    known = np.isfinite(values[:-1]) & np.isfinite(values[1:])
+    step, query = np.nonzero(known & ((values[:-1] > 0.0) != (values[1:] > 0.0)))
+    order = np.lexsort((step, query))
+    rises = values[step + 1, query] > 0.0
+    return query[order], points[step[order]], points[step[order] + 1], rises[order]
+
+
+@pytest.mark.parametrize(("variable", "level"), [*LIMITS, ("total_contact_area", 1e-4)])
+@pytest.mark.parametrize("key", ENGINEERING.values())
+def test_crossings_are_those_of_a_dense_curve(parameters, key, variable, level):
+    found = tb.find(variable, level, key, parameters=parameters, **others(key))
+    query, low, high, rises = dense(key, variable, level, parameters)
+    assert found.query.tolist() == query.tolist()
+    assert found.rises.tolist() == rises.tolist()
+    assert (low <= found.value + found.error).all()
+    assert (found.value - found.error <= high).all()
+    assert found.count.tolist() == np.bincount(query, minlength=3).tolist()
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
+def test_the_error_bounds_the_error_made(parameters, rtol):
+    best = tb.find(*LIMITS[0], "load_N", parameters=parameters, rtol=1e-11, **others("load_N"))
+    found = tb.find(*LIMITS[0], "load_N", parameters=parameters, rtol=rtol, **others("load_N"))
+    assert (np.abs(found.value - best.value) <= found.error + best.error).all()
+    assert (found.error < 100.0 * rtol * found.value).all()
+
+
+def test_both_crossings_of_a_peak_between_values_of_the_sweep_are_found(parameters):
+    given = {name: values[0] for name, values in others("load_N").items()}
+    ratio = "particle_contact_area_ratio"
+    peak = float(tb.turning_point(parameters=parameters, **given).peak_ratio)
+    found = tb.find(ratio, peak - 1e-5, "load_N", count=24, parameters=parameters, **given)
+    assert found.rises.tolist() == [True, False]
+    assert found.value[1] / found.value[0] < 1.1
+    assert not tb.find(ratio, peak + 1e-5, "load_N", parameters=parameters, **given).count
+
+
+def test_levels_and_axes_broadcast(parameters):
+    given = {"viscosity_cSt": [[60.0], [90.0]], "particle_diameter_nm": 500}
+    given |= {"roughness_nm": 300, "particle_density_per_m2": 1e11}
+    found = tb.find("solid_load_fraction", [0.9, 0.8, 2.0], "load", parameters=parameters, **given)
+    assert found.count.shape == (2, 3)
+    assert np.isnan(found.first[:, 2]).all() and not found.count[:, 2].any()
+    one = {**given, "viscosity_cSt": 90.0}
+    alone = tb.find("solid_load_fraction", 0.8, "load", parameters=parameters, **one)
+    assert_allclose(found.first[1, 1], alone.value[0], rtol=1e-8)
+
+
+def test_engineering_units_and_SI_are_the_same_place(parameters):
+    given = others("viscosity_cSt")
+    one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
+    si = in_si(given, parameters, but="viscosity")
+    other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
+    assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
+
+
+def test_transitions_along_the_load_are_those_of_every_limit(parameters):
+    changes = tb.transitions("load_N", parameters=parameters, **others("load_N"))
+    expected = []
+    for limit in LIMITS:
+        found = tb.find(*limit, "load_N", parameters=parameters, **others("load_N"))
+        expected += zip(found.query.tolist(), found.value.tolist())
+    assert [each.query for each in changes] == [query for query, _ in sorted(expected)]
+    assert_allclose([each.value for each in changes], [value for _, value in sorted(expected)])
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        ({"variable": "contact_mode"}, "variable is 'contact_mode'; allowed: total_contact_area"),
+        ({"along": "time"}, "there is no axis 'time'; allowed: load, viscosity"),
+        ({"along": "load"}, "load_N: load is searched along; allowed: each axis once"),
+        ({"viscosity": 1e-6}, "viscosity is given twice; allowed: each axis once"),
+        ({"load_N": None}, "load is missing; allowed: load or load_N"),
+        ({"between": (0.0, 1.0)}, "between is 0 to 1; allowed: positive and increasing"),
+        ({"count": 1}, "count is 1; allowed: at least 2"),
+        ({"rtol": 1.0}, "rtol is 1.0; allowed: 1e-11 to 1e-2"),
+    ],
+)
+def test_what_cannot_be_searched_is_refused(parameters, change, told):
+    asked = {"variable": "solid_load_fraction", "level": 0.9, "along": "roughness_nm"}
+    asked |= others("roughness_nm") | change
+    with pytest.raises(ValueError, match=told):
+        tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
