@@ -102,6 +102,8 @@ def test_what_it_asks_for_can_be_told(kind):
     for node in mappings(read_schema(kind)):
         if isinstance(node.get("pattern"), str) or isinstance(node.get("oneOf"), list):
             assert node["allowed"]
+        if "patternProperties" in node and "properties" not in node:
+            assert node["allowed_keys"]
         assert set(node.get("rules", [])) <= set(RULES)
 
 

@@ -11,6 +11,8 @@ rule compute_dataset:
         "logs/compute_dataset/{figure}.log",
     benchmark:
         "logs/compute_dataset/{figure}.tsv"
+    wildcard_constraints:
+        figure="|".join(settings["scenes"]),
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

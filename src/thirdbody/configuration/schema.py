@@ -1,6 +1,6 @@
 """The one validator of all YAML files: each keeps to the schema beside it in ``config/``.
 
-A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two keywords of our own:
+A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with three keywords of our own:
 
 ``rules``
     Names of rules of ``thirdbody.configuration.rules``, which say what JSON Schema cannot.  They are
@@ -8,6 +8,8 @@ A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two keywords
 ``allowed``
     What a message says is allowed here, where the bare numbers or pattern of the schema would say
     too little.
+``allowed_keys``
+    The same of keys that keep to a pattern.
 
 A schema refers to the definitions of ``conditions.schema.yaml`` as ``conditions.schema.yaml#/$defs/rtol``.
 """
@@ -206,7 +208,18 @@ def _explained(place: str, error) -> str:
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
         return _after(place, f"key {missing!r} is missing; allowed: it must be given")
-    return f"{place} is {shown(error.instance)}; allowed: {_allowed(error)}"
+    return f"{place} is {shown(error.instance)}; allowed: {_allowed(error)}{_hint(error)}"
+
+
+def _hint(error) -> str:
+    """How to write a number that YAML 1.1 has taken for text, 1e11: with a point and a sign."""
+    if error.validator != "type" or not isinstance(error.instance, str):
+        return ""
+    try:
+        digits, power = f"{float(error.instance):.15e}".split("e")
+    except ValueError:
+        return ""
+    return f", which YAML reads from {float(digits)!r}e{power}"
 
 
 def _unknown_key(error) -> tuple[str, Sequence[str]] | None:
@@ -219,7 +232,7 @@ def _unknown_key(error) -> tuple[str, Sequence[str]] | None:
     patterns = list(error.schema.get("patternProperties", {}))
     matches = re.compile("|".join(patterns) or r"(?!)").search
     unknown = next(key for key in error.instance if key not in known and not matches(key))
-    return unknown, known or patterns
+    return unknown, known or [error.schema["allowed_keys"]]
 
 
 def _nearest(name: str, known: Sequence[str]) -> str:
