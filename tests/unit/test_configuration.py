@@ -3,20 +3,16 @@
 import copy
 import math
 import os
-from dataclasses import fields
+from dataclasses import fields, replace
 from pathlib import Path
 
 import pytest
 
-from thirdbody.configuration.inputs import (
-    load_parameters,
-    read_calibrated,
-    read_entries,
-    read_inputs,
-)
+from thirdbody.configuration.inputs import load_parameters, read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import config_directory, read_schema, validate
+from thirdbody.configuration.schema import config_directory, read_schema
 from thirdbody.configuration.settings import read_plain, workflow_settings
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import KINDS
 
@@ -174,7 +170,12 @@ def test_each_input_says_where_it_comes_from_and_what_is_allowed():
             assert entry["value"] in entry["allowed"], name
         else:
             assert entry["unit"], name
-            assert entry["bounds"][0] <= entry["value"] <= entry["bounds"][1], name
+            assert BOUNDS[name].hold(entry["value"]), name
+
+
+def test_each_number_among_the_inputs_has_bounds():
+    numbers = [field.name for field in fields(Parameters) if field.type == "float"]
+    assert list(BOUNDS) == numbers
 
 
 def test_each_assumed_input_carries_an_assumption():
@@ -184,19 +185,39 @@ def test_each_assumed_input_carries_an_assumption():
             assert "# ASSUME:" in lines[index - 1], line
 
 
-def test_a_file_of_some_keys_replaces_those_alone(write):
-    path = write("truncation: 3.0\nsize_distribution: {value: centred}\n")
-    changed_inputs = load_parameters(path)
-    assert changed_inputs.truncation == 3.0
-    assert changed_inputs.size_distribution == "centred"
-    base = load_parameters(CONFIG / "inputs.yaml").as_dict()
-    rest = base | {"truncation": 3.0, "size_distribution": "centred"}
-    assert changed_inputs.as_dict() == rest
+def test_a_file_of_some_keys_is_laid_over_the_calibrated_inputs(write, defaults):
+    given = {"hardness_surface_1": 3e9, "size_distribution": "centred"}
+    path = write("hardness_surface_1: 3.0e+9\nsize_distribution: {value: centred}\n")
+    assert load_parameters(path).as_dict() == defaults.as_dict() | given
 
 
-def test_later_files_win(write):
-    first, second = write("truncation: 3.0", "a.yaml"), write("truncation: 4.0", "b.yaml")
-    assert read_inputs(read_entries(), first, second)["truncation"] == 4.0
+def test_single_inputs_are_laid_over_the_calibrated_inputs(defaults):
+    changed_inputs = load_parameters(hardness_surface_1=3e9, film_load="total")
+    assert changed_inputs == replace(defaults, hardness_surface_1=3e9, film_load="total")
+
+
+def test_single_inputs_win_over_a_file(write, defaults):
+    path = write("truncation: 3.0\nmean_ratio: 0.5\n")
+    assert load_parameters(path, truncation=4) == replace(defaults, truncation=4.0, mean_ratio=0.5)
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"hardness_surface_1": -1e9}, "hardness_surface_1 is -1000000000.0; allowed: a number"),
+        ({"truncation": math.nan}, "truncation is nan; allowed: a number from 0.5 to 10"),
+        ({"hardness": 1e9}, "unknown key 'hardness'; allowed: hardness_"),
+        ({"film_load": "solid"}, "film_load is 'solid'; allowed: fluid, total"),
+    ],
+    ids=str,
+)
+def test_a_bad_single_input_is_refused_by_name(given, told):
+    assert refusal(lambda: load_parameters(**given)).startswith(f"load_parameters: {told}")
+
+
+def test_a_file_of_all_inputs_leaves_nothing_of_the_calibrated_ones():
+    plain = {name: entry["value"] for name, entry in read_entries().items()}
+    assert load_parameters(CONFIG / "inputs.yaml").as_dict() == plain
 
 
 def test_an_integer_is_a_number(write):
@@ -298,9 +319,26 @@ def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp
 
 
 def test_the_shipped_configuration_is_valid(shipped, from_root):
-    validate(shipped, read_schema("config"), "configuration")
     settings = workflow_settings(shipped)
     assert settings["parameters"] == load_parameters().as_dict()
+    assert settings["calibrated"] == shipped["calibrated"]
+    assert settings["inputs"] == {}
+
+
+def test_inputs_of_the_configuration_are_laid_over_the_calibrated_file(shipped, from_root):
+    settings = workflow_settings(changed(shipped, "inputs", {"hardness_surface_1": 3.0e9}))
+    assert settings["parameters"] == load_parameters(hardness_surface_1=3e9).as_dict()
+    assert settings["calibrated"] == shipped["calibrated"]
+    assert settings["inputs"] == {"hardness_surface_1": 3e9}
+
+
+def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root):
+    other = "config/calibrated/centred_plane_free.yaml"
+    for key in ("inputs", "calibrated"):
+        settings = workflow_settings(changed(shipped, key, other))
+        assert settings["parameters"] == load_parameters(other).as_dict()
+        assert settings["calibrated"] == other
+        assert settings["inputs"] == {}
 
 
 def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
@@ -391,6 +429,18 @@ BAD_SETTINGS = {
     "a title with a newline": ("scenes.fig03.title", "a\nb", "scenes.fig03.title is"),
     "inputs outside the configuration": ("inputs", "/etc/passwd", "inputs is '/etc/passwd'"),
     "inputs by a way up": ("inputs", "config/../secret.yaml", "inputs is"),
+    "an input out of its bounds": (
+        "inputs",
+        {"truncation": 99},
+        "inputs.truncation is 99; allowed: a number from 0.5 to 10",
+    ),
+    "an unknown input": ("inputs", {"truncatoin": 2}, "inputs: unknown key 'truncatoin'"),
+    "a number for all inputs": ("inputs", 5, "inputs is 5; allowed: keys with values"),
+    "a calibrated file that is none": (
+        "calibrated",
+        "config/inputs.yaml",
+        "config/inputs.yaml: unknown key 'elastic_modulus_surfaces'; allowed: acceptable",
+    ),
     "inputs that are missing": ("inputs", "config/none.yaml", "config/none.yaml"),
     "windows the wrong way": (
         "windows.particle_diameter_per_roughness",

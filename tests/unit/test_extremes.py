@@ -11,7 +11,7 @@ import pytest
 import thirdbody as tb
 from benchmarks.extremes import beyond_float64, judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
-from thirdbody.configuration.inputs import read_entries
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values, is_as_asked
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -118,10 +118,8 @@ def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, wa
 
 @pytest.mark.parametrize("roughness", [1e-30, 1e30])
 def test_the_surface_of_any_other_roughness_is_of_finite_numbers(parameters, roughness):
-    described = read_entries()
-    names = [name for name in described if name.startswith(("summit_", "reference_"))]
-    names.remove("summit_offset")
-    for ends in itertools.product(*(described[name]["bounds"] for name in names)):
+    names = [name for name in BOUNDS if name.startswith(("summit_", "reference_"))]
+    for ends in itertools.product(*(BOUNDS[name] for name in names)):
         inputs = replace(parameters, **dict(zip(names, ends, strict=True)), summit_offset=False)
         surface = inputs.surface(roughness)
         curvature_length = 1.0 / (surface.summit_density * surface.summit_radius)

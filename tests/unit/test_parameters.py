@@ -2,12 +2,13 @@
 
 import json
 import math
-from dataclasses import FrozenInstanceError, fields, replace
+from dataclasses import FrozenInstanceError, replace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 
 # the data contract's keys: numbers, lists along the roughness, names of readings
@@ -98,11 +99,11 @@ def test_summits_follow_their_power_laws_about_the_reference_roughness(parameter
         )
 
 
-@pytest.mark.parametrize("summit_parameter", [0.01, 0.01927])
-def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, summit_parameter):
-    inputs = replace(parameters, summit_parameter=summit_parameter)
-    with pytest.raises(ValueError, match=r"summit_parameter is 0\.01.*allowed: above 0\.01928"):
-        inputs.surface(parameters.reference_roughness)
+@pytest.mark.parametrize("scale", [0.5, 0.998])
+def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, scale):
+    inputs = replace(parameters, summit_parameter=0.0193, summit_parameter_exponent=1.0)
+    with pytest.raises(ValueError, match=r"summit_parameter is 0\.0.*allowed: above 0\.01928"):
+        inputs.surface(scale * parameters.reference_roughness)
 
 
 def test_summits_just_above_the_limit_keep_a_variance(parameters):
@@ -112,7 +113,7 @@ def test_summits_just_above_the_limit_keep_a_variance(parameters):
 
 @pytest.mark.parametrize("spread", [0.0, 9e-7])
 def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
-    with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: at least 1e-06"):
+    with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06 to 3"):
         replace(parameters, spread_ratio=spread)
 
 
@@ -121,6 +122,25 @@ def test_equal_sizes_are_fine_where_the_gap_spreads_them(parameters):
     assert replace(parameters, **sizes, gap_ratio=1.0).spread_ratio == 0.0
     with pytest.raises(ValueError, match="^spread_ratio is 0.0"):
         replace(parameters, **sizes, gap_ratio=0.0)
+
+
+@pytest.mark.parametrize("name", BOUNDS)
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]])
+def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name, bad):
+    with pytest.raises(ValueError) as refused:
+        replace(parameters, **{name: bad})
+    assert str(refused.value) == f"{name} is {bad!r}; allowed: {BOUNDS[name]} (SI)"
+
+
+@pytest.mark.parametrize("name", BOUNDS)
+def test_both_ends_of_the_bounds_are_allowed(parameters, name):
+    for end in BOUNDS[name]:
+        assert getattr(replace(parameters, **{name: end}), name) == end
+
+
+def test_whole_numbers_and_those_of_numpy_are_numbers(parameters):
+    for number in (3, np.int32(3), np.float32(3.0), np.float64(3.0)):
+        assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
 
 
 def test_the_attribute_holds_exactly_the_keys_of_the_contract(reading):
@@ -147,9 +167,8 @@ def test_lists_run_along_the_roughness(reading):
 
 def test_each_number_of_the_attribute_is_its_own_input(parameters):
     distinct = {
-        field.name: 1.0 + 0.01 * index
-        for index, field in enumerate(fields(Parameters))
-        if isinstance(getattr(parameters, field.name), float)
+        name: bounds.most * (1.0 - 0.001 * index)
+        for index, (name, bounds) in enumerate(BOUNDS.items())
     }
     model = attribute(replace(parameters, **distinct, summit_offset=False))
     expected = {

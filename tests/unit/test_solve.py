@@ -546,6 +546,14 @@ def test_an_unknown_variable_is_refused_by_its_name(parameters, names):
         tb.solve(**POINT, parameters=parameters, variables=names)
 
 
+@pytest.mark.parametrize("given", [{"truncation": 2.0}, "config/inputs.yaml", None], ids=str)
+def test_parameters_of_another_kind_are_refused_in_one_line(given):
+    with pytest.raises(ValueError) as refused:
+        tb.solve(**POINT, parameters=given)
+    told = "allowed: Parameters, as of load_parameters()"
+    assert str(refused.value) == f"parameters is a {type(given).__name__}; {told}"
+
+
 def test_importing_the_package_imports_nothing_heavy():
     code = (
         "import sys, thirdbody; "

@@ -207,18 +207,17 @@ CASES = [
         "'true'",
         "True, as_rough, False",
     ),
+    put("single input out of bounds", CONFIG, "inputs/truncation", 99, "inputs.truncation", "99"),
+    put("single input unknown", CONFIG, "inputs/colour", 3, "inputs", "'colour'", "allowed"),
     inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 2"),
     put("entry without value", INPUTS, "truncation/value", ABSENT, INPUTS, "truncation", "allowed"),
-    put(
-        "entry without bounds", INPUTS, "truncation/bounds", ABSENT, INPUTS, "truncation", "allowed"
-    ),
+    put("entry with bounds", INPUTS, "truncation/bounds", [0, 9], INPUTS, "'bounds'", "allowed"),
     put("entry without unit", INPUTS, "truncation/unit", ABSENT, INPUTS, "truncation", "'unit'"),
     put("entry out of its bounds", INPUTS, "truncation/value", 99, INPUTS, "truncation", "99"),
-    put("bounds the wrong way", INPUTS, "truncation/bounds", [9, 1], INPUTS, "bounds", "[9, 1]"),
     put("entry of no source", INPUTS, "truncation/source", "hearsay", INPUTS, "source", "assumed"),
     put("bare number as entry", INPUTS, "truncation", 2.5, INPUTS, "truncation", "allowed"),
     put("no such entry", INPUTS, "truncation", ABSENT, INPUTS, "truncation", "allowed"),
-    put("one more entry", INPUTS, "colour", {"value": 1.0, "bounds": [0, 2]}, INPUTS, "'colour'"),
+    put("one more entry", INPUTS, "colour", {"value": 1.0}, INPUTS, "'colour'"),
     put(
         "reading of no kind", INPUTS, "film_load/value", "both", INPUTS, "film_load", "fluid, total"
     ),

@@ -4,7 +4,7 @@
 rule compute_band:
     input:
         dataset="results/datasets/{figure}.nc",
-        calibrated=config["inputs"],
+        calibrated=settings["calibrated"],
         modules=import_closure("workflow/scripts/compute_band.py"),
     output:
         band="results/bands/{figure}.nc",
@@ -17,6 +17,7 @@ rule compute_band:
     threads: 1
     params:
         parameters=settings["parameters"],
+        laid_over=settings["inputs"],
     message:
         "Solving the ensemble around {wildcards.figure}"
     script:

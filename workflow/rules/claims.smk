@@ -38,7 +38,7 @@ rule render_fronts:
         "../envs/thirdbody.yaml"
     threads: 1
     params:
-        default=str(settings["inputs"]),
+        default=settings["calibrated"],
     message:
         "Drawing what each chief statement costs the others"
     script:

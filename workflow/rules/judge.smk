@@ -13,7 +13,7 @@ rule judge_claims:
             "config/inputs.schema.yaml",
             "config/inputs.yaml",
         ],
-        default=settings["inputs"],
+        default=settings["calibrated"],
         calibrated=CALIBRATED,
         modules=import_closure("workflow/scripts/judge_claims.py"),
     output:
@@ -31,6 +31,7 @@ rule judge_claims:
     params:
         settings=CALIBRATION,
         parameters=settings["uncalibrated"],
+        laid_over=settings["inputs"],
     message:
         "Judging every statement of the paper"
     script:

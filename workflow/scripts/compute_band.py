@@ -7,12 +7,10 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.band import band
 
 
-def compute(dataset, calibrated, parameters, place):
-    """Write the band around ``dataset``; the ensemble is that of the file ``calibrated``.
-
-    Inputs without an ensemble leave the band as wide as the curves.
-    """
-    ensemble = read_yaml(calibrated).get("ensemble", [])
+def compute(dataset, calibrated, parameters, laid_over, place):
+    """Write the band around ``dataset``: the ensemble is that of the file ``calibrated``, and each
+    member has the inputs ``laid_over`` it."""
+    ensemble = [member | laid_over for member in read_yaml(calibrated)["ensemble"]]
     envelope = band(read_dataset(dataset), Parameters(**parameters), ensemble)
     with whole(place) as part:
         write_dataset(envelope, part)
@@ -25,5 +23,6 @@ if __name__ == "__main__":
             snakemake.input.dataset,
             snakemake.input.calibrated,
             snakemake.params.parameters,
+            snakemake.params.laid_over,
             snakemake.output.band,
         )

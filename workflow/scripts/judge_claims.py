@@ -10,10 +10,13 @@ from thirdbody.study.verdict_text import claims_json, claims_markdown
 from thirdbody.study.verdicts import Court, Trial, verdict_rows
 
 
-def judge_claims(claims, default, calibrated, settings, parameters, table, text, data):
-    """Judge ``claims`` under the inputs of the file ``default`` and those of all ``calibrated``."""
+def judge_claims(claims, default, calibrated, settings, parameters, laid_over, table, text, data):
+    """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
+    under those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
     main, readings = read_calibrated(default), [read_calibrated(path) for path in calibrated]
+    main["inputs"] |= laid_over
+    main["ensemble"] = [member | laid_over for member in main["ensemble"]]
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
     given = trial, main, readings, settings["headline"]
     page, content = claims_markdown(*given), claims_json(*given)
@@ -31,6 +34,7 @@ if __name__ == "__main__":
             snakemake.input.calibrated,
             snakemake.params.settings,
             snakemake.params.parameters,
+            snakemake.params.laid_over,
             snakemake.output.table,
             snakemake.output.text,
             snakemake.output.data,

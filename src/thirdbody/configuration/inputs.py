@@ -1,18 +1,26 @@
-"""Inputs of the model: ``config/inputs.yaml`` and the files whose keys replace some of its values.
+"""Inputs of the model: where their values come from, and what is laid over what.
 
-``config/inputs.yaml`` has an entry for each input: its value with symbol, unit, source, and the bounds
-or words that are allowed.  What it allows is the schema of every other file of inputs.
+``config/inputs.yaml`` has an entry for each input: its value with symbol, unit, source, and the words
+that are allowed; ``thirdbody.model.bounds`` says what numbers may be.  Of the values of an input the
+last that is given counts:
+
+1. that of ``config/inputs.yaml``;
+2. that of a calibrated file, as ``snakemake calibrate`` writes it: the one that ``calibrated`` in
+   ``config/config.yaml`` names, or one that is given in its place;
+3. that which is laid over: by ``inputs`` in ``config/config.yaml`` and its changes, by a file that gives
+   some inputs, plain or in the layout of ``config/inputs.yaml``, and by arguments of ``load_parameters``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_valid, validate
+from thirdbody.model.bounds import BOUNDS
 
 if TYPE_CHECKING:
     from thirdbody.model.parameters import Parameters
@@ -21,15 +29,16 @@ Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
 
 
-def load_parameters(path: str | Path | None = None) -> Parameters:
-    """Inputs of the model from a YAML file, by default the calibrated ones of ``config/``.
+def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
+    """Inputs of the model: the calibrated ones, with what is given laid over them.
 
     Parameters
     ----------
     path : str or Path, optional
-        A file with the layout of ``config/inputs.yaml``, one that gives plain values of some of its keys,
-        or a calibrated one of ``config/calibrated/``.  Inputs that it does not name keep their value of
-        ``config/inputs.yaml``.
+        A YAML file that gives some inputs, plain or in the layout of ``config/inputs.yaml``, which is
+        laid over the calibrated ones; or a calibrated file of one's own, which takes their place.
+    **inputs : float, bool or str
+        Inputs by the names that the fields of ``Parameters`` have, SI; they win over the file.
 
     Returns
     -------
@@ -39,22 +48,26 @@ def load_parameters(path: str | Path | None = None) -> Parameters:
     Raises
     ------
     ValueError
-        In one line: the file, the key at fault, its value and what is allowed.
+        In one line: the file or argument, the key at fault, its value and what is allowed.
 
     Examples
     --------
     >>> parameters = load_parameters()
     >>> parameters.ball_radius  # [m]
     0.00635
-    >>> parameters.size_distribution
-    'uncentred'
+    >>> softer = load_parameters(hardness_surface_1=3e9)
+    >>> softer.hardness_surface_1, softer.truncation == parameters.truncation
+    (3000000000.0, True)
     """
     from thirdbody.model.parameters import Parameters  # needs numpy; the workflow is read without
 
     directory = schema.config_directory()
-    if path is None:
-        path = directory.parent / read_yaml(directory / "config.yaml")["inputs"]
-    return Parameters(**read_inputs(read_entries(), path))
+    settings = read_yaml(directory / "config.yaml")
+    entries = read_entries()
+    calibrated = directory.parent / settings["calibrated"]
+    chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
+    validate(inputs, values_schema(entries), "load_parameters")
+    return Parameters(**chosen.values | _plain_values(inputs))
 
 
 def read_entries() -> Entries:
@@ -67,39 +80,58 @@ def read_entries() -> Entries:
 
 def uncalibrated(entries: Entries) -> Values:
     """The value of each entry, numbers as ``float``."""
-    return {name: _plain(entry) for name, entry in entries.items()}
+    return _plain_values(entries)
 
 
-def read_inputs(entries: Entries, *overlays: str | Path) -> Values:
-    """Values of all inputs: those of ``entries``, with each key of ``overlays`` in its place.
+class ChosenInputs(NamedTuple):
+    """Values of all inputs, and what they are made of.
+
+    Attributes
+    ----------
+    values : dict
+        A value of each input, SI, numbers as ``float``.
+    calibrated : str
+        Path of the calibrated file.
+    laid_over : dict
+        The values that are laid over those of this file.
+    """
+
+    values: Values
+    calibrated: str
+    laid_over: Values
+
+
+def choose_inputs(
+    entries: Entries, calibrated: str | Path, given: str | Path | Mapping
+) -> ChosenInputs:
+    """Values of all inputs, as the head of this module says.
 
     Parameters
     ----------
     entries : Mapping
         What ``read_entries`` gives.
-    *overlays : str or Path
-        Files that give some of the inputs, plain or as entries, or calibrated files; later ones win.
+    calibrated : str or Path
+        A calibrated file.
+    given : str, Path or Mapping
+        What is laid over its inputs: values, or a file of them.  A calibrated file takes its place.
 
     Returns
     -------
-    dict
-        A value of each input, SI, numbers as ``float``.
+    ChosenInputs
 
     Raises
     ------
     ValueError
         In one line: the file, the key at fault, its value and what is allowed.
     """
-    values = uncalibrated(entries)
-    for path in overlays:
-        given = read_yaml(path)
-        if "inputs" in given:
-            _validate_calibrated(given, path, entries)
-            given = given["inputs"]
-        else:
-            validate(given, _overlay_schema(entries), str(path))
-        values |= {name: _plain(value) for name, value in given.items()}
-    return values
+    is_file = not isinstance(given, Mapping)
+    content = read_yaml(given) if is_file else given
+    if is_file and "inputs" in content:
+        calibrated, content = given, {}
+    validate(content, _overlay_schema(entries), str(given) if is_file else "inputs")
+    laid_over = _plain_values(content)
+    best = _plain_values(_read_calibrated(calibrated, entries)["inputs"])
+    return ChosenInputs(uncalibrated(entries) | best | laid_over, str(calibrated), laid_over)
 
 
 def read_calibrated(path: str | Path) -> dict:
@@ -120,40 +152,41 @@ def read_calibrated(path: str | Path) -> dict:
     ValueError
         In one line: the file, the key at fault, its value and what is allowed.
     """
-    content = read_yaml(path)
-    _validate_calibrated(content, path, read_entries())
-    return content
+    return _read_calibrated(path, read_entries())
 
 
 def values_schema(entries: Entries) -> dict:
     """JSON Schema of plain values of some of the inputs; in it, ``$defs/name`` is that of their names."""
-    values = _closed({name: _value_schema(entry) for name, entry in entries.items()})
+    values = _closed({name: _value_schema(name, entry) for name, entry in entries.items()})
     return values | {"$defs": {"name": {"enum": list(entries)}}}
 
 
-def _validate_calibrated(content: dict, path: str | Path, entries: Entries) -> None:
-    known = schema.read_schema("calibrated")
-    validate(content, known, str(path), input_values=values_schema(entries))
+def _read_calibrated(path: str | Path, entries: Entries) -> dict:
+    return read_valid(path, "calibrated", input_values=values_schema(entries))
 
 
-def _value_schema(entry: Mapping) -> dict:
+def _value_schema(name: str, entry: Mapping) -> dict:
     """JSON Schema of the value of one input: a number within bounds, or one of some words."""
     if "allowed" in entry:
         return {"enum": entry["allowed"]}
-    low, high = entry["bounds"]
-    unit = "" if entry["unit"] == "1" else f" {entry['unit']}"
-    allowed = f"a number from {low:g} to {high:g}{unit}"
-    return {"type": "number", "minimum": low, "maximum": high, "allowed": allowed}
+    bounds = BOUNDS[name]
+    allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
+    return {
+        "type": "number",
+        "minimum": bounds.least,
+        "maximum": bounds.most,
+        "allowed": allowed,
+    }
 
 
 def _overlay_schema(entries: Entries) -> dict:
     """JSON Schema of a file that gives some of the inputs, plain or in the layout of ``entries``."""
-    return _closed({name: _given_schema(entry) for name, entry in entries.items()})
+    return _closed({name: _given_schema(name, entry) for name, entry in entries.items()})
 
 
-def _given_schema(entry: Mapping) -> dict:
+def _given_schema(name: str, entry: Mapping) -> dict:
     """JSON Schema of one input in such a file: a value, or an entry with it and in the same unit."""
-    value = _value_schema(entry)
+    value = _value_schema(name, entry)
     same_unit = {"unit": {"const": entry["unit"]}} if "unit" in entry else {}
     keys = dict.fromkeys(entry, True) | same_unit | {"value": value}
     return {
@@ -167,7 +200,12 @@ def _closed(properties: dict) -> dict:
     return {"type": "object", "additionalProperties": False, "properties": properties}
 
 
-def _plain(given) -> float | bool | str:
-    """The value of an entry, or the plain value itself; numbers as ``float``."""
-    value = given["value"] if isinstance(given, Mapping) else given
-    return value if isinstance(value, (bool, str)) else float(value)
+def _plain_values(given: Mapping) -> Values:
+    """The value of each entry, or the plain value itself; numbers as ``float``."""
+    values = {
+        name: each["value"] if isinstance(each, Mapping) else each for name, each in given.items()
+    }
+    return {
+        name: value if isinstance(value, (bool, str)) else float(value)
+        for name, value in values.items()
+    }

@@ -7,7 +7,12 @@ from importlib.metadata import version
 from pathlib import Path
 
 from thirdbody.configuration import schema
-from thirdbody.configuration.inputs import read_entries, read_inputs, uncalibrated, values_schema
+from thirdbody.configuration.inputs import (
+    choose_inputs,
+    read_entries,
+    uncalibrated,
+    values_schema,
+)
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_valid, shown, validate
 
@@ -54,8 +59,9 @@ def workflow_settings(config: Mapping) -> dict:
 
         - ``scenes``, each with its own load axis and ``rtol``, so that it depends on nothing else;
         - ``calibration`` and ``sensitivity``, the settings of both studies;
-        - ``parameters`` and ``uncalibrated``, the inputs of the model with and without the file that
-          ``config`` names, SI;
+        - ``parameters`` and ``uncalibrated``, the inputs of the model as ``config`` chooses them, and
+          without calibrated file and what is laid over it, SI;
+        - ``calibrated``, the path of that file, and ``inputs``, the values laid over it;
         - ``software``, the versions of what computes.
 
     Raises
@@ -64,10 +70,11 @@ def workflow_settings(config: Mapping) -> dict:
         In one line: the file, the key at fault, its value and what is allowed.
     """
     directory = schema.config_directory()
-    validate(config, schema.read_schema("config"), "configuration")
-    read_valid(directory / "paper_tables.yaml", "paper_tables")
     entries = read_entries()
     values = values_schema(entries)
+    validate(config, schema.read_schema("config"), "configuration", input_values=values)
+    read_valid(directory / "paper_tables.yaml", "paper_tables")
+    chosen = choose_inputs(entries, config["calibrated"], config["inputs"])
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
@@ -76,7 +83,9 @@ def workflow_settings(config: Mapping) -> dict:
             directory / "calibration.yaml", "calibration", input_values=values
         ),
         "sensitivity": read_valid(directory / "sensitivity.yaml", "sensitivity"),
-        "parameters": read_inputs(entries, config["inputs"]),
+        "parameters": chosen.values,
+        "calibrated": chosen.calibrated,
+        "inputs": chosen.laid_over,
         "uncalibrated": uncalibrated(entries),
         "software": {name: version(name) for name in SOFTWARE},
     }

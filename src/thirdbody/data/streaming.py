@@ -19,7 +19,7 @@ from thirdbody.data.quantities import CONTRACT
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solution import Solution, type_of
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, check_parameters, solve
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
@@ -73,6 +73,7 @@ def stream(
     >>> written["separation"].squeeze().shape
     (2,)
     """
+    check_parameters(parameters)
     names = with_status(variables)
 
     def solved(*sides):

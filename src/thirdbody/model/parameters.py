@@ -10,8 +10,9 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.computed_once import computed_once
-from thirdbody.model.readings import LEAST_SPREAD, Readings
+from thirdbody.model.readings import Readings
 
 # The keys that inputs, and fields of a surface, have in the attribute ``model_parameters`` of
 # datasets, in the order in which they stand there.
@@ -81,14 +82,17 @@ class Surface:
 class Parameters:
     """All inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` says of each field what it is, where its value comes from and what is
-    allowed; ``thirdbody.load_parameters`` reads them from there.  Fields that are words, and
-    ``summit_offset``, choose a reading of the paper: ``readings`` has the object for each.
+    ``config/inputs.yaml`` says of each field what it is and where its value comes from,
+    ``thirdbody.model.bounds`` what numbers may be; ``thirdbody.load_parameters`` gives them with the
+    calibrated values.  Fields that are words, and ``summit_offset``, choose a reading of the paper:
+    ``readings`` has the object for each.
 
     Raises
     ------
     ValueError
-        If a word is unknown, or the particles' sizes are too equal to be resolved in float64.
+        In one line that names the field, its value and what is allowed: for a number out of its
+        bounds, what is no number, and an unknown word.  Equal particles, ``spread_ratio`` 0, are
+        allowed where ``gap_ratio`` spreads the gaps that they meet.
 
     Examples
     --------
@@ -97,6 +101,10 @@ class Parameters:
     >>> parameters = thirdbody.load_parameters()
     >>> parameters.ball_radius
     0.00635
+    >>> replace(parameters, hardness_surface_1=-1e9)
+    Traceback (most recent call last):
+    ...
+    ValueError: hardness_surface_1 is -1000000000.0; allowed: a number from 1e+06 to 1e+14 (SI)
     >>> replace(parameters, film_load="solid")
     Traceback (most recent call last):
     ...
@@ -134,12 +142,13 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
+        outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.readings.size_distribution
-        if self.spread_ratio < LEAST_SPREAD and not sizes.can_be_equal(self):
-            raise ValueError(
-                f"spread_ratio is {self.spread_ratio!r}; allowed: at least {LEAST_SPREAD:g}, "
-                "below which equal particles would bear any load at one separation"
-            )
+        if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
+            return
+        for name in outside:
+            told = f"{name} is {getattr(self, name)!r}; allowed: {BOUNDS[name]} (SI)"
+            raise ValueError(told)
 
     @computed_once
     def readings(self) -> Readings:

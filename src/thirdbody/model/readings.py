@@ -20,11 +20,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
+from thirdbody.model.bounds import LEAST_SPREAD
+
 if TYPE_CHECKING:
     from thirdbody.model.parameters import Parameters
 
-# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
-LEAST_SPREAD = 1e-6
 # McCool (1986): height of the summits' plane and loss of their variance, over 1/(eta_s R)
 SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4

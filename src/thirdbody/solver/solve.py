@@ -67,9 +67,9 @@ def solve(
     Raises
     ------
     ValueError
-        For a negative, infinite or missing number, a zero load or roughness, an ``rtol`` out of
-        its range, an unknown variable or way, and a summit parameter that leaves no variance to
-        the summits.
+        In one line: for a negative, infinite or missing number, a zero load or roughness, inputs
+        that are no ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, and a
+        summit parameter that leaves no variance to the summits.
     ImportError
         If ``way`` is "compiled" and numba is not installed.
 
@@ -85,6 +85,7 @@ def solve(
     >>> found.separation.round(10)  # [m]
     array([1.0295e-06, 1.0445e-06])
     """
+    check_parameters(parameters)
     check_rtol(rtol)
     check_variables(variables)
     check_way(way)
@@ -101,6 +102,13 @@ def solve(
         found = solve_points(conditions, parameters, rtol, variables, way)
     shape = columns[0].shape
     return Solution(**{name: values.reshape(shape) for name, values in found.items()})
+
+
+def check_parameters(parameters) -> None:
+    """Raises ``ValueError`` unless ``parameters`` are what ``load_parameters`` gives."""
+    if not isinstance(parameters, Parameters):
+        kind = type(parameters).__name__
+        raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
 
 
 def check_variables(variables, known: Collection[str] = VARIABLES) -> None:

@@ -1,0 +1,65 @@
+"""What the numbers among the inputs may be: within it the model is known to be computed right.
+
+Each interval is closed, in SI, and reaches well beyond real materials and surfaces.  ``Parameters``
+and the files of inputs are held to it alike.  Needs no numpy, which files are read without.
+"""
+
+from __future__ import annotations
+
+from numbers import Real
+from typing import NamedTuple
+
+# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
+LEAST_SPREAD = 1e-6
+
+
+class Bounds(NamedTuple):
+    """A closed interval of numbers, in SI.
+
+    Examples
+    --------
+    >>> share = Bounds(0.0, 1.0)
+    >>> share.hold(1), share.hold(1.5), share.hold(float("nan")), share.hold("1")
+    (True, False, False, False)
+    >>> print(share)
+    a number from 0 to 1
+    """
+
+    least: float
+    most: float
+
+    def hold(self, value: object) -> bool:
+        """Whether ``value`` is one of these numbers."""
+        is_number = isinstance(value, float)  # which is asked in a tenth of the time
+        is_number = is_number or (isinstance(value, Real) and not isinstance(value, bool))
+        return is_number and self.least <= value <= self.most
+
+    def __str__(self) -> str:
+        return f"a number from {self.least:g} to {self.most:g}"
+
+
+BOUNDS = {
+    "elastic_modulus_surfaces": Bounds(1e8, 1e13),
+    "elastic_modulus_particle": Bounds(1e8, 1e13),
+    "hardness_surface_1": Bounds(1e6, 1e14),
+    "hardness_surface_2": Bounds(1e6, 1e14),
+    "yield_pressure_ratio": Bounds(0.1, 1.0),
+    "plastic_interference_ratio": Bounds(1.0, 1e5),
+    "ball_radius": Bounds(1e-6, 10.0),
+    "material_parameter": Bounds(1.0, 1e5),
+    "hardness_parameter": Bounds(1e-4, 1.0),
+    "speed_per_viscosity": Bounds(1e-10, 1.0),
+    "ellipticity": Bounds(0.1, 10.0),
+    "apparent_area": Bounds(1e-12, 1e-2),
+    "reference_roughness": Bounds(1e-12, 1e-2),
+    "summit_parameter": Bounds(0.0193, 100.0),
+    "summit_parameter_exponent": Bounds(-2.0, 2.0),
+    "summit_radius": Bounds(1e-7, 1e-2),
+    "summit_radius_exponent": Bounds(-2.0, 2.0),
+    "mean_ratio": Bounds(0.0, 2.0),
+    "spread_ratio": Bounds(LEAST_SPREAD, 3.0),
+    "gap_ratio": Bounds(0.0, 3.0),
+    "truncation": Bounds(0.5, 10.0),
+    "participation": Bounds(1e-6, 1.0),
+    "elastic_depth_ratio": Bounds(0.0, 5.0),
+}
