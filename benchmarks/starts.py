@@ -31,6 +31,7 @@ from thirdbody.solver.solve import solve
 ACCURACY = Path(__file__).parents[1] / "config" / "accuracy.yaml"
 # Starts: with nothing compiled on disk, or with the loop that an earlier process compiled.
 COLD, WARM = "cold", "warm"
+LUBRICATED = {"viscosity": 9e-5, "particle_diameter": 5e-7, "particle_density": 1e11}
 AUTOMATIC = "automatic"  # the way that the library chooses
 ROUNDS = 15  # of calls that take some milliseconds each
 SIZES = [2**power for power in range(4, 12)]  # numbers of points of these calls
@@ -43,8 +44,8 @@ import thirdbody
 points, rtol, way = int(sys.argv[1]), float(sys.argv[2]), sys.argv[3]
 loads = np.random.default_rng(0).permutation(np.geomspace(1e-7, 1e-4, points))
 thirdbody.solve(
-    loads, 9e-5, 5e-7, 3e-7, 1e11, thirdbody.load_parameters(), rtol,
-    way=None if way == "automatic" else way,
+    load=loads, viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, particle_density=1e11,
+    parameters=thirdbody.load_parameters(), rtol=rtol, way=None if way == "automatic" else way,
 )
 """
 
@@ -263,7 +264,8 @@ def _seconds_of_calls(parameters, rtol, way, sizes, roughness):
 
     def run(size):
         loads = np.geomspace(1e-7, 1e-5, size)
-        solve(loads, 9e-5, 5e-7, next(roughness), 1e11, parameters, rtol, way=way)
+        given = LUBRICATED | {"load": loads, "roughness": next(roughness)}
+        solve(**given, parameters=parameters, rtol=rtol, way=way)
 
     run(1)
     times = least_seconds({size: partial(run, size) for size in sizes}, ROUNDS)

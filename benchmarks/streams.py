@@ -14,6 +14,7 @@ import numpy as np
 from benchmarks.classes import ROUGHNESS, SPANS
 from benchmarks.measuring import MEGABYTE, MICROSECONDS, wall_seconds
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.dataset import crossed
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.data.streaming import (
     POINTS_PER_BLOCK,
@@ -73,7 +74,7 @@ def stream_rows(
     _require_room(directory, points)
     expect_points(points)
     # What is prepared once for a surface is no part of what is measured.
-    solve(*np.ix_(*sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)
+    solve(**crossed(sides(axes, next(_blocks(axes)))), parameters=parameters, rtol=rtol)
     path = directory / "streamed.nc"
 
     def record(what, function):
@@ -116,17 +117,17 @@ def _axes(parameters, values) -> dict:
 
 def _solve_blocks(axes, parameters, rtol):
     for block in _blocks(axes):
-        solve(*np.ix_(*sides(axes, block)), parameters=parameters, rtol=rtol)
+        solve(**crossed(sides(axes, block)), parameters=parameters, rtol=rtol)
 
 
 def _write_alone(path, axes, parameters, rtol):
     """Write a file of the same size: all blocks of one shape hold the solution of the first."""
     known = {}
 
-    def solved(*given):
-        shape = tuple(axis.size for axis in given)
+    def solved(given):
+        shape = tuple(axis.size for axis in given.values())
         if shape not in known:
-            known[shape] = solve(*np.ix_(*given), parameters=parameters, rtol=rtol)
+            known[shape] = solve(**crossed(given), parameters=parameters, rtol=rtol)
         return known[shape]
 
     write_blocks(path, axes, solved, parameters, rtol)

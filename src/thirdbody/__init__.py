@@ -21,6 +21,7 @@ larger than memory.  The equations stand in ``thirdbody.model``, the balance of 
 
 __all__ = [
     "Interface",
+    "OutOfRangeWarning",
     "Parameters",
     "Solution",
     "__version__",
@@ -38,6 +39,7 @@ __all__ = [
 # where each stands, for Python; __init__.pyi says it to editors and type checkers
 _MODULES = {
     "Interface": "answers.interface",
+    "OutOfRangeWarning": "solver.usual",
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "bearing": "answers.bearing",

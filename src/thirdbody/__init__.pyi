@@ -10,5 +10,6 @@ from thirdbody.data.streaming import stream as stream
 from thirdbody.model.parameters import Parameters as Parameters
 from thirdbody.solver.solution import Solution as Solution
 from thirdbody.solver.solve import solve as solve
+from thirdbody.solver.usual import OutOfRangeWarning as OutOfRangeWarning
 
 __version__: str

@@ -47,7 +47,12 @@ def test_the_library_finds_the_same(oracle, path):
     expected = oracle.solve(model, **conditions)
     assert (expected.count == 1).mean() > 0.5
     for way in WAYS:
-        found = tb.solve(*(conditions[name] for name in CONDITIONS), parameters, RTOL, way=way)
+        found = tb.solve(
+            **{name: conditions[name] for name in CONDITIONS},
+            parameters=parameters,
+            rtol=RTOL,
+            way=way,
+        )
         known = (found.solution_status == 0) & (expected.count == 1)
         assert known.sum() > 0.9 * (expected.count == 1).sum()
         for name in QUANTITIES:

@@ -48,8 +48,15 @@ def solved(conditions, inputs, way, rtol):
     found = []
     for index, parameters in enumerate(inputs):
         here = slice(index * POINTS, (index + 1) * POINTS)
-        given = (conditions[name][here] for name in CONDITIONS)
-        found.append(tb.solve(*given, parameters, rtol=rtol, way=way))
+        given = {name: conditions[name][here] for name in CONDITIONS}
+        found.append(
+            tb.solve(
+                **given,
+                parameters=parameters,
+                rtol=rtol,
+                way=way,
+            )
+        )
     return {name: np.concatenate([vars(one)[name] for one in found]) for name in vars(found[0])}
 
 
@@ -91,7 +98,15 @@ def test_where_particles_alone_touch_they_press_with_their_hardness(way):
     """A_t* H/E = L_s F_t* where summits bear nothing (Eqs. 4 and 5)."""
     parameters = tb.load_parameters()
     load = np.geomspace(1e-12, 1e-6, 400)
-    found = tb.solve(load, [[0.0], [90e-6]], 1e-6, 20e-9, 1e11, parameters, way=way)
+    found = tb.solve(
+        load=load,
+        viscosity=[[0.0], [90e-6]],
+        particle_diameter=1e-6,
+        roughness=20e-9,
+        particle_density=1e11,
+        parameters=parameters,
+        way=way,
+    )
     pressure = parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces
     alone = (found.surface_contact_area_ratio < 1e-12) & (found.error_bound < 1e-9)
     assert alone.mean() > 0.3

@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 
@@ -151,7 +152,12 @@ def test_the_attributes_alone_give_each_value_again(dataset, curves):
     for index, roughness in enumerate(dataset["roughness"].values):
         here = conditions[2] == roughness
         inputs = Parameters.from_attribute(attribute, roughness, index)
-        solution = tb.solve(load, *conditions[:, here], inputs, dataset.attrs["rtol"])
+        solution = tb.solve(
+            load=load,
+            **Condition(*conditions[:, here])._asdict(),
+            parameters=inputs,
+            rtol=dataset.attrs["rtol"],
+        )
         for name in QUANTITIES:
             again = getattr(solution, name)
             assert_allclose(values[name][:, here], again, rtol=1e-9, atol=LOADED, err_msg=name)

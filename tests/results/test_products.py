@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.readable import READABLE
 from thirdbody.data.tables import TABLES, read_csv
@@ -117,7 +117,11 @@ def test_turning_points_lie_on_their_curves(tables, defaults):
     load, ratio, share, separation = columns(
         tables["tpca_loads"], ("load", "peak_ratio", "solid_load_fraction", "separation_m")
     )
-    solution = tb.solve(load, *columns(tables["tpca_loads"], CONDITIONS), defaults)
+    solution = tb.solve(
+        load=load,
+        **Condition(*columns(tables["tpca_loads"], CONDITIONS))._asdict(),
+        parameters=defaults,
+    )
     # the load is rounded to ten digits; L_s follows it with a power that stays below ten
     assert_allclose(solution.separation, separation, rtol=2.0 * DIGITS)
     assert_allclose(solution.solid_load_fraction, share, rtol=10.0 * DIGITS)
@@ -141,7 +145,9 @@ def test_the_written_load_is_within_its_written_error(tables, datasets, defaults
     rows = [row for row in tables["tpca_loads"] if row["figure"] == "fig11"]
     conditions = columns(rows, CONDITIONS)
     loads = datasets["fig11"]["load"].values[:, None]
-    separation = tb.solve(loads, *conditions, defaults, 1e-11).separation
+    separation = tb.solve(
+        load=loads, **Condition(*conditions)._asdict(), parameters=defaults, rtol=1e-11
+    ).separation
     best = turning_points(separation, *conditions, defaults, 1e-11)
     load, error = columns(rows, ("load", "load_error"))
     assert (np.abs(load - best.load) <= error + best.load_error).all()
@@ -169,7 +175,9 @@ def test_a_more_viscous_lubricant_turns_at_a_higher_load(tables):
 def test_at_each_transition_the_quantity_has_its_level(tables, defaults):
     rows = tables["transitions"]
     load, level = columns(rows, ("load", "level"))
-    solution = tb.solve(load, *columns(rows, CONDITIONS), defaults)
+    solution = tb.solve(
+        load=load, **Condition(*columns(rows, CONDITIONS))._asdict(), parameters=defaults
+    )
     for index, row in enumerate(rows):
         value = getattr(solution, row["quantity"])[index]
         # its logarithm changes at most some thirty times as fast as that of the load
@@ -222,13 +230,13 @@ def test_inside_a_window_there_is_a_turning_point_and_outside_it_there_is_none(t
         inward = step if row["end"] == "low" else -step
         ratios = row["diameter_over_roughness"] + np.array([inward, -inward])
         solution = tb.solve(
-            dense,
-            0.0,
-            ratios * row["roughness_m"],
-            row["roughness_m"],
-            row["particle_density_per_m2"],
-            defaults,
-            1e-11,
+            load=dense,
+            viscosity=0.0,
+            particle_diameter=ratios * row["roughness_m"],
+            roughness=row["roughness_m"],
+            particle_density=row["particle_density_per_m2"],
+            parameters=defaults,
+            rtol=1e-11,
         )
         ratio = solution.particle_contact_area_ratio
         before = ratio - np.minimum.accumulate(ratio)

@@ -9,7 +9,10 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = [
+    pytest.mark.filterwarnings("error"),
+    pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
+]
 
 RTOL = 1e-9
 DIAMETER, ROUGHNESS, DENSITY = 500e-9, 300e-9, 1e11
@@ -19,7 +22,15 @@ CONVERGED, FAILED, EXCEEDED = map(
 
 
 def solve(load, viscosity, parameters, diameter=DIAMETER, rtol=RTOL):
-    return tb.solve(load, viscosity, diameter, ROUGHNESS, DENSITY, parameters, rtol)
+    return tb.solve(
+        load=load,
+        viscosity=viscosity,
+        particle_diameter=diameter,
+        roughness=ROUGHNESS,
+        particle_density=DENSITY,
+        parameters=parameters,
+        rtol=rtol,
+    )
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +95,14 @@ def test_the_share_of_the_fluid_keeps_its_digits_where_it_vanishes(
     # large particles hold smooth surfaces apart: a film so thick bears next to nothing
     viscosity = np.geomspace(5e-7, 1e-5, 12)
     load, diameter, density = np.full((3, 12), [[1e-5], [1e-6], [DENSITY]])
-    solution = tb.solve(load, viscosity, diameter, roughness, density, parameters)
+    solution = tb.solve(
+        load=load,
+        viscosity=viscosity,
+        particle_diameter=diameter,
+        roughness=roughness,
+        particle_density=density,
+        parameters=parameters,
+    )
     assert solution.fluid_load_fraction.max() < 1e-17
     assert solution.fluid_load_fraction.min() > 0.0
     model = parameters.as_attribute(np.array([roughness]))
@@ -158,7 +176,16 @@ def test_what_a_tight_request_solves_a_loose_one_solves_too(parameters, rtol, vi
     inputs = replace(parameters, elastic_limits=limits)
     load = np.geomspace(1e-11, 1e-5, 200)
     tight, loose = (
-        tb.solve(load, viscosity, 1e-6, 1e-7, DENSITY, inputs, asked) for asked in (1e-9, rtol)
+        tb.solve(
+            load=load,
+            viscosity=viscosity,
+            particle_diameter=1e-6,
+            roughness=1e-7,
+            particle_density=DENSITY,
+            parameters=inputs,
+            rtol=asked,
+        )
+        for asked in (1e-9, rtol)
     )
     assert np.array_equal(tight.solution_status == CONVERGED, tight.error_bound <= 1e-9)
     assert (tight.error_bound < 1e-7).all()
@@ -199,8 +226,22 @@ def test_dry_contact_is_the_limit_of_a_vanishing_fluid_share(parameters, loads):
 def test_two_body_contact_is_the_limit_of_few_or_small_particles(
     sizes, loads, viscosity, diameter, density
 ):
-    two_body = tb.solve(loads, viscosity, 0.0, ROUGHNESS, DENSITY, sizes)
-    limit = tb.solve(loads, viscosity, diameter, ROUGHNESS, density, sizes)
+    two_body = tb.solve(
+        load=loads,
+        viscosity=viscosity,
+        particle_diameter=0.0,
+        roughness=ROUGHNESS,
+        particle_density=DENSITY,
+        parameters=sizes,
+    )
+    limit = tb.solve(
+        load=loads,
+        viscosity=viscosity,
+        particle_diameter=diameter,
+        roughness=ROUGHNESS,
+        particle_density=density,
+        parameters=sizes,
+    )
     for name in ("separation", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"):
         # the particles cover less than 1e-13 of the interface
         values = getattr(limit, name), getattr(two_body, name)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.quantities import QUANTITIES
@@ -74,7 +74,10 @@ def test_band_reaches_from_the_lowest_to_the_highest_member(dataset, parameters,
     place = [int(np.argmax(dataset[n].values == v)) for n, v in zip(DIMENSIONS[1:], conditions)]
     members = [parameters, *(replace(parameters, **member) for member in MEMBERS)]
     for name in QUANTITIES:
-        solved = [getattr(solve(load, *conditions, one), name) for one in members]
+        solved = [
+            getattr(solve(load=load, **Condition(*conditions)._asdict(), parameters=one), name)
+            for one in members
+        ]
         for end, reduced in (("low", np.min(solved, axis=0)), ("high", np.max(solved, axis=0))):
             found = envelope[f"{name}_{end}"].values[(slice(None), *place)]
             assert_allclose(found, reduced, rtol=2 * BAND_RTOL)
@@ -102,7 +105,12 @@ def test_member_without_a_solution_leaves_the_band_as_it_is(dataset, parameters)
     # large particles that all take part cover more than there is
     blind = {"participation": 1.0, "spread_ratio": 10.0, "truncation": 5.0}
     conditions = dataset["load"].values, 0.0, 500e-9, 300e-9, DENSITY
-    assert np.isnan(solve(*conditions, replace(parameters, **blind)).separation).all()
+    assert np.isnan(
+        solve(
+            **dict(zip(DIMENSIONS, conditions, strict=True)),
+            parameters=replace(parameters, **blind),
+        ).separation
+    ).all()
     found = band(dataset, parameters, [blind])["separation_high"].values[:, 0, 1, 0, 0]
     assert_array_equal(found, dataset["separation"].values[:, 0, 1, 0, 0])
 

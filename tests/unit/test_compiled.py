@@ -156,7 +156,14 @@ def test_nothing_is_extrapolated_across_first_contact(parameters, rtol, limits):
     """Diameters at which the largest particles begin to touch, and those just about them."""
     parameters = replace(parameters, elastic_limits=limits)
     given = {"load": 1e-6, "viscosity": 0.0, "particle_density": 1e11}
-    alone = tb.solve(1e-6, 0.0, 0.0, ROUGHNESS, 0.0, parameters).separation
+    alone = tb.solve(
+        load=1e-6,
+        viscosity=0.0,
+        particle_diameter=0.0,
+        roughness=ROUGHNESS,
+        particle_density=0.0,
+        parameters=parameters,
+    ).separation
     for reach in (0.0, parameters.elastic_depth_ratio):
         largest = parameters.mean_ratio + parameters.truncation * parameters.spread_ratio + reach
         near = np.concatenate([[0.0], np.geomspace(1e-12, 0.5, 400)])

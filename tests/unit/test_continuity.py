@@ -14,7 +14,10 @@ from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.surfaces import TABLE_END, TABLE_SIZES, TABLE_START
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = [
+    pytest.mark.filterwarnings("error"),
+    pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
+]
 
 RTOLS = [1e-2, 1e-3, 1e-6, 1e-9, 1e-11]
 CONVERGED, FAILED = map(SOLUTION_STATUSES.index, ("converged", "not_converged"))

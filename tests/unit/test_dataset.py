@@ -15,7 +15,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.dataset import crossed, scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
@@ -187,7 +187,7 @@ def test_the_normal_load_is_the_load_in_newtons(dataset, parameters):
 
 
 def test_values_are_those_of_the_solver(dataset, parameters):
-    solution = tb.solve(*np.ix_(*AXES.values()), parameters=parameters)
+    solution = tb.solve(**crossed(AXES), parameters=parameters)
     for name in (*MEANINGS, *FLAGS):
         assert_allclose(dataset[name].values, getattr(solution, name), rtol=2e-9)
 
@@ -276,8 +276,12 @@ def test_what_a_figure_does_not_show_holds_the_fill_value_and_nothing_else(shown
 
 def test_what_a_figure_shows_is_what_the_solver_gives(shown, scene, parameters):
     for group in scene.groups:
-        axes = [scene.load, *(getattr(group, name) for name in DIMENSIONS[1:])]
-        solution = tb.solve(*np.ix_(*axes), parameters=parameters, way="repeatable")
+        axes = {"load": scene.load} | {name: getattr(group, name) for name in DIMENSIONS[1:]}
+        solution = tb.solve(
+            **crossed(axes),
+            parameters=parameters,
+            way="repeatable",
+        )
         for name in (*MEANINGS, *FLAGS):
             values = shown[name].values[scene.placed(group)]
             assert np.array_equal(values, getattr(solution, name)), name

@@ -9,6 +9,7 @@ import thirdbody as tb
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -36,7 +37,12 @@ def span(count, parameters):
 
 @cache
 def turning(count, parameters, rtol):
-    separation = tb.solve(span(count, parameters)[:, None], *CURVES, parameters, rtol).separation
+    separation = tb.solve(
+        load=span(count, parameters)[:, None],
+        **Condition(*CURVES)._asdict(),
+        parameters=parameters,
+        rtol=rtol,
+    ).separation
     return turning_points(separation, *CURVES, parameters, rtol)
 
 
@@ -71,7 +77,9 @@ def test_the_ends_of_a_window_on_few_loads(parameters, rtol, end):
 def crossings(count, parameters, rtol):
     """Loads and their error bounds of all transitions of all curves."""
     load = span(count, parameters)
-    solution = tb.solve(load[:, None], *CURVES, parameters, rtol)
+    solution = tb.solve(
+        load=load[:, None], **Condition(*CURVES)._asdict(), parameters=parameters, rtol=rtol
+    )
     values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
     limit, curve, crossing, error, _ = transitions(load, values, CURVES, parameters, rtol)
     order = np.lexsort((crossing, curve, limit))

@@ -9,7 +9,13 @@ import pytest
 
 import thirdbody as tb
 
-POINT = 1e-5, 90e-6, 500e-9, 300e-9, 1e11
+POINT = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 500e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
 FORKS = 100
 PATIENCE = 20.0  # [s] for a child that takes some milliseconds
 
@@ -33,7 +39,7 @@ def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
 
     def keep_solving():
         while not enough.is_set():
-            tb.solve(*POINT, parameters)
+            tb.solve(**POINT, parameters=parameters)
 
     thread = threading.Thread(target=keep_solving)
     thread.start()
@@ -44,7 +50,7 @@ def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
                 child = os.fork()
             if child == 0:
                 try:
-                    tb.solve(*POINT, parameters)
+                    tb.solve(**POINT, parameters=parameters)
                     os._exit(0)
                 finally:
                     os._exit(1)

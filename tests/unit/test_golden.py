@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 import thirdbody as tb
+from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
@@ -28,15 +29,13 @@ def golden_rows():
 
 
 def solve_row(row, rtol, way=None):
-    conditions = (
-        "load",
-        "viscosity",
-        "particle_diameter",
-        "roughness",
-        "particle_density",
-    )
     inputs = Parameters.on_one_surface(row, float(row["roughness"]))
-    return tb.solve(*(float(row[name]) for name in conditions), inputs, rtol, way=way)
+    return tb.solve(
+        **{name: float(row[name]) for name in DIMENSIONS},
+        parameters=inputs,
+        rtol=rtol,
+        way=way,
+    )
 
 
 def test_there_are_enough_golden_points_over_all_readings():

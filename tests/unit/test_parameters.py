@@ -113,7 +113,9 @@ def test_summits_just_above_the_limit_keep_a_variance(parameters):
 
 @pytest.mark.parametrize("spread", [0.0, 9e-7])
 def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
-    with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06 to 3"):
+    with pytest.raises(
+        ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06 to 10"
+    ):
         replace(parameters, spread_ratio=spread)
 
 

@@ -47,7 +47,9 @@ import sys
 import numpy as np
 import thirdbody as tb
 from benchmarks.measuring import least_seconds
-tb.solve(np.geomspace(1e-7, 1e-5, int(sys.argv[1])), 9e-5, 5e-7, 3e-7, 1e11, tb.load_parameters())
+given = dict(viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, particle_density=1e11)
+loads = np.geomspace(1e-7, 1e-5, int(sys.argv[1]))
+tb.solve(load=loads, **given, parameters=tb.load_parameters())
 print("numba" in sys.modules)
 """
 

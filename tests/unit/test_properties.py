@@ -17,7 +17,10 @@ from thirdbody.model.regimes import (
     lubrication_regime,
 )
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = [
+    pytest.mark.filterwarnings("error"),
+    pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
+]
 
 RTOL = 1e-9
 OUTSIDE, COVERED, FAILED, WIDE, EXCEEDED = map(
@@ -112,7 +115,13 @@ class Solved:
         self.load, self.viscosity, diameter, density = conditions(unit)
         self.three_body = (diameter > 0.0) & (density > 0.0)
         self.solution = tb.solve(
-            self.load, self.viscosity, diameter, roughness, density, self.inputs, RTOL
+            load=self.load,
+            viscosity=self.viscosity,
+            particle_diameter=diameter,
+            roughness=roughness,
+            particle_density=density,
+            parameters=self.inputs,
+            rtol=RTOL,
         )
         model = self.inputs.as_attribute(np.array([roughness]))
         self.status = self.solution.solution_status
@@ -304,7 +313,15 @@ def test_the_error_made_is_at_most_the_error_asked_for(parameters, rtol, changes
     inputs = replace(parameters, **changes)
     load, viscosity, diameter, density = conditions(unit)
     best, asked = (
-        tb.solve(load, viscosity, diameter, roughness, density, inputs, accuracy)
+        tb.solve(
+            load=load,
+            viscosity=viscosity,
+            particle_diameter=diameter,
+            roughness=roughness,
+            particle_density=density,
+            parameters=inputs,
+            rtol=accuracy,
+        )
         for accuracy in (1e-11, rtol)
     )
     both = is_as_asked(best.solution_status) & is_as_asked(asked.solution_status)
@@ -318,8 +335,22 @@ def test_the_error_made_is_at_most_the_error_asked_for(parameters, rtol, changes
 def test_a_point_alone_is_the_point_among_others(parameters, unit, changes, roughness, pick):
     inputs = replace(parameters, **changes)
     load, viscosity, diameter, density = conditions(unit)
-    together = tb.solve(load, viscosity, diameter, roughness, density, inputs)
-    alone = tb.solve(load[pick], viscosity[pick], diameter[pick], roughness, density[pick], inputs)
+    together = tb.solve(
+        load=load,
+        viscosity=viscosity,
+        particle_diameter=diameter,
+        roughness=roughness,
+        particle_density=density,
+        parameters=inputs,
+    )
+    alone = tb.solve(
+        load=load[pick],
+        viscosity=viscosity[pick],
+        particle_diameter=diameter[pick],
+        roughness=roughness,
+        particle_density=density[pick],
+        parameters=inputs,
+    )
     assert alone.solution_status == together.solution_status[pick]
     for name in QUANTITIES:
         values = getattr(alone, name), getattr(together, name)[pick]

@@ -75,7 +75,16 @@ def test_a_new_size_distribution_is_one_class(parameters, narrowed, way):
     like = replace(parameters, **sizes, spread_ratio=0.4)
     new = replace(parameters, **sizes | {"size_distribution": narrowed}, spread_ratio=0.8)
     expected, found = (
-        tb.solve(LOADS, 90e-6, 500e-9, 300e-9, 1e11, inputs, way=way) for inputs in (like, new)
+        tb.solve(
+            load=LOADS,
+            viscosity=90e-6,
+            particle_diameter=500e-9,
+            roughness=300e-9,
+            particle_density=1e11,
+            parameters=inputs,
+            way=way,
+        )
+        for inputs in (like, new)
     )
     for name, values in vars(expected).items():
         assert np.array_equal(getattr(found, name), values), name

@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, validate
 from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.data.conditions import Condition
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.figures.sheet.saving import drawn_points
@@ -110,7 +111,7 @@ def test_crossings_of_known_courses():
 def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
     loads = np.geomspace(0.04, 80.0, FULL_EFFORT.loads) / parameters.newtons_per_load
     condition = subject.transitions[0]
-    solved = solve(loads, *condition, parameters)
+    solved = solve(load=loads, **Condition(*condition)._asdict(), parameters=parameters)
     curve = curve_of(solved.solid_load_fraction, solved.particle_contact_area_ratio, loads)
     column = np.array(condition)[:, None]
     compared = 0

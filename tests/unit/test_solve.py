@@ -22,7 +22,10 @@ from thirdbody.model.regimes import (
 from thirdbody.solver import plan, surfaces
 from thirdbody.solver.solution import QUANTITIES, WHOLE, Solution
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = [
+    pytest.mark.filterwarnings("error"),
+    pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
+]
 
 RTOL = 1e-9
 ARGUMENTS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")

@@ -8,6 +8,7 @@ import thirdbody as tb
 from thirdbody.data import streaming
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.solver import availability
+from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -56,10 +57,10 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
     def failing(*given, **more):
         if next(calls) == 2:
             raise OSError("no room")
-        return tb.solve(*given, **more)
+        return solve_arrays(*given, **more)
 
     monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", 50)
-    monkeypatch.setattr(streaming, "solve", failing)
+    monkeypatch.setattr(streaming, "solve_arrays", failing)
     with pytest.raises(OSError, match="no room"):
         tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
     assert not list(tmp_path.iterdir())

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -29,7 +30,9 @@ DENSE = 4001
 def solved(count, parameters, rtol=1e-9):
     """Loads over the range of Table 2, and the solution of all curves on them."""
     load = np.geomspace(0.04, 80.0, count) / parameters.newtons_per_load
-    return load, tb.solve(load[:, None], *CONDITIONS, parameters, rtol)
+    return load, tb.solve(
+        load=load[:, None], **Condition(*CONDITIONS)._asdict(), parameters=parameters, rtol=rtol
+    )
 
 
 @cache
@@ -71,7 +74,9 @@ def test_crossings_are_those_of_a_dense_grid(parameters, quantity, level):
 @pytest.mark.parametrize(("quantity", "level"), LIMITS)
 def test_at_a_crossing_the_quantity_has_its_level(parameters, quantity, level):
     curve, load, error, _ = crossings(quantity, level, parameters)
-    solution = tb.solve(load, *CONDITIONS[:, curve], parameters, 1e-11)
+    solution = tb.solve(
+        load=load, **Condition(*CONDITIONS[:, curve])._asdict(), parameters=parameters, rtol=1e-11
+    )
     # its logarithm changes at most some ten times as fast as that of the load
     assert_allclose(getattr(solution, quantity), level, rtol=1e-8)
     assert (error < 1e-8 * load).all()

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.curves.turning_point import PROMINENCE, turning_points
+from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -23,13 +24,17 @@ def curves(viscosity, diameter, roughness=300e-9, density=DENSITY):
 
 
 def found_on(loads, conditions, parameters, rtol=1e-9):
-    separation = tb.solve(loads[:, None], *conditions, parameters, rtol).separation
+    separation = tb.solve(
+        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters, rtol=rtol
+    ).separation
     return turning_points(separation, *conditions, parameters, rtol)
 
 
 def odds_at(load, conditions, parameters):
     """A_sa,t*/A_ss,t*, which keeps its digits also where the ratio is 1."""
-    solution = tb.solve(load, *conditions, parameters, 1e-11)
+    solution = tb.solve(
+        load=load, **Condition(*conditions)._asdict(), parameters=parameters, rtol=1e-11
+    )
     return solution.particle_contact_area_ratio / solution.surface_contact_area_ratio
 
 
@@ -76,7 +81,9 @@ def test_how_far_a_maximum_stands_out_is_what_a_brute_scan_says(sizes, count):
     conditions = curves(0.0, diameter)
     few, many = (np.geomspace(1e-7, 1e-4, each) for each in (count, 4001))
     found = found_on(few, conditions, sizes)
-    ratio = tb.solve(many[:, None], *conditions, sizes).particle_contact_area_ratio
+    ratio = tb.solve(
+        load=many[:, None], **Condition(*conditions)._asdict(), parameters=sizes
+    ).particle_contact_area_ratio
     before = ratio - np.minimum.accumulate(ratio)
     after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]
     height = np.minimum(before, after).max(axis=0)
@@ -121,7 +128,9 @@ def test_the_turning_point_lies_on_its_curve(reading, loads, equal_sizes):
     found = found_on(loads, equal_sizes, reading)
     known = np.isfinite(found.load)
     conditions = [values[known] for values in equal_sizes]
-    solution = tb.solve(found.load[known], *conditions, reading)
+    solution = tb.solve(
+        load=found.load[known], **Condition(*conditions)._asdict(), parameters=reading
+    )
     for name in ("separation", "solid_load_fraction"):
         assert_allclose(getattr(found, name)[known], getattr(solution, name), rtol=2e-9)
     ratio = solution.particle_contact_area_ratio
@@ -166,7 +175,7 @@ def test_the_total_load_in_the_film_turns_where_film_or_solids_bear_it(
     assert known.sum() > 3
     assert (found.solid_load_fraction[known] <= 1.0).all()
     conditions = [values[known] for values in equal_sizes]
-    again = tb.solve(found.load[known], *conditions, inputs)
+    again = tb.solve(load=found.load[known], **Condition(*conditions)._asdict(), parameters=inputs)
     assert_allclose(again.separation, found.separation[known], rtol=2e-9)
 
 
@@ -179,7 +188,9 @@ def test_two_body_curves_have_no_turning_point(parameters, loads, diameter, dens
 def test_a_maximum_that_float64_cannot_see_is_none(parameters, loads):
     # the larger the particles on so smooth a surface, the smaller the share of the summits
     conditions = curves(0.0, np.array([100.0, 200.0, 300.0, 400.0]) * NANOMETRE, 100.0 * NANOMETRE)
-    solution = tb.solve(loads[:, None], *conditions, parameters)
+    solution = tb.solve(
+        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters
+    )
     ratio = solution.particle_contact_area_ratio
     maximum = inner_maxima(ratio / solution.surface_contact_area_ratio)
     assert (np.count_nonzero(maximum, axis=0) == 1).all()
@@ -205,7 +216,9 @@ def test_curves_keep_their_order_among_others(parameters, loads):
 def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
     conditions = curves(0.0, 300.0 * NANOMETRE)
     found = found_on(loads, conditions, parameters)
-    separation = tb.solve(loads[:, None], *conditions, parameters).separation
+    separation = tb.solve(
+        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters
+    ).separation
     separation[np.abs(np.log(loads / found.load)) < 0.5] = np.nan
     assert np.isnan(turning_points(separation, *conditions, parameters).load).all()
 

@@ -14,7 +14,15 @@ DENSITY = 1e11
 def turns(diameter, roughness, load_range, parameters):
     """A brute scan: a load at which the ratio is 0.01 above some smaller and some larger load."""
     dense = np.geomspace(*load_range, 4001)[:, None]
-    solution = tb.solve(dense, 0.0, diameter, roughness, DENSITY, parameters, 1e-11)
+    solution = tb.solve(
+        load=dense,
+        viscosity=0.0,
+        particle_diameter=diameter,
+        roughness=roughness,
+        particle_density=DENSITY,
+        parameters=parameters,
+        rtol=1e-11,
+    )
     ratio = solution.particle_contact_area_ratio
     before = ratio - np.minimum.accumulate(ratio)
     after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]

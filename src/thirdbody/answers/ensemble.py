@@ -31,8 +31,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     Returns
     -------
     tuple of Parameters
-        A set for each member of the calibrated file that ``config/config.yaml`` names; none if that
-        file holds no ensemble.
+        A set for each member of the calibrated file that ``config/config.yaml`` names.
 
     Raises
     ------
@@ -49,9 +48,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     ({0.01}, True)
     """
     directory = config_directory()
-    path = directory.parent / read_yaml(directory / "config.yaml")["inputs"]
-    if "ensemble" not in read_yaml(path):
-        return ()
+    path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     default = load_parameters()
     return tuple(
         replace(

@@ -17,8 +17,9 @@ from thirdbody.answers.units import Unit, in_si
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_rtol
 from thirdbody.solver.plan import expect_points
-from thirdbody.solver.solve import DEFAULT_RTOL, check_rtol, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 64  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve turns round next to the level

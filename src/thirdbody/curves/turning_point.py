@@ -102,10 +102,12 @@ def turning_points(
     --------
     >>> import numpy, thirdbody
     >>> inputs = thirdbody.load_parameters()
-    >>> condition = 90e-6, 0.4e-6, 0.3e-6, 1e11
+    >>> condition = dict(
+    ...     viscosity=90e-6, particle_diameter=0.4e-6, roughness=0.3e-6, particle_density=1e11
+    ... )
     >>> loads = numpy.geomspace(1e-7, 1e-4, 30)
-    >>> separation = thirdbody.solve(loads, *condition, inputs).separation
-    >>> columns = [numpy.array([value]) for value in condition]
+    >>> separation = thirdbody.solve(load=loads, **condition, parameters=inputs).separation
+    >>> columns = [numpy.array([value]) for value in condition.values()]
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
     array([7.987e-07])
     """

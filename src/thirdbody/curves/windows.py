@@ -160,9 +160,13 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     density = np.full_like(diameter, density)
     for way, table_rtol, curves in search_ways(roughness, search.separations, search.rtol):
         conditions = [column[curves] for column in (diameter, roughness, density)]
+        names = "particle_diameter", "roughness", "particle_density"
         first, last = solve(
-            np.array(load_range)[:, None],
-            *(0.0, *conditions, parameters, search.rtol),
+            load=np.array(load_range)[:, None],
+            viscosity=0.0,
+            **dict(zip(names, conditions, strict=True)),
+            parameters=parameters,
+            rtol=search.rtol,
             variables=("separation",),
             way=way,
         ).separation

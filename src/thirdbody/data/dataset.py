@@ -19,13 +19,16 @@ from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
 from thirdbody.data.quantities import CONTRACT, FLAGS, NORMAL_LOAD, QUANTITIES, VARIABLES
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_parameters, check_rtol, check_variables, checked_axis
 from thirdbody.solver.plan import REPEATABLE
-from thirdbody.solver.solve import DEFAULT_RTOL, check_variables, checked_axis, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
+from thirdbody.solver.usual import warn_beyond_usual
 
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
 def grid(
+    *,
     load: ArrayLike,
     viscosity: ArrayLike,
     particle_diameter: ArrayLike,
@@ -40,7 +43,8 @@ def grid(
     Parameters
     ----------
     load : array_like, shape (n,) or scalar
-        F_t* = F_t/(A_n E_ss) [1], above 0; as every axis, increasing.
+        F_t* = F_t/(A_n E_ss) [1], above 0; as every axis, increasing, and of numbers or quantities
+        as in ``solve``.
     viscosity : array_like, shape (n,) or scalar
         Kinematic ν [m2/s]; 0 is dry contact.
     particle_diameter : array_like, shape (n,) or scalar
@@ -65,8 +69,14 @@ def grid(
     Raises
     ------
     ValueError
-        For an axis that is not 1-D, increasing and of physical meaning, an ``rtol`` that float64
-        cannot keep, or an unknown variable.
+        In one line: for an axis that is not 1-D, increasing and of physical meaning, a quantity of
+        another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
+        float64 cannot keep, or an unknown variable.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        As ``solve``.
 
     Examples
     --------
@@ -85,9 +95,11 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
+    check_parameters(parameters)
+    check_rtol(rtol)
     names = with_status(variables)
-    solution = solve(*np.ix_(*axes.values()), parameters, rtol, names)
+    axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
+    solution = solve_arrays(crossed(axes), parameters, rtol, names)
     values = {name: getattr(solution, name) for name in names}
     return described_grid(axes, values, parameters, rtol)
 
@@ -98,12 +110,19 @@ def with_status(variables: Collection[str]) -> list[str]:
     return [name for name in VARIABLES if name in variables or name == "solution_status"]
 
 
-def grid_axes(*given: ArrayLike) -> dict[str, NDArray[np.float64]]:
-    """The five axes of a grid by name; ``ValueError`` as in ``grid``."""
-    return {
-        name: _checked_increasing(name, values)
+def grid_axes(parameters: Parameters, *given: ArrayLike) -> Axes:
+    """The five axes of a grid by name; errors and warnings as of ``grid``."""
+    axes = {
+        name: _checked_increasing(name, values, parameters)
         for name, values in zip(DIMENSIONS, given, strict=True)
     }
+    warn_beyond_usual(axes)
+    return axes
+
+
+def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
+    """``sides`` of a grid as arrays that broadcast to all of its points."""
+    return dict(zip(sides, np.ix_(*sides.values()), strict=True))
 
 
 def described_grid(
@@ -143,8 +162,8 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
     for group in scene.groups:
         place = scene.placed(group)
-        sides = [scene.load, *(getattr(group, name) for name in Condition._fields)]
-        solution = solve(*np.ix_(*sides), parameters, rtol, way=REPEATABLE)
+        sides = {"load": scene.load} | {name: getattr(group, name) for name in Condition._fields}
+        solution = solve(**crossed(sides), parameters=parameters, rtol=rtol, way=REPEATABLE)
         for name in values:
             values[name][place] = getattr(solution, name)
     request = {
@@ -157,10 +176,15 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     return _dataset(axes, values, parameters, rtol, scene.title, request)
 
 
-def _checked_increasing(name, values):
-    axis = np.atleast_1d(checked_axis(name, values))
-    if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+def _checked_increasing(name, values, parameters):
+    axis = np.atleast_1d(checked_axis(name, values, parameters))
+    if axis.ndim != 1 or axis.size == 0:
         raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
+    back = np.flatnonzero(np.diff(axis) <= 0.0)
+    if back.size:
+        first, second = axis[back[0] :][:2]
+        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
+        raise ValueError(f"{name} has {told}")
     return axis
 
 

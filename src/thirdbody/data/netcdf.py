@@ -37,7 +37,8 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     --------
     >>> import tempfile
     >>> import thirdbody as tb
-    >>> points = tb.grid([1e-5], [0.0], [3e-7], [3e-7], [1e11], tb.load_parameters())
+    >>> axes = dict(viscosity=0.0, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
+    >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     write_dataset(points, f"{folder}/points.nc")
     ...     again = read_dataset(f"{folder}/points.nc")

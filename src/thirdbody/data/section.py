@@ -59,7 +59,7 @@ def solved_state(conditions: Mapping, parameters: Parameters) -> State:
     """
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
-    solution = solve(load, *condition, parameters, way=REPEATABLE)
+    solution = solve(load=load, **condition._asdict(), parameters=parameters, way=REPEATABLE)
     if not np.isfinite(solution.separation):
         raise ValueError(f"schematic conditions {dict(conditions)} have no solution")
     return State(

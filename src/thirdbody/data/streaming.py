@@ -10,16 +10,17 @@ from os import PathLike
 import netCDF4
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.dataset import Axes, described_grid, grid_axes, with_status
+from thirdbody.data.dataset import Axes, crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_parameters, check_rtol
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solution import Solution, type_of
-from thirdbody.solver.solve import DEFAULT_RTOL, check_parameters, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
@@ -27,6 +28,7 @@ ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chu
 
 def stream(
     path: str | PathLike,
+    *,
     load: ArrayLike,
     viscosity: ArrayLike,
     particle_diameter: ArrayLike,
@@ -57,9 +59,14 @@ def stream(
     Raises
     ------
     ValueError
-        As ``grid``.
+        As ``grid``, but for any number of points.
     OSError
         If there is no room or no right to write.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        As ``solve``.
 
     Examples
     --------
@@ -68,18 +75,27 @@ def stream(
     >>> import thirdbody as tb
     >>> parameters = tb.load_parameters()
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     tb.stream(f"{folder}/grid.nc", [1e-6, 1e-5], 0.0, 3e-7, 3e-7, 1e11, parameters)
+    ...     tb.stream(
+    ...         f"{folder}/grid.nc",
+    ...         load=[1e-6, 1e-5],
+    ...         viscosity=0.0,
+    ...         particle_diameter=3e-7,
+    ...         roughness=3e-7,
+    ...         particle_density=1e11,
+    ...         parameters=parameters,
+    ...     )
     ...     written = xr.load_dataset(f"{folder}/grid.nc")
     >>> written["separation"].squeeze().shape
     (2,)
     """
     check_parameters(parameters)
+    check_rtol(rtol)
     names = with_status(variables)
+    axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
 
-    def solved(*sides):
-        return solve(*np.ix_(*sides), parameters, rtol, names)
+    def solved(sides):
+        return solve_arrays(crossed(sides), parameters, rtol, names)
 
-    axes = grid_axes(load, viscosity, particle_diameter, roughness, particle_density)
     expect_points(prod(axis.size for axis in axes.values()))
     write_blocks(path, axes, solved, parameters, rtol, names)
 
@@ -87,7 +103,7 @@ def stream(
 def write_blocks(
     path: str | PathLike,
     axes: Axes,
-    solved: Callable[..., Solution],
+    solved: Callable[[Axes], Solution],
     parameters: Parameters,
     rtol: float,
     names: Collection[str] = CONTRACT,
@@ -101,7 +117,7 @@ def write_blocks(
     axes : Mapping
         The five axes, as of ``grid_axes``.
     solved : callable
-        Gives the ``Solution`` over the five pieces of the axes that are the sides of a block.
+        Gives the ``Solution`` over the pieces of the axes that are the sides of a block.
     parameters : Parameters
         Inputs of the model, for the attributes of the file.
     rtol : float
@@ -116,7 +132,7 @@ def write_blocks(
     with whole(path, recorded=False) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
         variables = _declare(file, described, lengths)
         for block in blocks(shape, lengths):
-            solution = solved(*sides(axes, block))
+            solution = solved(sides(axes, block))
             for name, variable in variables.items():
                 variable[block] = getattr(solution, name)
 
@@ -145,9 +161,9 @@ def blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice
         )
 
 
-def sides(axes: Axes, block: tuple[slice, ...]) -> list[NDArray[np.float64]]:
+def sides(axes: Axes, block: tuple[slice, ...]) -> Axes:
     """The pieces of ``axes`` that an index of ``blocks`` picks."""
-    return [axis[side] for axis, side in zip(axes.values(), block, strict=True)]
+    return {name: axis[side] for (name, axis), side in zip(axes.items(), block, strict=True)}
 
 
 def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths):

@@ -57,7 +57,7 @@ BOUNDS = {
     "summit_radius": Bounds(1e-7, 1e-2),
     "summit_radius_exponent": Bounds(-2.0, 2.0),
     "mean_ratio": Bounds(0.0, 2.0),
-    "spread_ratio": Bounds(LEAST_SPREAD, 3.0),
+    "spread_ratio": Bounds(LEAST_SPREAD, 10.0),
     "gap_ratio": Bounds(0.0, 3.0),
     "truncation": Bounds(0.5, 10.0),
     "participation": Bounds(1e-6, 1.0),

@@ -91,7 +91,8 @@ def stage(
     >>> import tempfile
     >>> import thirdbody as tb
     >>> from thirdbody.data.netcdf import write_dataset
-    >>> points = tb.grid([1e-5], [0.0], [3e-7], [3e-7], [1e11], tb.load_parameters())
+    >>> axes = dict(viscosity=0.0, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
+    >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
     >>> sources = ["workflow/Snakefile", "verification/content_hash.py"]
     >>> run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
     >>> release = Release.of("pyproject.toml", "CITATION.cff")

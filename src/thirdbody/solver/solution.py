@@ -29,8 +29,8 @@ NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 class Solution:
     """Solved points: what ``solve`` returns.
 
-    Every attribute is an array of the broadcast shape of the arguments of ``solve``, or None if it
-    was not asked for.  Points without solution hold nan, or -1 where a flag has no meaning.
+    Every attribute is an array of the broadcast shape of the arguments of ``solve``, of xarray if one
+    of these is, or None if it was not asked for.  Points without solution hold nan, or -1 where a flag has no meaning.
 
     Attributes
     ----------

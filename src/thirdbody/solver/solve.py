@@ -1,23 +1,31 @@
-"""``solve``: the contact state of any number of points, and the checks of its arguments."""
+"""``solve``: the contact state of any number of points."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
-from numbers import Real
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import LEAST
+from thirdbody.solver.arguments import (
+    check_parameters,
+    check_points,
+    check_rtol,
+    check_variables,
+    checked_axis,
+)
+from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as
 from thirdbody.solver.plan import check_way, solve_points
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
+from thirdbody.solver.usual import warn_beyond_usual
 
 DEFAULT_RTOL = 1e-9
 
 
 def solve(
+    *,
     load: ArrayLike,
     viscosity: ArrayLike,
     particle_diameter: ArrayLike,
@@ -30,12 +38,14 @@ def solve(
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
-    The first five arguments broadcast against each other.
+    The five conditions broadcast against each other, and are given by name: numbers in the unit that
+    is said here, or quantities of pint in any unit of the same dimension.  Arrays of xarray broadcast
+    by the names of their dimensions.
 
     Parameters
     ----------
     load : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive.
+        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive; of pint, a force F_t as well.
     viscosity : array_like
         Kinematic viscosity of the lubricant [m2/s]; 0 where the interface is dry.
     particle_diameter : array_like
@@ -60,30 +70,47 @@ def solve(
     Returns
     -------
     Solution
-        Arrays of the broadcast shape.  ``solution_status`` says which points have no values, and
-        which values to take with care; ``error_bound`` holds for numbers above 2.2e-308, below
-        which float64 loses digits.
+        Arrays of the broadcast shape: of xarray, with dimensions and coordinates, if a condition is.
+        ``solution_status`` says which points have no values, and which values to take with care;
+        ``error_bound`` holds for numbers above 2.2e-308, below which float64 loses digits.
 
     Raises
     ------
     ValueError
-        In one line: for a negative, infinite or missing number, a zero load or roughness, inputs
-        that are no ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, and a
-        summit parameter that leaves no variance to the summits.
+        In one line: for a negative, infinite or missing number, a zero load or roughness, a quantity
+        of another dimension, arrays that do not broadcast, more than 1e9 points, inputs that are no
+        ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, and a summit
+        parameter that leaves no variance to the summits.
     ImportError
         If ``way`` is "compiled" and numba is not installed.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        Once, for conditions so far beyond those of real interfaces that another unit must be meant:
+        F_t* above 0.02, nu above 0.01 m2/s, sizes above 1 mm, more than 1e16 particles per m2.
 
     Examples
     --------
     Two rough surfaces with particles of 0.5 um, dry and in an oil of 90 mm2/s:
 
-    >>> import thirdbody
-    >>> parameters = thirdbody.load_parameters()
-    >>> found = thirdbody.solve(1e-5, [0.0, 90e-6], 0.5e-6, 0.3e-6, 1e11, parameters)
+    >>> import thirdbody as tb
+    >>> given = dict(particle_diameter=0.5e-6, roughness=0.3e-6, particle_density=1e11)
+    >>> given["parameters"] = tb.load_parameters()
+    >>> found = tb.solve(load=1e-5, viscosity=[0.0, 90e-6], **given)
     >>> found.solid_load_fraction.round(4)
     array([1.    , 0.9018])
     >>> found.separation.round(10)  # [m]
     array([1.0295e-06, 1.0445e-06])
+
+    Loads and viscosities with names make a table of both:
+
+    >>> import xarray as xr
+    >>> loads = xr.DataArray([1e-6, 1e-5], dims="load")
+    >>> oils = xr.DataArray([0.0, 90e-6], dims="oil", coords={"oil": ["none", "VG 90"]})
+    >>> found = tb.solve(load=loads, viscosity=oils, **given)
+    >>> found.solid_load_fraction.sel(oil="VG 90").round(4).values
+    array([0.9999, 0.9018])
     """
     check_parameters(parameters)
     check_rtol(rtol)
@@ -96,50 +123,26 @@ def solve(
         "roughness": roughness,
         "particle_density": particle_density,
     }
-    columns = np.broadcast_arrays(*(checked_axis(name, value) for name, value in given.items()))
-    conditions = Conditions(*map(np.ravel, columns))
+    arrays = {name: checked_axis(name, value, parameters) for name, value in given.items()}
+    warn_beyond_usual(arrays)
+    if not any(map(is_labelled, given.values())):
+        return solve_arrays(arrays, parameters, rtol, variables, way)
+    arrays, pattern = broadcast_by_name(given, arrays)
+    return labelled_as(pattern, solve_arrays(arrays, parameters, rtol, variables, way))
+
+
+def solve_arrays(
+    arrays: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    variables: Collection[str],
+    way: str | None = None,
+) -> Solution:
+    """What ``solve`` returns for conditions, by name, that have been checked."""
+    check_points(*arrays.values())
+    columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
+    conditions = Conditions(**{name: column.ravel() for name, column in columns.items()})
     with np.errstate(all="ignore"):  # what cannot be computed gets a status
         found = solve_points(conditions, parameters, rtol, variables, way)
-    shape = columns[0].shape
+    shape = columns["load"].shape
     return Solution(**{name: values.reshape(shape) for name, values in found.items()})
-
-
-def check_parameters(parameters) -> None:
-    """Raises ``ValueError`` unless ``parameters`` are what ``load_parameters`` gives."""
-    if not isinstance(parameters, Parameters):
-        kind = type(parameters).__name__
-        raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
-
-
-def check_variables(variables, known: Collection[str] = VARIABLES) -> None:
-    """Raises ``ValueError`` unless ``variables`` is a collection of names out of ``known``."""
-    unknown = [name for name in variables if name not in known]
-    if isinstance(variables, str) or unknown:
-        shown = variables if isinstance(variables, str) else unknown[0]
-        raise ValueError(f"variables has {shown!r}; allowed: a list out of {', '.join(known)}")
-
-
-def check_rtol(rtol) -> None:
-    """Raises ``ValueError`` unless ``rtol`` is within what float64 and the tables can promise."""
-    if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
-        raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
-
-
-def checked_axis(name: str, values: ArrayLike) -> NDArray:
-    """``values`` as float64, or a ``ValueError`` that names the argument and its first bad value."""
-    try:
-        array = np.asarray(values)
-    except ValueError:
-        raise ValueError(f"{name} is a ragged list; allowed: numbers of one shape") from None
-    if np.ma.is_masked(values):
-        raise ValueError(f"{name} has masked values; allowed: numbers at every point")
-    if array.dtype.kind not in "iuf":
-        raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
-    array = np.asarray(array, float)
-    zero_allowed = name not in ("load", "roughness")
-    least = 0.0 if zero_allowed else LEAST
-    if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
-        bad = array[~((array >= least) & np.isfinite(array))].flat[0]
-        sign = "zero or positive" if zero_allowed else "positive"
-        raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
-    return array

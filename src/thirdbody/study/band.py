@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.data.attributes import FILL_FLOAT
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.extraction import curves_of
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
@@ -68,7 +68,8 @@ def band(
     --------
     >>> import thirdbody as tb
     >>> inputs = tb.load_parameters()
-    >>> points = tb.grid([1e-6, 1e-5], [9e-5], [3e-7], [3e-7], [1e11], inputs)
+    >>> axes = dict(viscosity=9e-5, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
+    >>> points = tb.grid(load=[1e-6, 1e-5], **axes, parameters=inputs)
     >>> stiffer = {"apparent_area": 0.9 * inputs.apparent_area}
     >>> envelope = band(points, inputs, [stiffer])
     >>> bool((envelope["separation_low"] <= points["separation"]).all())
@@ -83,7 +84,14 @@ def band(
     for member in ensemble:
         inputs = replace(base, **member)
         names = tuple(QUANTITIES)
-        solution = solve(load, *conditions, inputs, BAND_RTOL, names, way=REPEATABLE)
+        solution = solve(
+            load=load,
+            **Condition(*conditions)._asdict(),
+            parameters=inputs,
+            rtol=BAND_RTOL,
+            variables=names,
+            way=REPEATABLE,
+        )
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
                 envelope[end][name] = widest(values, getattr(solution, name))

@@ -145,9 +145,15 @@ class SolvedEvidence:
 
     @cached_property
     def _solution(self):
-        columns = np.array(self._conditions).T
-        given = self.loads[:, None], *columns
-        return solve(*given, self.parameters, self.effort.rtol, NEEDED, way=self.effort.way)
+        columns = Condition(*np.array(self._conditions).T)
+        return solve(
+            load=self.loads[:, None],
+            **columns._asdict(),
+            parameters=self.parameters,
+            rtol=self.effort.rtol,
+            variables=NEEDED,
+            way=self.effort.way,
+        )
 
     @cached_property
     def _curves(self) -> dict[Condition, Curve]:

@@ -1,0 +1,80 @@
+"""Arrays with named dimensions, as of xarray: they broadcast by name, and label what is found.
+
+xarray is imported where such an array is given, and nowhere else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import reduce
+from operator import add
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from thirdbody.solver.solution import Solution
+
+
+def is_labelled(given: Any) -> bool:
+    """Whether ``given`` is a ``DataArray`` or ``Variable`` of xarray."""
+    return hasattr(given, "dims") and hasattr(given, "data")
+
+
+def broadcast_by_name(
+    given: Mapping[str, Any], arrays: Mapping[str, NDArray]
+) -> tuple[dict[str, NDArray], xr.DataArray]:
+    """Arrays that broadcast by position as those ``given`` do by the names of their dimensions.
+
+    Parameters
+    ----------
+    given : mapping
+        The conditions by name, some with named dimensions, the others scalars.
+    arrays : mapping
+        Their values, SI.
+
+    Returns
+    -------
+    arrays : dict
+        The values by the names of the conditions; scalars as they are, all others of one shape.
+    pattern : xarray.DataArray
+        Has the dimensions and coordinates of what they broadcast to.
+
+    Raises
+    ------
+    ValueError
+        In one line: for an array without names among others, and coordinates that differ.
+    """
+    import xarray as xr
+
+    named = [name for name, each in given.items() if is_labelled(each)]
+    for name, array in arrays.items():
+        if name not in named and array.ndim > 0:
+            allowed = f"a number or an xarray.DataArray, as {named[0]} is"
+            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
+    labelled = [
+        xr.DataArray(arrays[name], getattr(given[name], "coords", None), given[name].dims)
+        for name in named
+    ]
+    try:
+        labelled = xr.align(*labelled, join="exact")
+    except ValueError:
+        told = "have other coordinates along the same dimension; allowed: equal ones"
+        raise ValueError(f"{', '.join(named)} {told}") from None
+    with np.errstate(over="ignore"):
+        pattern = reduce(add, labelled)  # which merges the coordinates
+    _, *labelled = xr.broadcast(pattern, *labelled)
+    found = {name: each.values for name, each in zip(named, labelled, strict=True)}
+    return {**arrays, **found}, pattern
+
+
+def labelled_as(pattern: xr.DataArray, solution: Solution) -> Solution:
+    """The ``solution`` with each of its arrays as a ``DataArray`` like ``pattern``."""
+    found = {
+        name: values if values is None else pattern.copy(data=values).rename(name)
+        for name, values in vars(solution).items()
+    }
+    return type(solution)(**found)

@@ -1,0 +1,258 @@
+"""What users give that used to be wrong numbers in silence: units, names, ranges; one line for each."""
+
+import inspect
+import subprocess
+import sys
+import warnings
+from dataclasses import replace
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from numpy.testing import assert_allclose
+
+import thirdbody as tb
+from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
+
+POINT = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 300e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
+LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})
+OILS = xr.DataArray([0.0, 90e-6], dims="oil", coords={"oil": ["none", "VG 90"]})
+
+
+@pytest.fixture(scope="module")
+def parameters(parameters):
+    """The usual inputs, with summits on surfaces of any roughness."""
+    return replace(parameters, summit_parameter_exponent=0.0)
+
+
+@pytest.fixture
+def solve(parameters):
+    return lambda **given: tb.solve(**POINT | {"parameters": parameters} | given)
+
+
+def refusal(function, **given):
+    """The one line with which ``function`` refuses."""
+    with pytest.raises(ValueError) as refused:
+        function(**given)
+    message = str(refused.value)
+    assert "\n" not in message
+    return message
+
+
+def assert_same(found, expected):
+    for name in (*QUANTITIES, *WHOLE):
+        assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-12, err_msg=name)
+
+
+# ---- names
+
+
+@pytest.mark.parametrize("function", [tb.solve, tb.grid, tb.stream], ids=lambda each: each.__name__)
+def test_conditions_that_could_be_swapped_are_given_by_name(function):
+    given = inspect.signature(function).parameters
+    assert {given[name].kind for name in (*POINT, "parameters")} == {inspect.Parameter.KEYWORD_ONLY}
+
+
+# ---- units
+
+
+@pytest.fixture(scope="module")
+def unit():
+    return pytest.importorskip("pint").UnitRegistry()
+
+
+def with_units(unit):
+    return {
+        "viscosity": 90 * unit.cSt,
+        "particle_diameter": 0.3 * unit.um,
+        "roughness": 300 * unit.nm,
+        "particle_density": 1e5 / unit.mm**2,
+    }
+
+
+def test_quantities_are_converted(solve, parameters, unit):
+    found = solve(load=10 * unit.N, **with_units(unit))
+    assert_same(found, solve(load=10.0 / parameters.newtons_per_load))
+    assert_same(solve(load=10 * unit.dimensionless * 1e-6), solve())
+
+
+def test_quantities_in_arrays_and_lists_are_converted(solve, unit):
+    expected = solve(roughness=[3e-7, 5e-7])
+    assert_same(solve(roughness=np.array([300, 500]) * unit.nm), expected)
+    assert_same(solve(roughness=[300 * unit.nm, 5e-7]), expected)
+    assert_same(
+        solve(roughness=[[300 * unit.nm], [0.5 * unit.um]]), solve(roughness=[[3e-7], [5e-7]])
+    )
+    named = solve(roughness=xr.DataArray(np.array([300, 500]) * unit.nm, dims="surface"))
+    assert named.separation.dims == ("surface",)
+    assert_same(named, expected)
+
+
+def test_axes_of_a_grid_are_converted_to_the_decimal_number(parameters, unit):
+    axes = {**with_units(unit), "roughness": np.array([100, 300]) * unit.nm}
+    grid = tb.grid(load=1e-5, **axes, parameters=parameters)
+    assert grid.roughness.values.tolist() == [1e-7, 3e-7]
+    assert grid.viscosity.item() == 90e-6
+
+
+WRONG_UNITS = {
+    "load": ("kg", "a number without dimension or a force, as in N"),
+    "viscosity": ("Pa * s", "a kinematic viscosity, as in cSt"),
+    "particle_diameter": ("cSt", "a length, as in nm"),
+    "roughness": ("nm ** 2", "a length, as in nm"),
+    "particle_density": ("1 / m ** 3", "a number per area, as in 1/mm**2"),
+}
+
+
+@pytest.mark.parametrize("name", POINT)
+def test_a_quantity_of_another_dimension_is_refused_by_name_and_unit(solve, unit, name):
+    given, wanted = WRONG_UNITS[name]
+    told = refusal(solve, **{name: 3.0 * unit(given)})
+    assert told == f"{name} is in {given}; allowed: {wanted}"
+
+
+# ---- named dimensions
+
+
+def test_arrays_broadcast_by_the_names_of_their_dimensions(solve):
+    found = solve(load=LOADS, viscosity=OILS)
+    expected = solve(load=LOADS.values[:, None], viscosity=OILS.values)
+    for name in VARIABLES:
+        values = getattr(found, name)
+        assert values.dims == ("load", "oil")
+        assert values.name == name
+        assert values["oil"].values.tolist() == ["none", "VG 90"]
+        assert values["load"].values.tolist() == [1e-6, 1e-5]
+    assert_same(found, expected)
+
+
+def test_dimensions_of_one_name_run_together(solve):
+    found = solve(load=LOADS, viscosity=LOADS * 9.0)
+    assert found.separation.dims == ("load",)
+    assert_same(found, solve(load=LOADS.values, viscosity=LOADS.values * 9.0))
+
+
+def test_variables_not_asked_for_stay_away(solve):
+    found = solve(load=LOADS, variables=["separation"])
+    assert found.separation.dims == ("load",)
+    assert found.total_contact_area is None
+
+
+def test_a_variable_has_dimensions_without_coordinates(solve):
+    assert solve(load=LOADS.variable, viscosity=OILS).separation.dims == ("load", "oil")
+
+
+def test_a_scalar_coordinate_is_kept(solve):
+    assert solve(load=LOADS, viscosity=OILS.sel(oil="VG 90")).separation.oil == "VG 90"
+
+
+def test_an_array_without_names_beside_one_with_names_is_refused(solve):
+    told = refusal(solve, load=LOADS, viscosity=[0.0, 90e-6])
+    allowed = "a number or an xarray.DataArray, as load is"
+    assert told == f"viscosity is an array without named dimensions; allowed: {allowed}"
+
+
+def test_other_coordinates_along_one_dimension_are_refused(solve):
+    told = refusal(solve, load=LOADS, viscosity=LOADS.assign_coords(load=[1.0, 2.0]))
+    assert told.startswith("load, viscosity have other coordinates along the same dimension")
+
+
+def test_a_series_is_refused_with_what_to_give_instead(solve):
+    told = refusal(solve, load=pd.Series([1e-6, 1e-5], index=[7, 8]))
+    allowed = ".to_numpy() or .to_xarray() of it"
+    assert told == f"load is a Series of pandas; allowed: {allowed}"
+
+
+def test_plain_numbers_import_neither_xarray_nor_pint(parameters):
+    code = (
+        "import sys, thirdbody as tb\n"
+        f"tb.solve(**{POINT!r}, parameters=tb.{parameters!r})\n"
+        "assert not {'xarray', 'pandas', 'pint'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+# ---- ranges
+
+
+BEYOND = {
+    "load": (10.0, "load is 10; usual: up to 0.02"),
+    "viscosity": (90.0, "viscosity is 90 m2/s; usual: up to 0.01 m2/s"),
+    "particle_diameter": (300.0, "particle_diameter is 300 m; usual: up to 0.001 m"),
+    "roughness": (0.3, "roughness is 0.3 m; usual: up to 0.001 m"),
+    "particle_density": (1e17, "particle_density is 1e+17 m-2; usual: up to 1e+16 m-2"),
+}
+
+
+@pytest.mark.parametrize("name", POINT)
+def test_what_no_interface_has_is_told_once_where_it_is_given(solve, parameters, name, tmp_path):
+    bad, told = BEYOND[name]
+    axes = POINT | {name: [POINT[name], bad], "parameters": parameters}
+    for function in (
+        lambda: tb.solve(**axes),
+        lambda: tb.grid(**axes),
+        lambda: tb.stream(tmp_path / "grid.nc", **axes),
+    ):
+        with pytest.warns(tb.OutOfRangeWarning) as warned:
+            function()
+        assert [str(each.message) for each in warned] == [told]
+        assert warned[0].filename == __file__
+
+
+def test_all_that_is_beyond_is_told_in_one_warning(solve):
+    with pytest.warns(tb.OutOfRangeWarning) as warned:
+        solve(load=10.0, viscosity=90.0)
+    assert [str(each.message) for each in warned] == [
+        "load is 10; usual: up to 0.02, and viscosity is 90 m2/s; usual: up to 0.01 m2/s"
+    ]
+
+
+def test_what_interfaces_have_is_solved_without_a_word(solve):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        solve(load=[1e-12, 2e-2], viscosity=1e-2, particle_diameter=0.0, roughness=1e-5)
+
+
+# ---- misuse
+
+
+@pytest.mark.parametrize("bad", [None, (name for name in VARIABLES)], ids=["None", "a generator"])
+def test_variables_that_are_no_collection_are_refused(solve, bad):
+    told = refusal(solve, variables=bad)
+    assert told.startswith(f"variables is a {type(bad).__name__}; allowed: a list out of total_")
+
+
+def test_integers_longer_than_those_of_numpy_are_numbers(solve):
+    with pytest.warns(tb.OutOfRangeWarning):
+        assert_same(solve(particle_density=[10**20, 1e5]), solve(particle_density=[1e20, 1e5]))
+
+
+@pytest.mark.parametrize("name", POINT)
+def test_an_integer_beyond_float_is_refused_by_name(solve, name):
+    told = refusal(solve, **{name: 10**400})
+    assert told == f"{name} has an integer beyond 1.8e308; allowed: finite numbers"
+
+
+def test_more_points_than_memory_holds_are_refused_with_their_number(solve, parameters):
+    axis = np.linspace(1e-7, 1e-6, 10**6)
+    told = (
+        "1e+12 points in one call; allowed: at most 1e+09, and thirdbody.stream writes any number"
+    )
+    assert refusal(solve, load=axis[:, None], viscosity=axis).startswith(told)
+    axes = POINT | {"load": axis, "viscosity": axis, "parameters": parameters}
+    assert refusal(tb.grid, **axes).startswith(told)
+    told = refusal(tb.grid, **axes | dict.fromkeys(POINT, axis))
+    assert told.startswith("1e+30 points in one call")
+
+
+def test_a_falling_axis_is_told_by_its_numbers(parameters):
+    axes = POINT | {"load": [1e-6, 1e-5, 1e-5, 2e-6], "parameters": parameters}
+    told = "load has 1e-05 after 1e-05; allowed: one increasing dimension"
+    assert refusal(tb.grid, **axes) == told
