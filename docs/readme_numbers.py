@@ -72,7 +72,7 @@ def readings_block() -> str:
 
 def identified_block() -> str:
     """Inputs of the default reading, what is acceptable, and what each seed draws."""
-    content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["inputs"])
+    content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"])
     table = [
         {
             "input": name,

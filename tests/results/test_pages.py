@@ -24,7 +24,7 @@ def test_the_default_is_the_reading_that_the_rule_ranks_first():
     content = json.loads((RESULTS / "claims" / "verdicts.json").read_text(encoding="utf-8"))
     ranked = [row["reading"] for row in content["readings"]]
     assert content["reading"] == ranked[0]
-    assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["inputs"]).stem == ranked[0]
+    assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"]).stem == ranked[0]
 
 
 def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():

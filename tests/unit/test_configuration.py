@@ -333,7 +333,7 @@ def test_inputs_of_the_configuration_are_laid_over_the_calibrated_file(shipped, 
 
 
 def test_another_calibrated_file_takes_the_place_of_the_first(shipped, from_root):
-    other = "config/calibrated/centred_plane_free.yaml"
+    other = "config/calibrated/uncentred_summit_wide_full.yaml"
     for key in ("inputs", "calibrated"):
         settings = workflow_settings(changed(shipped, key, other))
         assert settings["parameters"] == load_parameters(other).as_dict()

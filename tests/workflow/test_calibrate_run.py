@@ -6,8 +6,8 @@ import pytest
 import yaml
 from workspace import Workspace
 
-READINGS = ("uncentred_summit_wide_full", "centred_plane_free")
-BUDGET = {"population": 5, "generations": 1, "starts": 1, "local": 2, "walkers": 18, "steps": 2}
+READINGS = ("uncentred_summit_wide_full", "uncentred_surface_wide_full")
+BUDGET = {"scattered": 3, "population": 5, "evaluations": 10, "walkers": 18, "steps": 2}
 
 
 @pytest.fixture(scope="module")
@@ -19,6 +19,8 @@ def calibrated(sources, tmp_path_factory):
         settings = yaml.safe_load(text)
         settings["budget"] = BUDGET
         settings["readings"] = {name: settings["readings"][name] for name in READINGS}
+        for reading in settings["readings"].values():
+            reading.pop("steps", None)
         return yaml.safe_dump(settings)
 
     workspace.rewrite("config/calibration.yaml", smaller)

@@ -144,7 +144,7 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
             (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS, *SENSITIVITY),
         ),
         (
-            "config/calibrated/uncentred_summit_wide_full.yaml",
+            "config/calibrated/uncentred_surface_wide_full.yaml",
             "inputs/truncation",
             1.8,
             (
