@@ -21,7 +21,7 @@ from thirdbody.solver.arguments import check_rtol
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
-SWEEP = 64  # values along the axis
+SWEEP = 32  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve turns round next to the level
 CHUNK = 500_000  # points solved together
 WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
@@ -126,16 +126,18 @@ def find(
 
     Notes
     -----
-    Two crossings between neighbours of the sweep are missed, unless a value beside them shows that
-    the curve turns round there within its own step from the level: then they are found down to a
-    64th of the sweep's spacing.  So is a crossing between a value without solution and the next.
+    The values of the sweep are evenly spaced in their logarithm.  Two crossings between neighbours
+    are missed, unless the curve is seen to turn round there: where the middle one of three values is
+    nearest to the level, and no farther from it than the larger of the steps beside it, which for a
+    parabola is eight times as far as needed, both cells are swept again, down to a 64th of the
+    spacing.  A crossing between a value without solution and the next is missed.
     Several separations of a point, of which ``solve`` gives the largest, make curves jump: where
     one jumps across the level, that is a crossing too.  Dry contact and contact without particles
     (0) are no values of a search; as ``conditions`` they are.
 
     Examples
     --------
-    From which viscosity on the solids bear less than 90 % of 10 N: from no more than 1 Pa s/(kg/l)
+    From which viscosity on the solids bear less than 90 % and less than half of 10 N:
 
     >>> import thirdbody as tb
     >>> inputs = tb.load_parameters()

@@ -81,8 +81,15 @@ def level_roots(
         ln of the condition there, and how narrowly that is enclosed [1].
     """
 
+    place, value = np.full((2, level.size), np.nan)
+
     def excess(log_condition):
-        conditions = {**given, along: np.exp(log_condition)}
-        return excess_over(quantity, level, conditions, parameters, rtol, way=way)[0]
+        moved = np.flatnonzero(log_condition != place)  # a root that is found stays where it is
+        some = {name: values[moved] for name, values in given.items()}
+        some[along] = np.exp(log_condition[moved])
+        asked = quantity[moved], level[moved], some
+        place[moved] = log_condition[moved]
+        value[moved] = excess_over(*asked, parameters, rtol, way=way)[0]
+        return value.copy()
 
     return bracketed_roots(excess, *ends, 0.1 * rtol)
