@@ -1,4 +1,4 @@
-"""Puts the numbers of the last run, and the table of variables, into README and docs.
+"""Puts the numbers of the last run, the table of variables and answers into README and docs.
 
 Each stands between two markers that name it.
 
@@ -9,12 +9,19 @@ What `make accuracy` measures differs from run to run: a page agrees with it if 
 and its numbers up to a factor, and keeps what it says where there is no such run.
 """
 
+import io
 import re
+import shlex
 import sys
+from contextlib import chdir, redirect_stdout
+from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from tabulate import tabulate
 
+from thirdbody.command.main import main as main_of_command
+from thirdbody.command.questions import QUESTIONS
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
@@ -25,7 +32,7 @@ from thirdbody.study.verdicts import counts
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
     ROOT / "README.md",
-    *(ROOT / "docs" / name for name in ("calibration.md", "nomenclature.md")),
+    *(ROOT / "docs" / name for name in ("calibration.md", "nomenclature.md", "questions.md")),
 )
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
@@ -167,7 +174,18 @@ def variables_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
+def question_block(name: str) -> str:
+    """What the example of a question prints."""
+    command = shlex.split(QUESTIONS[name].example)[1:]
+    printed = io.StringIO()
+    with TemporaryDirectory() as folder, chdir(folder), redirect_stdout(printed):
+        main_of_command(command)
+    lines = (line.rstrip() for line in printed.getvalue().rstrip().splitlines())
+    return "\n".join(["```text", *lines, "```"])
+
+
 BLOCKS = {
+    **{f"question {name}": partial(question_block, name) for name in QUESTIONS},
     "variables": variables_block,
     "claims": claims_block,
     "windows": turning_points_block,

@@ -89,6 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return ANSWERED if answer.found else NONE_FOUND
     if options.json:
         print(json.dumps(answer.columns()))
-    elif not (options.csv or options.plot):
-        print(answer.to_csv(), end="")
+    else:
+        written = " and ".join(filter(None, [options.csv, options.plot]))
+        print(f"{written} written" if written else answer.to_csv().rstrip("\n"))
     return ANSWERED

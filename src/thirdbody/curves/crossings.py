@@ -80,7 +80,6 @@ def level_roots(
     root, width : array, shape (n,)
         ln of the condition there, and how narrowly that is enclosed [1].
     """
-
     place, value = np.full((2, level.size), np.nan)
 
     def excess(log_condition):

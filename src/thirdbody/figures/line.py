@@ -9,7 +9,10 @@ from pathlib import Path
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.files import whole
+from thirdbody.data.quantities import NORMAL_LOAD, QUANTITIES
+from thirdbody.figures.sheet.naming import parameter_title
 from thirdbody.figures.sheet.saving import OPTIONS
 from thirdbody.figures.sheet.scales import SCALES
 
@@ -56,9 +59,23 @@ def draw(
         axes.set_xscale("log")
         if scale.logarithmic:
             axes.set_yscale("log")
-        axes.set_title(scale.title, fontsize=9)
-        axes.set_xlabel(along.replace("_", " "))
+        axes.set_title(f"{scale.title}, {QUANTITIES[name].symbol}", fontsize=9)
+        axes.set_xlabel(axis_title(along))
     return figure
+
+
+def axis_title(along: str) -> str:
+    """What the axis of a curve is called, with its unit.
+
+    Examples
+    --------
+    >>> axis_title("roughness_nm"), axis_title("load_N")
+    ('Roughness σ (nm)', 'Normal load F_t (N)')
+    """
+    named = {axis.key: axis.name for axis in CONDITION_AXES}
+    if along in named:
+        return parameter_title(named[along])
+    return f"{NORMAL_LOAD.long_name.capitalize()} {NORMAL_LOAD.symbol} ({NORMAL_LOAD.units})"
 
 
 def save_drawing(figure: Figure, path: str | PathLike) -> None:
