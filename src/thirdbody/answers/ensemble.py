@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from thirdbody.configuration.inputs import load_parameters, read_calibrated
+from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
@@ -49,17 +49,13 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     """
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
-    default = load_parameters()
+    content = read_calibrated(path)
+    varied = {
+        name for name, value in content["inputs"].items() if getattr(parameters, name) == value
+    }
     return tuple(
-        replace(
-            parameters,
-            **{
-                name: value
-                for name, value in member.items()
-                if getattr(parameters, name) == getattr(default, name)
-            },
-        )
-        for member in read_calibrated(path)["ensemble"]
+        replace(parameters, **{name: member[name] for name in varied & member.keys()})
+        for member in content["ensemble"]
     )
 
 
