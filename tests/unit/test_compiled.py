@@ -24,6 +24,8 @@ from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import QUANTITIES, VARIABLES
 from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
 
+pytestmark = pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
+
 ROUGHNESS = 300e-9
 MANY = 5000
 QUADRATURE = 5e-12  # what is left of errors by the other ways

@@ -32,6 +32,8 @@ from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.surfaces import FEW_SURFACES, Sheet, few_surfaces, log_yields
 
+pytestmark = pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
+
 RTOL = 1e-9
 MATERIALS = (0.02, 0.4, 54.0)  # H/E, k and omega_2/omega_1
 POINT = {

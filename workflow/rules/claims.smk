@@ -38,7 +38,7 @@ rule render_fronts:
         "../envs/thirdbody.yaml"
     threads: 1
     params:
-        default=settings["calibrated"],
+        default=Path(settings["calibrated"]).stem,
     message:
         "Drawing what each chief statement costs the others"
     script:

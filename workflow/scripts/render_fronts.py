@@ -1,6 +1,7 @@
 """Draw what it costs the other statements that one of them holds; nothing is solved here."""
 
 import gc
+from pathlib import Path
 
 import matplotlib.style
 
@@ -12,8 +13,8 @@ from thirdbody.figures.sheet.saving import save
 
 
 def render(default, calibrated, style, stem):
-    """Draw the fronts of all ``calibrated`` readings, that of the file ``default`` first."""
-    files = sorted(calibrated, key=lambda path: path != default)
+    """Draw the fronts of all ``calibrated`` readings, that of the file whose stem is ``default`` first."""
+    files = sorted(calibrated, key=lambda path: Path(path).stem != default)
     readings = [read_yaml(path) for path in files]
     with matplotlib.style.context(style, after_reset=True):
         drawn = plot(readings)

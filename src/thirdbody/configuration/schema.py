@@ -245,7 +245,6 @@ def _nearest(name: str, known: Sequence[str]) -> str:
 
 _ALLOWED = {
     "type": lambda kinds: _words(kinds),
-    "enum": lambda values: ", ".join(map(str, values)),
     "const": lambda value: f"{value}",
     "minimum": lambda bound: f"at least {bound:g}",
     "maximum": lambda bound: f"at most {bound:g}",
@@ -266,6 +265,8 @@ def _allowed(error) -> str:
         return error.schema["allowed"]
     if isinstance(error.instance, float) and not math.isfinite(error.instance):
         return "finite numbers"
+    if error.validator == "enum":
+        return _nearest(f"{error.instance}", [*map(str, error.validator_value)])
     tell = _ALLOWED.get(error.validator)
     return tell(error.validator_value) if tell else error.message
 
