@@ -55,6 +55,19 @@ def test_elasticities_are_the_exponents_of_power_laws():
     assert_allclose(error, 0.0, atol=4 * 365 * STEP**2)
 
 
+def test_an_input_at_its_upper_bound_is_stepped_inwards():
+    seen = []
+
+    def values(changes):
+        seen.append(changes["participation"])
+        return np.array([changes["participation"] ** 2])
+
+    found, error = elasticities(values, np.array([1.0]), {"participation": 1.0})
+    assert max(seen) == 1.0
+    assert_allclose(found, [[2.0]], atol=1e-5)
+    assert error.max() < 1e-4
+
+
 def test_error_of_an_elasticity_shows_a_function_that_is_not_smooth():
     def kinked(changes):
         return np.array([1.0 + abs(changes["first"] / INPUTS["first"] - 1.0001)])

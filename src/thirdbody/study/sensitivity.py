@@ -20,6 +20,7 @@ from scipy.special import logit
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES, Condition
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Curve
 from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
@@ -28,6 +29,9 @@ from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, Solved
 # grows with the square of the step, and one from the solver that falls with the step; their sum is
 # least about here.
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
+# Finite differences of second order: steps, and weights of the values there over the step.
+CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
+INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
 # Share of a window's end, to either side, within which it is sought again for changed inputs.
 REACH = 0.01
 SIDE = 2  # points on each side of a crossing between which it is interpolated
@@ -250,6 +254,8 @@ def elasticities(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Elasticities d ln(output)/d ln(input) by central differences.
 
+    An input at its upper bound is stepped to the one side that there is.
+
     Parameters
     ----------
     values : callable
@@ -280,8 +286,10 @@ def elasticities(
     def slopes(width):
         columns = []
         for name, value in inputs.items():
-            ends = [values({name: value * (1.0 + sign * width)}) for sign in (-1.0, 1.0)]
-            columns.append((ends[1] - ends[0]) / (2.0 * width * base))
+            highest = BOUNDS.get(name, (-np.inf, np.inf))[1]
+            steps, weights = INWARD if value * (1.0 + width) > highest else CENTRAL
+            changed = [values({name: value * (1.0 + each * width)}) for each in steps]
+            columns.append(np.dot(weights, changed) / (width * base))
         return np.transpose(columns)
 
     found = slopes(step)
