@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pandas as pd
+import pint
 import pytest
 import xarray as xr
 from numpy.testing import assert_allclose
@@ -65,7 +66,7 @@ def test_conditions_that_could_be_swapped_are_given_by_name(function):
 
 @pytest.fixture(scope="module")
 def unit():
-    return pytest.importorskip("pint").UnitRegistry()
+    return pint.UnitRegistry()
 
 
 def with_units(unit):
