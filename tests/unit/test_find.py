@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
@@ -107,6 +108,9 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"between": (0.0, 1.0)}, "between is 0 to 1; allowed: positive and increasing"),
         ({"count": 1}, "count is 1; allowed: at least 2"),
         ({"rtol": 1.0}, "rtol is 1.0; allowed: 1e-11 to 1e-2"),
+        ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
+        ({"load_N": "10"}, "load_N is of type <U2; allowed: numbers"),
+        ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: .values of it"),
     ],
 )
 def test_what_cannot_be_searched_is_refused(parameters, change, told):
@@ -114,3 +118,19 @@ def test_what_cannot_be_searched_is_refused(parameters, change, told):
     asked |= others("roughness_nm") | change
     with pytest.raises(ValueError, match=told):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
+
+
+def test_quantities_bring_their_unit(parameters):
+    unit = pytest.importorskip("pint").UnitRegistry()
+    numbers = {"load_N": 10.0, "viscosity_cSt": 90.0, "roughness_nm": 300.0}
+    for key, given in (("viscosity_cSt", 0.9 * unit.St), ("viscosity", 90 * unit.cSt)):
+        quantities = {"load_N": 0.01 * unit.kN, key: given, "roughness_nm": 0.3 * unit.um}
+        found, expected = (
+            in_si(each | {"particle_density": 1e11}, parameters, but="particle_diameter")
+            for each in (quantities, numbers)
+        )
+        assert_allclose(list(found.values()), list(expected.values()), rtol=1e-12)
+    with pytest.raises(ValueError, match="load is in cSt; allowed: a number without dimension or"):
+        in_si({"load_N": 10 * unit.cSt}, parameters)
+    with pytest.raises(ValueError, match="viscosity_cSt is a list of quantities; allowed: numbers"):
+        in_si({"viscosity_cSt": [90 * unit.cSt]}, parameters)

@@ -66,8 +66,8 @@ class Interface:
     ...     roughness_nm=300,
     ...     particle_density_per_m2=1e11,
     ... )
-    >>> interface.state().value("lubrication_regime")
-    'mixed'
+    >>> interface.changed(viscosity_cSt=0).state().value("lubrication_regime")
+    'boundary'
     """
 
     load_N: float

@@ -15,6 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.data.conditions import AXES, Axis
 from thirdbody.data.quantities import NORMAL_LOAD
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_parameters, checked_axis
+from thirdbody.solver.labelled import is_labelled
 
 LOAD_IN_NEWTONS = "load_N"
 ENGINEERING = {name: axis.key if name != "load" else LOAD_IN_NEWTONS for name, axis in AXES.items()}
@@ -72,6 +74,7 @@ class Unit:
         >>> Unit.of("roughness_nm", thirdbody.load_parameters()).to_si(300)
         array(3.e-07)
         """
+        check_parameters(parameters)
         if key == LOAD_IN_NEWTONS:
             return cls(key, AXES["load"], NORMAL_LOAD.units, 1.0 / parameters.newtons_per_load)
         for axis in AXES.values():
@@ -107,7 +110,8 @@ def in_si(
     Parameters
     ----------
     given : mapping
-        A value of each axis, by its name in SI or in engineering units.
+        A value of each axis, by its name in SI or in engineering units; quantities of pint bring
+        their own unit.
     parameters : Parameters
         Inputs of the model.
     but : str, optional
@@ -121,7 +125,8 @@ def in_si(
     Raises
     ------
     ValueError
-        If an axis is missing, given twice, unknown, or the one that is not to be given.
+        If an axis is missing, given twice, unknown, or the one that is not to be given, and for
+        numbers that ``solve`` refuses.
 
     Examples
     --------
@@ -139,9 +144,28 @@ def in_si(
         if name in found or name == but:
             reason = "is searched along" if name == but else "is given twice"
             raise ValueError(f"{key}: {name} {reason}; allowed: each axis once")
-        found[name] = unit.to_si(values)
+        found[name] = _checked(unit, values, parameters)
     missing = [name for name in AXES if name not in found and name != but]
     if missing:
         name = missing[0]
         raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
     return {name: found[name] for name in AXES if name in found}
+
+
+def _checked(unit, values, parameters) -> NDArray:
+    """Values in SI: numbers in ``unit``, or a quantity in a unit of its own."""
+    name, key = unit.axis.name, unit.key
+    if is_labelled(values):
+        raise ValueError(f"{key} has named dimensions; allowed: .values of it")
+    if key == name or _brings_unit(values):
+        return checked_axis(name, values, parameters)
+    if isinstance(values, (list, tuple)) and any(map(_brings_unit, values)):
+        raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
+    try:
+        return unit.to_si(checked_axis(name, values, parameters))
+    except ValueError as error:
+        raise ValueError(f"{key}{str(error).removeprefix(name)}") from None
+
+
+def _brings_unit(value) -> bool:
+    return hasattr(value, "dimensionality")
