@@ -112,6 +112,14 @@ def test_the_wheel_brings_the_calibrated_inputs(installed):
     assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
 
 
+def test_the_wheel_brings_the_command(installed):
+    module, function = project()["scripts"]["thirdbody"].split(":")
+    code = f"from {module} import {function}; raise SystemExit({function}(['bearing', '--json']))"
+    done = installed(code, beside=sysconfig.get_path("platlib"))
+    assert done.stderr == ""
+    assert json.loads(done.stdout)["found"]
+
+
 def test_the_wheel_says_that_it_is_typed(installed):
     code = "import pathlib, thirdbody; print(pathlib.Path(thirdbody.__file__).with_name('py.typed').exists())"
     assert installed(code).stdout == "True\n"

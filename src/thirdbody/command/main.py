@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 import re
 import sys
-from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Sequence
 
 from thirdbody.answers.answer import Answer
+from thirdbody.command.options import option
 from thirdbody.command.questions import QUESTIONS
 
 ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2
@@ -49,6 +50,12 @@ def make_parser() -> ArgumentParser:
     return parser
 
 
+def told(error: Exception, options: Namespace) -> str:
+    """What is wrong, arguments of the library under the names of their options."""
+    names = "|".join(name for name in vars(options) if "_" in name)  # conditions, at least
+    return re.sub(rf"\b({names})\b", lambda found: option(found[1]), str(error))
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Answer one question.
 
@@ -82,7 +89,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         answer = question.answer(options)
     except (ValueError, OSError, ModuleNotFoundError) as error:
-        print(f"{parser.prog} {options.question}: {error}", file=sys.stderr)
+        print(f"{parser.prog} {options.question}: {told(error, options)}", file=sys.stderr)
         return BAD_INPUT
     if isinstance(answer, Answer):
         print(json.dumps(answer.as_dict()) if options.json else answer)

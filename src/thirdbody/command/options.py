@@ -132,6 +132,20 @@ def add_ends(parser: ArgumentParser, along: str | None = None) -> None:
         )
 
 
+def ends_of(options: Namespace, first: str = "from", last: str = "to") -> tuple[float, float]:
+    """The ends that two options give.
+
+    Raises
+    ------
+    ValueError
+        Unless the first is less than the last.
+    """
+    low, high = getattr(options, first), getattr(options, last)
+    if not low < high:
+        raise ValueError(f"{option(first)} is {low:g}; allowed: less than {option(last)}, {high:g}")
+    return low, high
+
+
 def interface_of(options: Namespace) -> Interface:
     """The interface that options describe; an axis that they do not give stands at a value that
     counts for nothing."""

@@ -16,6 +16,7 @@ from thirdbody.answers.units import ENGINEERING
 from thirdbody.command.options import (
     add_conditions,
     add_ends,
+    ends_of,
     interface_of,
     material,
     number,
@@ -74,8 +75,7 @@ def along(axis: str, command: str, asks: str, flags: tuple[str, ...]) -> Questio
         add_ends(parser, axis)
 
     def answer(options):
-        ends = vars(options)["from"], options.to
-        return interface_of(options).transitions(axis, flags, ends)
+        return interface_of(options).transitions(axis, flags, ends_of(options))
 
     return Question(asks, example(command, but=axis), add_options, answer)
 
@@ -93,7 +93,7 @@ def _add_turning_options(parser):
 
 
 def _turning_point(options):
-    return interface_of(options).turning_point((options.from_N, options.to_N))
+    return interface_of(options).turning_point(ends_of(options, "from_N", "to_N"))
 
 
 NUMBERS_OF_BEARING = {
@@ -164,8 +164,7 @@ def _curve(options):
     ]
     if missing:
         raise ValueError(f"{option(missing[0])} is missing; allowed: a number")
-    ends = vars(options)["from"], options.to
-    curve = interface_of(options).curve(options.along, *ends, options.count)
+    curve = interface_of(options).curve(options.along, *ends_of(options), options.count)
     if options.csv:
         with whole(options.csv) as part:
             part.write_text(curve.to_csv(), encoding="utf-8")
