@@ -86,7 +86,12 @@ def option(name: str) -> str:
     return "--" + name.replace("_", "-")
 
 
-def add_conditions(parser: ArgumentParser, but: Collection[str] = (), other: bool = False) -> None:
+def add_conditions(
+    parser: ArgumentParser,
+    but: Collection[str] = (),
+    other: bool = False,
+    required: bool = True,
+) -> None:
     """Options for the conditions of an interface, all ``but`` some axes; or of an ``other`` one, whose
     conditions are those of the first unless they are given."""
     inputs = load_parameters()
@@ -97,7 +102,7 @@ def add_conditions(parser: ArgumentParser, but: Collection[str] = (), other: boo
         parser.add_argument(
             option(OTHER * other + key),
             type=number(name in POSITIVE_AXES),
-            required=not other,
+            required=required and not other,
             metavar="NUMBER",
             help=f"{'of the second: ' * other}{what} [{Unit.of(key, inputs).text}]",
         )

@@ -140,10 +140,7 @@ def _add_curve_options(parser):
         metavar="AXIS",
         help=f"axis of the curve: {', '.join(ENGINEERING)}; its own option counts for nothing",
     )
-    add_conditions(parser)
-    for action in parser._actions:
-        if action.dest in ENGINEERING.values():
-            action.required = False
+    add_conditions(parser, required=False)  # all but one are, and which one is not known yet
     add_ends(parser)
     parser.add_argument(
         "--count", type=whole_number, default=60, metavar="NUMBER", help="points (default 60)"
