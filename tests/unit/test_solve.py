@@ -573,3 +573,17 @@ def test_importing_the_package_imports_nothing_heavy():
 def test_an_unknown_name_is_no_attribute_of_the_package():
     with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
         _ = tb.nonsense
+
+
+def test_a_solution_prints_what_each_variable_is_with_names_for_flags(parameters):
+    given = {"viscosity": 0.0, "particle_diameter": 3e-7, "roughness": 3e-7}
+    given |= {"particle_density": 1e11, "parameters": parameters}
+    lines = repr(solve(load=1e-6, **given)).splitlines()
+    assert lines[0] == "Solution of shape ()"
+    told = dict(line.split(maxsplit=1) for line in lines[1:])
+    assert told["lubrication_regime"] == "boundary"
+    assert told["solution_status"] == "converged"
+    assert float(told["solid_load_fraction"]) == 1.0
+    lines = repr(solve(load=[1e-6, 1e-5], **given, variables=("separation", "contact_mode")))
+    assert "Solution of shape (2,)" in lines
+    assert " to " in lines

@@ -11,7 +11,10 @@ from scipy.special import expit, log_expit
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.film import THICKEST
 from thirdbody.model.regimes import (
+    CONTACT_MODES,
     FILM_COUNTS,
+    LUBRICATION_REGIMES,
+    SOLUTION_STATUSES,
     contact_mode,
     gravest_status,
     lubrication_regime,
@@ -30,7 +33,8 @@ class Solution:
     """Solved points: what ``solve`` returns.
 
     Every attribute is an array of the broadcast shape of the arguments of ``solve``, of xarray if one
-    of these is, or None if it was not asked for.  Points without solution hold nan, or -1 where a flag has no meaning.
+    of these is, or None if it was not asked for.  Points without solution hold nan, or -1 where a
+    flag has no meaning.  Printed, it says what each is, with regimes, modes and statuses by name.
 
     Attributes
     ----------
@@ -68,9 +72,20 @@ class Solution:
     separation_count: NDArray | None = None
     error_bound: NDArray | None = None
 
+    def __repr__(self) -> str:
+        known = {name: np.asarray(each) for name, each in vars(self).items() if each is not None}
+        shape = next(iter(known.values())).shape if known else ()
+        lines = [f"{name:<28}{_told(name, each)}" for name, each in known.items()]
+        return "\n".join([f"Solution of shape {shape}", *lines])
+
 
 VARIABLES = tuple(field.name for field in fields(Solution))
-FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+MEANINGS = {
+    "lubrication_regime": LUBRICATION_REGIMES,
+    "contact_mode": CONTACT_MODES,
+    "solution_status": SOLUTION_STATUSES,
+}
+FLAGS = tuple(MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
 OF_AREAS = {
     "contact_mode",
@@ -78,6 +93,21 @@ OF_AREAS = {
     *(name for name in VARIABLES if "contact_area" in name),
 }
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))
+
+
+def _told(name, values) -> str:
+    """A number, or the least and the greatest; of a flag the names, each with how many have it."""
+    if name in FLAGS:
+        found, counts = np.unique(values, return_counts=True)
+        words = ["none" if index < 0 else MEANINGS[name][index] for index in found]
+        if values.size == 1:
+            return words[0]
+        return ", ".join(f"{word} ({count})" for word, count in zip(words, counts, strict=True))
+    known = values[~np.isnan(values)]
+    if known.size == 0:
+        return "none"
+    ends = f"{known.min():.6g}", f"{known.max():.6g}"
+    return ends[0] if values.size == 1 else " to ".join(ends)
 
 
 def type_of(variable: str) -> type:
