@@ -1,5 +1,6 @@
 """A streamed grid is the grid, in whatever blocks, and there is no half of a file."""
 
+import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
@@ -86,3 +87,16 @@ def test_a_streamed_grid_holds_the_variables_asked_for(parameters, tmp_path):
     with xr.open_dataset(tmp_path / "grid.nc") as streamed:
         assert set(streamed.data_vars) == set(grid.data_vars) == {*wanted, "solution_status"}
         assert float(streamed.error_bound.max()) <= 1e-6
+
+
+def test_compressed_on_request_it_holds_the_same(parameters, tmp_path):
+    for level in (0, 4):
+        tb.stream(
+            tmp_path / f"{level}.nc", **AXES, parameters=parameters, rtol=1e-6, compression=level
+        )
+    plain, packed = (xr.load_dataset(tmp_path / f"{level}.nc") for level in (0, 4))
+    xr.testing.assert_identical(plain, packed)
+    with netCDF4.Dataset(tmp_path / "4.nc") as file:
+        assert file["separation"].filters()["zlib"]
+    with pytest.raises(ValueError, match="compression is 12; allowed: 0 to 9"):
+        tb.stream(tmp_path / "no.nc", **AXES, parameters=parameters, compression=12)

@@ -37,6 +37,7 @@ def stream(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
+    compression: int = 0,
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
@@ -45,8 +46,7 @@ def stream(
     Parameters
     ----------
     path : path
-        NetCDF-4 file to write: it appears whole or not at all.  Nothing is compressed, which would
-        take longer than solving.
+        NetCDF-4 file to write: it appears whole or not at all.
     load, viscosity, particle_diameter, roughness, particle_density : array_like
         The five axes, as in ``grid``.
     parameters : Parameters
@@ -55,6 +55,9 @@ def stream(
         Relative error asked for in every variable [1].
     variables : collection of str, optional
         Those of ``Solution`` that are wanted; ``solution_status`` is always given.
+
+    compression : int, optional
+        Level of zlib, from 0 to 9.  Nothing is compressed at 0: it would take longer than solving.
 
     Raises
     ------
@@ -97,7 +100,7 @@ def stream(
         return solve_arrays(crossed(sides), parameters, rtol, names)
 
     expect_points(prod(axis.size for axis in axes.values()))
-    write_blocks(path, axes, solved, parameters, rtol, names)
+    write_blocks(path, axes, solved, parameters, rtol, names, compression)
 
 
 def write_blocks(
@@ -107,6 +110,7 @@ def write_blocks(
     parameters: Parameters,
     rtol: float,
     names: Collection[str] = CONTRACT,
+    compression: int = 0,
 ) -> None:
     """Write what ``solved`` returns for each block of a grid.
 
@@ -124,13 +128,15 @@ def write_blocks(
         Relative error asked for [1], likewise.
     names : collection of str, optional
         Variables to write.
+    compression : int, optional
+        Level of zlib.
     """
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in names}
     described = described_grid(axes, empty, parameters, rtol)
     with whole(path, recorded=False) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
-        variables = _declare(file, described, lengths)
+        variables = _declare(file, described, lengths, compression)
         for block in blocks(shape, lengths):
             solution = solved(sides(axes, block))
             for name, variable in variables.items():
@@ -166,7 +172,7 @@ def sides(axes: Axes, block: tuple[slice, ...]) -> Axes:
     return {name: axis[side] for (name, axis), side in zip(axes.items(), block, strict=True)}
 
 
-def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths):
+def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths, compression):
     """Dimensions, coordinates and attributes of ``described`` in ``file``; its variables, empty."""
     file.setncatts(described.attrs)
     for name in DIMENSIONS:
@@ -184,6 +190,9 @@ def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths):
             name,
             values.dtype,
             values.dims,
+            zlib=compression > 0,
+            complevel=compression,
+            shuffle=False,
             chunksizes=lengths,
             chunk_cache=ONE_CHUNK,
             fill_value=fill,
