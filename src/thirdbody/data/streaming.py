@@ -91,6 +91,8 @@ def stream(
     >>> written["separation"].squeeze().shape
     (2,)
     """
+    if compression not in range(10):
+        raise ValueError(f"compression is {compression!r}; allowed: 0 to 9")
     check_parameters(parameters)
     check_rtol(rtol)
     names = with_status(variables)
