@@ -70,7 +70,7 @@ def test_every_shown_point_is_solved(curves):
     # where the largest particles lose touch float64 may not hold all digits that were asked for
     status = values["solution_status"]
     assert set(np.unique(status)) <= {0.0, 1.0, 3.0}
-    assert (status == 3.0).mean() < 1e-3
+    assert (status == 3.0).mean() < 2e-3
     for name in QUANTITIES:
         assert np.isfinite(values[name]).all(), name
         assert (values[name] >= 0.0).all(), name

@@ -270,10 +270,10 @@ def test_the_cost_of_each_dataset_is_there(costs, datasets):
         assert costs[figure]["points"] == shown
 
 
-def test_all_datasets_are_solved_in_less_than_two_seconds(costs):
+def test_all_datasets_are_solved_in_a_few_seconds(costs):
     seconds = sum(row["seconds"] for figure, row in costs.items() if figure != "all")
     assert costs["all"]["seconds"] == pytest.approx(seconds, rel=DIGITS)
-    assert seconds < 2.0
+    assert seconds < 5.0  # 1 to 2.5, as fast as the machine is
 
 
 def test_a_dataset_read_twice_is_the_same(results, datasets):
