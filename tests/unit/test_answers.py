@@ -127,7 +127,7 @@ def test_a_curve_is_what_solve_gives(interface, along):
         state = interface.changed(**{key: float(curve.points[index])}).state()
         got = curve.values["solid_load_fraction"][index]
         assert state.value("solid_load_fraction") == pytest.approx(got, rel=1e-8)
-    header, *rows = curve.to_csv().splitlines()
+    header, *rows = curve.as_csv().splitlines()
     assert header.startswith(f"{key},total_contact_area,total_contact_area_low,")
     assert len(rows) == 5
 

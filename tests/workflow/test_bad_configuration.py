@@ -246,7 +246,7 @@ CASES = [
         CALIBRATION,
         "always[0]",
         "'gap_ration'",
-        "summit_parameter",
+        "gap_ratio, ",
     ),
     put(
         "reversed loads of a study", SENSITIVITY, "load_N", [80, 1], SENSITIVITY, "load_N", "below"

@@ -63,7 +63,7 @@ class Curve:
             ]
         return table
 
-    def to_csv(self) -> str:
+    def as_csv(self) -> str:
         """The table as CSV, with ten significant digits: the axis in its unit, all else in SI."""
         table = self.columns()
         text = io.StringIO()

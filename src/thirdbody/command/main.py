@@ -98,5 +98,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(json.dumps(answer.columns()))
     else:
         written = " and ".join(filter(None, [options.csv, options.plot]))
-        print(f"{written} written" if written else answer.to_csv().rstrip("\n"))
+        print(f"{written} written" if written else answer.as_csv().rstrip("\n"))
     return ANSWERED

@@ -164,7 +164,7 @@ def _curve(options):
     curve = interface_of(options).curve(options.along, *ends_of(options), options.count)
     if options.csv:
         with whole(options.csv) as part:
-            part.write_text(curve.to_csv(), encoding="utf-8")
+            part.write_text(curve.as_csv(), encoding="utf-8")
     if options.plot:
         from thirdbody.figures.line import draw, save_drawing
 
