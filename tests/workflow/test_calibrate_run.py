@@ -17,7 +17,7 @@ def calibrated(sources, tmp_path_factory):
 
     def smaller(text):
         settings = yaml.safe_load(text)
-        settings["budget"] = BUDGET
+        settings["budget"], settings["seeds"] = BUDGET, [1, 2]
         settings["readings"] = {name: settings["readings"][name] for name in READINGS}
         for reading in settings["readings"].values():
             reading.pop("steps", None)
@@ -60,6 +60,6 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     after = again.stamps()
     searched = {name for name in after if name.endswith(".csv") and before.get(name) != after[name]}
     # samples begin at what the searches of all seeds have found
-    names = ("seed2", "seed1_samples", "seed2_samples", "seed3_samples")
+    names = ("seed2", "seed1_samples", "seed2_samples")
     assert searched == {f"calibration/uncentred_surface_wide_full/{name}.csv" for name in names}
     assert files(again, "results/calibration") == files(calibrated, "results/calibration")
