@@ -95,7 +95,6 @@ def identified_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-RESULTS_SHOWN = NORMAL_LOAD, *VARIABLES.values()
 USES = {
     1e-3: "sweeps of 10⁸ points, design charts, monitoring",
     1e-6: "fits and uncertainty studies, which compare results",
@@ -159,8 +158,9 @@ def accuracy_block() -> str:
 
 def variables_block() -> str:
     """Conditions and results: what each is called and what it is."""
+    quantities = NORMAL_LOAD, *VARIABLES.values()
     given = [(axis.sign, axis, "") for axis in AXES.values()]
-    found = [(quantity.symbol, quantity, quantity.equation) for quantity in RESULTS_SHOWN]
+    found = [(quantity.symbol, quantity, quantity.equation) for quantity in quantities]
     table = [
         {
             "symbol": symbol.replace("none", ""),

@@ -1,7 +1,6 @@
 # The release: one folder, one archive file of it, and beside them the record of their making.
 import sys
 
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.run.jobs import jobs_behind
 from thirdbody.release.sources import source_files
@@ -12,7 +11,7 @@ except ValueError as error:
     sys.exit(f"{error}")
 
 # nothing but the paper's configuration is sealed under the name and version of the project
-IS_CHANGED = config != read_yaml("config/config.yaml") | read_yaml("config/scenes.yaml")
+IS_CHANGED = config != PAPER
 if IS_CHANGED:
     RELEASE = RELEASE.of_other_configuration()
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.units import Unit, in_si
+from thirdbody.answers.units import Unit, check_ends, in_si
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
@@ -71,11 +71,6 @@ class Crossings:
         first = np.full(self.shape, np.nan)
         first.ravel()[self.query[::-1]] = self.value[::-1]  # the last one to be stored stays
         return first
-
-    def take(self, chosen) -> Crossings:
-        """The crossings that an index or mask ``chosen`` picks, of the same queries."""
-        names = "query", "value", "error", "rises", "solution_status"
-        return Crossings(self.along, self.shape, *(getattr(self, name)[chosen] for name in names))
 
 
 def find(
@@ -172,12 +167,11 @@ def sweep_values(
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and the values [SI] at which it is swept; arguments as of ``find``."""
     unit = Unit.of(along, parameters)
-    low, high = unit.searched(parameters) if between is None else between
-    if not 0.0 < low < high < np.inf:
-        raise ValueError(f"between is {low:g} to {high:g}; allowed: positive and increasing")
+    ends = unit.searched(parameters) if between is None else between
+    check_ends("between", ends)
     if count < 2:
         raise ValueError(f"count is {count}; allowed: at least 2")
-    return unit, np.geomspace(*unit.to_si([low, high]), count)
+    return unit, np.geomspace(*unit.to_si(ends), count)
 
 
 def crossings(

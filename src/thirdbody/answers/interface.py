@@ -15,7 +15,7 @@ from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.answers.units import ENGINEERING, SEARCHED, Unit, in_si
+from thirdbody.answers.units import ENGINEERING, SEARCHED, in_si, unit_text
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
@@ -23,6 +23,7 @@ from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
+from thirdbody.solver.arguments import NEVER_ZERO
 from thirdbody.solver.solve import solve
 
 SHOWN_IN = {"separation": AXES["roughness"]}  # variables that are told in the unit of an axis
@@ -79,7 +80,7 @@ class Interface:
 
     def __post_init__(self):
         for name, key in ENGINEERING.items():
-            check_condition(key, getattr(self, key), name in ("load", "roughness"))
+            check_condition(key, getattr(self, key), name in NEVER_ZERO)
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -98,11 +99,11 @@ class Interface:
     def described(self, but: str = "") -> str:
         """The conditions in words, all ``but`` the axis of one name."""
         words = {
-            name: f"{getattr(self, key):g} {Unit.of(key, self.parameters).text}"
+            name: f"{getattr(self, key):g} {unit_text(name)}"
             for name, key in ENGINEERING.items()
             if name != but
         }
-        return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in words.items())
+        return ", ".join(f"{_word(name)} {value}" for name, value in words.items())
 
     def state(self) -> Answer:
         """Question 1: how load and contact area divide, in which regime and mode.
@@ -192,9 +193,7 @@ class Interface:
             passed; ``found`` if there is a change.  Changes where the equations have no meaning
             are left out.
         """
-        if along not in ENGINEERING:
-            raise ValueError(f"along is {along!r}; allowed: {', '.join(ENGINEERING)}")
-        key = ENGINEERING[along]
+        key = _key_of(along)
         between = between or SEARCHED[along]
         others = {name: value for name, value in self.conditions.items() if name != key}
         found, *of_members = (
@@ -202,7 +201,7 @@ class Interface:
             for each in (self.parameters, *self.members)
         )
         mine, *of_members = (_meaningful(each, flags) for each in (found, *of_members))
-        unit = Unit.of(key, self.parameters).text
+        unit = unit_text(along)
         rows = []
         for (before, after, index), value in mine.items():
             same = [each.get((before, after, index)) for each in of_members]
@@ -219,8 +218,8 @@ class Interface:
                 rows.append(Row.of(name, told, None, unit, first))
         left_out = [each for each in found if each.solution_status in MEANINGLESS]
         notes = (
-            f"searched: {along.replace('_', ' ')} {between[0]:g} to {between[1]:g} {unit}",
-            *(self._end(key, end) for end in between),
+            f"searched: {_word(along)} {between[0]:g} to {between[1]:g} {unit}",
+            *(self._end(along, end) for end in between),
             *(
                 f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
                 f"{STATUS_MEANINGS[each.solution_status]}"
@@ -228,16 +227,16 @@ class Interface:
                 if each.border.flag in flags
             ),
         )
-        title = f"Changes along the {along.replace('_', ' ')} at {self.described(but=along)}"
+        title = f"Changes along the {_word(along)} at {self.described(but=along)}"
         return Answer(title, tuple(rows), notes, bool(mine))
 
-    def _end(self, key, value) -> str:
+    def _end(self, along, value) -> str:
         """In which state an end of a search is."""
-        there = self.changed(**{key: value})
+        there = self.changed(**{ENGINEERING[along]: value})
         solution = solve(**in_si(there.conditions, self.parameters), parameters=self.parameters)
         told = [plain(name, getattr(solution, name)) for name in (*BORDERED, "solution_status")]
         known = (each for each in told if each not in (None, SOLUTION_STATUSES[0]))
-        return f"at {value:g} {Unit.of(key, self.parameters).text}: {', '.join(known)}"
+        return f"at {value:g} {unit_text(along)}: {', '.join(known)}"
 
     def turning_point(self, between_N: tuple[float, float] = LOADS) -> Answer:
         """Question 7: where the particles' share of the contact area turns, and for which sizes.
@@ -324,13 +323,11 @@ class Interface:
         >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
         True
         """
-        if along not in ENGINEERING:
-            raise ValueError(f"along is {along!r}; allowed: {', '.join(ENGINEERING)}")
+        key = _key_of(along)
         if not 0.0 < low < high < np.inf:
             raise ValueError(f"low and high are {low:g}, {high:g}; allowed: positive, increasing")
         if count < 2:
             raise ValueError(f"count is {count}; allowed: at least 2")
-        key = ENGINEERING[along]
         points = np.geomspace(low, high, count)
         given = self.conditions | {key: points}
         mine, *of_members = (
@@ -350,6 +347,13 @@ def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple
             found[*passed, times[passed]] = change.value
             times[passed] += 1
     return found
+
+
+def _key_of(along: str) -> str:
+    """The name in engineering units of an axis."""
+    if along not in ENGINEERING:
+        raise ValueError(f"along is {along!r}; allowed: {', '.join(ENGINEERING)}")
+    return ENGINEERING[along]
 
 
 def _known(value: float) -> float | None:

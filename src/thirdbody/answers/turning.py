@@ -7,7 +7,7 @@ from dataclasses import fields
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, in_si
+from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, check_ends, in_si
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
@@ -129,8 +129,6 @@ def turning_window(
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, from newtons."""
-    low, high = between_N
-    if not 0.0 < low < high < np.inf:
-        raise ValueError(f"between_N is {low:g} to {high:g}; allowed: positive and increasing")
+    check_ends("between_N", between_N)
     first, last = Unit.of(LOAD_IN_NEWTONS, parameters).to_si(between_N).tolist()
     return first, last

@@ -17,6 +17,7 @@ from thirdbody.data.quantities import NORMAL_LOAD
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.arguments import check_parameters, checked_axis
 from thirdbody.solver.labelled import is_labelled
+from thirdbody.solver.units import is_quantity
 
 LOAD_IN_NEWTONS = "load_N"
 ENGINEERING = {name: axis.key if name != "load" else LOAD_IN_NEWTONS for name, axis in AXES.items()}
@@ -102,6 +103,24 @@ class Unit:
         return low, high
 
 
+def unit_text(name: str) -> str:
+    """The engineering unit of an axis, spelt as UDUNITS reads it.
+
+    Examples
+    --------
+    >>> unit_text("viscosity"), unit_text("load")
+    ('cSt', 'N')
+    """
+    return NORMAL_LOAD.units if name == "load" else AXES[name].unit
+
+
+def check_ends(name: str, ends: tuple[float, float]) -> None:
+    """Raises ``ValueError`` unless the ``ends`` of a range are positive and increasing."""
+    low, high = ends
+    if not 0.0 < low < high < np.inf:
+        raise ValueError(f"{name} is {low:g} to {high:g}; allowed: positive and increasing")
+
+
 def in_si(
     given: Mapping[str, ArrayLike], parameters: Parameters, but: str | None = None
 ) -> dict[str, NDArray]:
@@ -157,15 +176,11 @@ def _checked(unit, values, parameters) -> NDArray:
     name, key = unit.axis.name, unit.key
     if is_labelled(values):
         raise ValueError(f"{key} has named dimensions; allowed: .values of it")
-    if key == name or _brings_unit(values):
+    if key == name or is_quantity(values):
         return checked_axis(name, values, parameters)
-    if isinstance(values, (list, tuple)) and any(map(_brings_unit, values)):
+    if isinstance(values, (list, tuple)) and any(map(is_quantity, values)):
         raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
     try:
         return unit.to_si(checked_axis(name, values, parameters))
     except ValueError as error:
         raise ValueError(f"{key}{str(error).removeprefix(name)}") from None
-
-
-def _brings_unit(value) -> bool:
-    return hasattr(value, "dimensionality")

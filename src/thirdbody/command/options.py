@@ -7,12 +7,12 @@ from collections.abc import Callable, Collection
 
 from thirdbody.answers.bearing import MATERIALS, Material
 from thirdbody.answers.interface import Interface
-from thirdbody.answers.units import ENGINEERING, SEARCHED, Unit
+from thirdbody.answers.units import ENGINEERING, SEARCHED, unit_text
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import NEVER_ZERO
 
-POSITIVE_AXES = ("load", "roughness")  # the others may be 0: dry, no particles
 OTHER = "other_"  # before the names of the conditions of a second interface
 
 
@@ -94,17 +94,16 @@ def add_conditions(
 ) -> None:
     """Options for the conditions of an interface, all ``but`` some axes; or of an ``other`` one, whose
     conditions are those of the first unless they are given."""
-    inputs = load_parameters()
     for name, key in ENGINEERING.items():
         if name in but:
             continue
         what = "normal load" if name == "load" else AXES[name].long_name
         parser.add_argument(
             option(OTHER * other + key),
-            type=number(name in POSITIVE_AXES),
+            type=number(name in NEVER_ZERO),
             required=required and not other,
             metavar="NUMBER",
-            help=f"{'of the second: ' * other}{what} [{Unit.of(key, inputs).text}]",
+            help=f"{'of the second: ' * other}{what} [{unit_text(name)}]",
         )
     parser.add_argument(
         option(OTHER * other + "inputs"),

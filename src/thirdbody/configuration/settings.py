@@ -19,11 +19,21 @@ from thirdbody.configuration.schema import read_valid, shown, validate
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # whose versions can change a number
 
 
-def read_plain(*paths: str | Path) -> None:
-    """Refuse configuration files that hold anything but plain data, before Snakemake reads them."""
+def read_plain(*paths: str | Path) -> dict:
+    """The keys of configuration files, each of which must hold plain data; before Snakemake reads them.
+
+    Raises
+    ------
+    ValueError
+        In one line, for a file that holds anything else.
+    """
+    found = {}
     for path in paths:
-        if "__use_yte__" in read_yaml(path):
+        content = read_yaml(path)
+        if "__use_yte__" in content:
             raise ValueError(f"{path}: key '__use_yte__' runs code; allowed: plain values")
+        found |= content
+    return found
 
 
 def read_changes(path: str | None) -> dict:

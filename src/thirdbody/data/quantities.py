@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES, STATUS_MEANINGS
+from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
 
 
 @dataclass(frozen=True)
@@ -75,16 +75,23 @@ QUANTITIES = _by_name(
 )
 FLAGS = _by_name(
     Quantity(
-        "lubrication_regime", "L_s", "1", "lubrication regime", "section 3.1", LUBRICATION_REGIMES
+        "lubrication_regime",
+        "L_s",
+        "1",
+        "lubrication regime",
+        "section 3.1",
+        FLAG_MEANINGS["lubrication_regime"],
     ),
-    Quantity("contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", CONTACT_MODES),
+    Quantity(
+        "contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", FLAG_MEANINGS["contact_mode"]
+    ),
     Quantity(
         "solution_status",
         "none",
         "1",
         "status of the solution",
         "1-8",
-        tuple(STATUS_MEANINGS),
+        FLAG_MEANINGS["solution_status"],
         "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )

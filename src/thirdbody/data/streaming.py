@@ -55,7 +55,6 @@ def stream(
         Relative error asked for in every variable [1].
     variables : collection of str, optional
         Those of ``Solution`` that are wanted; ``solution_status`` is always given.
-
     compression : int, optional
         Level of zlib, from 0 to 9.  Nothing is compressed at 0: it would take longer than solving.
 

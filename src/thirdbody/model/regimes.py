@@ -32,6 +32,11 @@ STATUS_MEANINGS = {
     "load_exceeded": "the load is more than what is borne at any separation of zero or more",
 }
 SOLUTION_STATUSES = tuple(STATUS_MEANINGS)
+FLAG_MEANINGS = {  # what the values 0, 1, ... of each flag stand for
+    "lubrication_regime": LUBRICATION_REGIMES,
+    "contact_mode": CONTACT_MODES,
+    "solution_status": SOLUTION_STATUSES,
+}
 WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and -1 for regime and mode
 # Where several apply, the last of these is the status.
 MILDEST_FIRST = (

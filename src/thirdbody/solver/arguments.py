@@ -17,6 +17,7 @@ from thirdbody.solver.labelled import is_labelled
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.units import without_unit
 
+NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
@@ -83,7 +84,7 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
     array = np.asarray(array, float)
-    zero_allowed = name not in ("load", "roughness")
+    zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
     if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]

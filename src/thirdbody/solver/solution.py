@@ -11,10 +11,8 @@ from scipy.special import expit, log_expit
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.film import THICKEST
 from thirdbody.model.regimes import (
-    CONTACT_MODES,
     FILM_COUNTS,
-    LUBRICATION_REGIMES,
-    SOLUTION_STATUSES,
+    FLAG_MEANINGS,
     contact_mode,
     gravest_status,
     lubrication_regime,
@@ -80,12 +78,7 @@ class Solution:
 
 
 VARIABLES = tuple(field.name for field in fields(Solution))
-MEANINGS = {
-    "lubrication_regime": LUBRICATION_REGIMES,
-    "contact_mode": CONTACT_MODES,
-    "solution_status": SOLUTION_STATUSES,
-}
-FLAGS = tuple(MEANINGS)
+FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
 OF_AREAS = {
     "contact_mode",
@@ -99,7 +92,7 @@ def _told(name, values) -> str:
     """A number, or the least and the greatest; of a flag the names, each with how many have it."""
     if name in FLAGS:
         found, counts = np.unique(values, return_counts=True)
-        words = ["none" if index < 0 else MEANINGS[name][index] for index in found]
+        words = ["none" if index < 0 else FLAG_MEANINGS[name][index] for index in found]
         if values.size == 1:
             return words[0]
         return ", ".join(f"{word} ({count})" for word, count in zip(words, counts, strict=True))

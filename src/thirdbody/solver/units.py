@@ -52,10 +52,10 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
     """
     if isinstance(given, (list, tuple)):
         kinds = set(map(type, given))
-        if not any(map(_is_quantity, kinds)) and not kinds & {list, tuple}:
+        if not any(map(is_quantity, kinds)) and not kinds & {list, tuple}:
             return given
         return [without_unit(name, each, newtons_per_load) for each in given]
-    if not _is_quantity(given):
+    if not is_quantity(given):
         return given
     if name == "load" and given.check(FORCE.dimensions):
         return _decimal(given.to(FORCE.unit).magnitude) / newtons_per_load
@@ -65,7 +65,7 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
     return _decimal(given.to(wanted.unit).magnitude)
 
 
-def _is_quantity(given) -> bool:
+def is_quantity(given) -> bool:
     """Whether an object, or those of a class, are quantities of pint."""
     return hasattr(given, "dimensionality") and hasattr(given, "to")
 

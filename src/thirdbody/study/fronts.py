@@ -17,6 +17,7 @@ from thirdbody.study.calibration import Objective, loss
 POINTS = 16  # of a front in a file of calibrated inputs
 # Scores among which that of a loss is interpolated.
 SCORES = np.concatenate([np.linspace(0.0, 2.0, 2001), np.geomspace(2.001, 100.0, 2000)])
+LOSSES = loss(SCORES)
 Front = NDArray[np.float64]  # shape (points, 2), the first column increasing, the second falling
 
 
@@ -59,7 +60,7 @@ class Witness:
         losses, everything = terms[-self._weights.size :], terms.sum()
         for name, members in self._members.items():
             own = losses[members].sum()
-            score = np.interp(own / self._weights[members].sum(), loss(SCORES), SCORES)
+            score = np.interp(own / self._weights[members].sum(), LOSSES, SCORES)
             point = np.array([score, everything - own])
             front = self.fronts[name]
             if not (front <= point).all(axis=1).any():
