@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
 from thirdbody.study.claims import CALIBRATION, Claim, referenced_conditions
-from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import SEARCH_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
 SLOPE_OF_LOSS = 0.1
@@ -247,7 +247,7 @@ class Objective:
                 replace(self.base, **reading.fixed, **values),
                 self.asked,
                 self.newtons,
-                QUICK_EFFORT,
+                SEARCH_EFFORT,
             )
             scores = [judge(claim, evidence).score for claim in self.claims]
         except ValueError:  # no surface has these inputs
