@@ -4,9 +4,11 @@
 # make verify      whether the release is whole, and the products are those that it holds
 # make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
-# make accuracy    errors and times of the solver, measured on this machine (10 minutes)
-# make overhead    the time of a clean run against that of the same jobs if they only import
+# make accuracy    errors and times of the solver, measured on this machine (11 minutes)
+# make overhead    the time of a clean run against that of the same jobs if they only import, in an
+#                  environment of its own: what only tests need would be loaded as well
 # make lock        renew the locked dependencies (needs uv)
+# make vendor      the charting library of the explorer, fetched again (needs npm)
 # make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)
 
 PYTHON ?= python3
@@ -14,12 +16,16 @@ CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
 LOWEST := $(VENV)/lowest
+OVERHEAD := $(VENV)/overhead
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify sums accuracy overhead lock lowest format clean
+.PHONY: reproduce test docs test-survival verify sums accuracy overhead lock vendor lowest format clean
+
+D3 := 7.9.0
+VENDOR := src/thirdbody/explorer/vendor
 
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
@@ -51,17 +57,25 @@ verify: $(VENV)/workflow.done
 	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
 
 sums:
-	@find results/.custody -name '[!.]*.sha256' -exec sha256sum --quiet --check {} +
+	@find results -path '*/.custody/*' -name '[!.]*.sha256' -exec sha256sum --quiet --check {} +
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
 
-overhead: $(VENV)/test.done
-	$(BIN)/python benchmarks/measure_overhead.py
+overhead:
+	$(MAKE) VENV=$(OVERHEAD) $(OVERHEAD)/workflow.done
+	$(OVERHEAD)/bin/python benchmarks/measure_overhead.py
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
+
+vendor:
+	npm pack --silent --pack-destination $(VENDOR) d3@$(D3)
+	tar -xzf $(VENDOR)/d3-$(D3).tgz -C $(VENDOR) --strip-components=1 package/LICENSE package/dist/d3.min.js
+	mv $(VENDOR)/dist/d3.min.js $(VENDOR)/d3.min.js
+	mv $(VENDOR)/LICENSE $(VENDOR)/d3.LICENSE
+	rm -r $(VENDOR)/dist $(VENDOR)/d3-$(D3).tgz
 
 lowest:
 	uv venv --quiet --clear --python 3.11 $(LOWEST)

@@ -20,6 +20,7 @@ QUANTITIES = (
     "film_thickness",
 )
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
 UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 holds nowhere
 UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # not to be told from the values
@@ -56,8 +57,9 @@ def read(path):
                 raise ValueError(f"has no variable {name}")
         axes = {name: file[name][:] for name in (*DIMENSIONS, "normal_load")}
         values = {name: file[name][:] for name in QUANTITIES}
-        shown = {name: file[name][:] != fill(file[name]) for name in (*QUANTITIES, *FLAGS)}
-        values |= {name: flag_names(file[name], shown[name]) for name in FLAGS}
+        shown = {name: values[name] != fill(file[name]) for name in QUANTITIES}
+        values |= {name: flag_names(file[name]) for name in FLAGS}
+        shown |= {name: values[name] != NOT_SHOWN for name in FLAGS}
         model = json.loads(file.model_parameters)
         tolerance = max(SOLUTION, 10.0 * float(file.rtol))
     first = shown["separation"]
@@ -71,12 +73,10 @@ def fill(variable):
     return variable.getncattr("_FillValue") if "_FillValue" in variable.ncattrs() else math.nan
 
 
-def flag_names(variable, shown):
+def flag_names(variable):
     """Names of the flags, by the variable's own ``flag_meanings``."""
     meanings = dict(zip(variable.flag_values.tolist(), variable.flag_meanings.split()))
-    return np.vectorize(lambda value: meanings.get(value, "unknown"), otypes=[object])(
-        np.where(shown, variable[:], variable.flag_values[0])
-    )
+    return np.vectorize(lambda value: meanings.get(value, "unknown"), otypes=[object])(variable[:])
 
 
 def point_at(data, index):

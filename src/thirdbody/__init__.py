@@ -14,8 +14,8 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 >>> print(f"{point.solid_load_fraction:.3f} of the load is borne by solids")
 0.954 of the load is borne by solids
 
-``solve`` takes arrays as well, ``grid`` returns a dataset over five axes and ``stream`` writes one
-larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in
+``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
+``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in
 ``thirdbody.solver``: both need numpy and scipy alone.  Other rooms say which extra they need.
 """
 
@@ -29,6 +29,7 @@ __all__ = [
     "find",
     "grid",
     "load_parameters",
+    "plot",
     "solve",
     "stream",
     "transitions",
@@ -46,6 +47,7 @@ _MODULES = {
     "find": "answers.find",
     "grid": "data.dataset",
     "load_parameters": "configuration.inputs",
+    "plot": "figures.plot",
     "solve": "solver.solve",
     "stream": "data.streaming",
     "transitions": "answers.changes",

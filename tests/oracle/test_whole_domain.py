@@ -57,7 +57,8 @@ def solved(conditions, inputs, way, rtol):
                 way=way,
             )
         )
-    return {name: np.concatenate([vars(one)[name] for one in found]) for name in vars(found[0])}
+    variables = vars(found[0]).keys() - {"conditions"}
+    return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
 
 
 def relative_error(found, expected):

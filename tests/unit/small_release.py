@@ -10,10 +10,9 @@ import thirdbody as tb
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
-from thirdbody.data.tables import TABLES, write_csv, write_schema
+from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.crate import Job, Run
-from thirdbody.release.datapackage import DRAWN_POINTS
 from thirdbody.release.pack import pack
 from thirdbody.release.staging import stage, whole_folder
 from thirdbody.run.closure import import_closure

@@ -244,13 +244,21 @@ def test_an_integer_beyond_float_is_refused_by_name(solve, name):
 def test_more_points_than_memory_holds_are_refused_with_their_number(solve, parameters):
     axis = np.linspace(1e-7, 1e-6, 10**6)
     told = (
-        "1e+12 points in one call; allowed: at most 1e+09, and thirdbody.stream writes any number"
+        "load, viscosity make 1e+12 points; allowed: at most 1e+09 in one call, and "
+        "thirdbody.stream writes any number to a file"
     )
-    assert refusal(solve, load=axis[:, None], viscosity=axis).startswith(told)
+    assert refusal(solve, load=axis[:, None], viscosity=axis) == told
+    named = {name: xr.DataArray(axis, dims=name) for name in ("load", "viscosity")}
+    assert refusal(solve, **named) == told
     axes = POINT | {"load": axis, "viscosity": axis, "parameters": parameters}
-    assert refusal(tb.grid, **axes).startswith(told)
+    assert refusal(tb.grid, **axes).endswith(told.partition("make")[2])
     told = refusal(tb.grid, **axes | dict.fromkeys(POINT, axis))
-    assert told.startswith("1e+30 points in one call")
+    assert "make 1e+30 points" in told
+
+
+def test_arrays_that_do_not_broadcast_are_named_with_their_shapes(solve):
+    told = "shapes do not go together: load has (2,), viscosity has (3,); allowed: those that"
+    assert refusal(solve, load=[1e-6, 1e-5], viscosity=[0.0, 1e-5, 2e-5]).startswith(told)
 
 
 def test_a_falling_axis_is_told_by_its_numbers(parameters):

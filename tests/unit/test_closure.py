@@ -39,12 +39,13 @@ FORMS = {
 
 @pytest.mark.parametrize("form", FORMS)
 def test_every_form_of_import_is_followed(closure_of, form):
-    # the film needs the parameters, these their bounds and readings, and all of them the package
+    # the film needs the parameters, these their bounds, readings and messages, and all the package
     assert closure_of(FORMS[form]) == {
         "__init__",
         "bounds",
         "computed_once",
         "film",
+        "messages",
         "parameters",
         "readings",
     }

@@ -435,7 +435,11 @@ BAD_SETTINGS = {
         "inputs.truncation is 99; allowed: a number from 0.5 to 10",
     ),
     "an unknown input": ("inputs", {"truncatoin": 2}, "inputs: unknown key 'truncatoin'"),
-    "a number for all inputs": ("inputs", 5, "inputs is 5; allowed: keys with values"),
+    "a number for all inputs": (
+        "inputs",
+        5,
+        "inputs is 5; allowed: inputs with their values, or the path",
+    ),
     "a calibrated file that is none": (
         "calibrated",
         "config/inputs.yaml",

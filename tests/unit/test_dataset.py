@@ -11,12 +11,14 @@ from dataclasses import replace
 import netCDF4
 import numpy as np
 import pytest
+import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
 from thirdbody.data.scene import Scene
 from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
 
@@ -91,6 +93,11 @@ SCENE = {
         },
     ],
 }
+
+
+def hidden(variable):
+    """Where the figure shows nothing."""
+    return variable.values == (FILL_FLAG if variable.name in FLAGS else FILL_FLOAT)
 
 
 def grid(parameters, rtol=1e-9, **axes):
@@ -270,8 +277,7 @@ def test_what_a_figure_does_not_show_holds_the_fill_value_and_nothing_else(shown
         expected[scene.placed(group)] = False
     assert expected.any()
     for name in (*MEANINGS, *FLAGS):
-        fill = shown[name].attrs["_FillValue"]
-        assert np.array_equal(shown[name].values == fill, expected), name
+        assert np.array_equal(hidden(shown[name]), expected), name
 
 
 def test_what_a_figure_shows_is_what_the_solver_gives(shown, scene, parameters):
@@ -297,9 +303,23 @@ def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
     assert read_dataset(path).attrs == dataset.attrs
     again = read_dataset(on_disk)
     for name in (*MEANINGS, *FLAGS):
-        hidden = shown[name].values == shown[name].attrs["_FillValue"]
-        assert np.array_equal(np.isnan(again[name].values), hidden)
-        assert np.array_equal(again[name].values[~hidden], shown[name].values[~hidden])
+        kept = ~hidden(shown[name])
+        assert np.array_equal(again[name].values[kept], shown[name].values[kept])
+        unread = again[name].values[~kept]
+        assert (unread == FILL_FLAG if name in FLAGS else np.isnan(unread)).all()
+
+
+@pytest.mark.parametrize("name", FLAGS)
+def test_xarray_opens_flags_as_integers_that_all_have_a_meaning(on_disk, name):
+    with xr.open_dataset(on_disk) as opened:
+        flag = opened[name].load()
+    assert flag.dtype == np.int8
+    meanings = dict(
+        zip(flag.attrs["flag_values"].tolist(), flag.attrs["flag_meanings"].split(), strict=True)
+    )
+    assert set(np.unique(flag).tolist()) <= meanings.keys()
+    assert meanings[FILL_FLAG] == "not_shown"
+    assert (name == "solution_status") or meanings[-1] == "without_values"
 
 
 def test_reading_closes_the_file(on_disk):
@@ -316,7 +336,7 @@ def test_the_file_is_netcdf_4_with_the_types_of_the_contract(on_disk):
             variable = stored[name]
             assert variable.dimensions == DIMENSIONS
             assert variable.dtype == (np.int8 if name in FLAGS else np.float64)
-            assert variable._FillValue.dtype == variable.dtype
+            assert hasattr(variable, "_FillValue") == (name not in FLAGS)
         for name in (*DIMENSIONS, "normal_load"):
             assert not hasattr(stored[name], "_FillValue")
 

@@ -197,3 +197,26 @@ def test_an_input_that_is_missing_keeps_its_own_message(tmp_path):
 def test_a_log_that_cannot_be_written_is_named(tmp_path):
     with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
         pass
+
+
+@pytest.mark.parametrize(
+    ("path", "told"),
+    [
+        ("no/a.csv", r"no/a.csv cannot be written \(No such file or directory\)"),
+        ("file/a.csv", r"file/a.csv cannot be written \(Not a directory\)"),
+        ("folder", r"folder cannot be written \(Is a directory\)"),
+        ("x" * 300, r"x+ cannot be written \(File name too long\)"),
+        ("", "'' is no name of a file; allowed: the path of one to write"),
+        ("a\0b", r"'a\\x00b' is no name of a file"),
+        (None, "None is no name of a file"),
+    ],
+)
+def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(
+    tmp_path, monkeypatch, path, told
+):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "file").touch()
+    (tmp_path / "folder").mkdir()
+    with pytest.raises((OSError, ValueError), match=told), whole(path):
+        raise AssertionError("the block ran")
+    assert listing(tmp_path) == ["file", "folder"]

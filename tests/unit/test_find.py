@@ -106,7 +106,7 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"viscosity": 1e-6}, "viscosity is given twice; allowed: each axis once"),
         ({"load_N": None}, "load is missing; allowed: load or load_N"),
         ({"between": (0.0, 1.0)}, "between is 0 to 1; allowed: positive and increasing"),
-        ({"count": 1}, "count is 1; allowed: at least 2"),
+        ({"count": 1}, "count is 1; allowed: whole numbers from 2 to 1000000"),
         ({"rtol": 1.0}, "rtol is 1.0; allowed: 1e-11 to 1e-2"),
         ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
         ({"load_N": "10"}, "load_N is of type <U2; allowed: numbers"),

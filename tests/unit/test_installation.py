@@ -37,6 +37,7 @@ LACKING = {
     "from thirdbody import load_parameters": ("yaml, jsonschema", "data"),
     "from thirdbody import grid": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
+    "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
     "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.Interface": (
         "xarray, netCDF4, yaml, jsonschema, tabulate",

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 
@@ -131,7 +132,7 @@ def test_equal_sizes_are_fine_where_the_gap_spreads_them(parameters):
 def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name, bad):
     with pytest.raises(ValueError) as refused:
         replace(parameters, **{name: bad})
-    assert str(refused.value) == f"{name} is {bad!r}; allowed: {BOUNDS[name]} (SI)"
+    assert str(refused.value) == f"{name} is {shown(bad)}; allowed: {BOUNDS[name]} (SI)"
 
 
 @pytest.mark.parametrize("name", BOUNDS)

@@ -2,7 +2,15 @@
 
 import pytest
 
-from thirdbody.data.readable import markdown, readable, result_name, rounded, with_error
+from thirdbody.data.readable import (
+    Sheet,
+    markdown,
+    page,
+    readable,
+    result_name,
+    rounded,
+    with_error,
+)
 
 NEWTONS = 1e5  # per load
 CURVE = {
@@ -66,6 +74,16 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
     assert lubricated[11] == "21.1 ± 3"
 
 
+@pytest.mark.parametrize("table", ["tpca_loads", "transitions"])
+def test_curves_of_ones_own_have_no_columns_for_what_the_paper_says(table):
+    row = CURVE | POINT | {"figure": "mine", "quantity": "", "level": 0.0, "direction": "rising"}
+    (sheet,) = readable(table, [row], (), NEWTONS)
+    assert sheet.headings[0] == "ν [cSt]"
+    assert "paper" not in sheet.headings
+    assert [len(line) for line in sheet.rows] == [len(sheet.headings)]
+    assert sheet.rows[0][:4] == ["90", "300", "300", "1e11"]
+
+
 def test_a_windows_ends_stand_in_one_row_beside_the_papers():
     ends = (("low", 0.88072), ("high", 1.30188))
     rows = [
@@ -108,6 +126,23 @@ def test_sensitivities_are_inputs_by_results():
     assert indices.rows == [["mean ratio", "0.52 ± 0.06"]]
     text = markdown([elasticities, indices])
     assert text.count("| mean ratio") == 2
+
+
+def test_the_papers_tables_show_printed_and_recomputed_side_by_side():
+    row = dict(property="Load", symbol="F_t", unit="N", verdict="agrees", remark=None)
+    row |= dict(printed_low=0.04, printed_high=80.0, recomputed_low=81.3, recomputed_high=None)
+    (sheet,) = readable("table2", [row], (), NEWTONS)
+    assert sheet.rows == [["Load", "F_t", "N", "0.04 to 80", "81.3", "agrees", ""]]
+
+
+def test_a_page_is_the_text_and_needs_no_other_file():
+    sheets = [Sheet("One", "Note.", ["a"], [["<b> & c"]]), Sheet("Two", "", ["a"], [["x"]])]
+    shown = page(sheets)
+    assert shown.count("<table>") == 2
+    assert "<td>&lt;b&gt; &amp; c</td>" in shown.replace("  ", "")
+    assert "<p><strong>Two.</strong></p>" in shown
+    assert "src=" not in shown and "href=" not in shown
+    assert markdown(sheets).startswith("**One.** Note.\n\n| a")
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 import subprocess
 import sys
-from dataclasses import fields, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,7 +20,7 @@ from thirdbody.model.regimes import (
     has_values,
 )
 from thirdbody.solver import plan, surfaces
-from thirdbody.solver.solution import QUANTITIES, WHOLE, Solution
+from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),
@@ -41,7 +41,6 @@ FLAGS = {
     "contact_mode": CONTACT_MODES,
     "solution_status": SOLUTION_STATUSES,
 }
-VARIABLES = tuple(field.name for field in fields(Solution))
 CONVERGED, OUTSIDE, COVERED, FAILED, SEVERAL, WIDE, EXCEEDED = range(len(SOLUTION_STATUSES))
 
 

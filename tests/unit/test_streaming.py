@@ -100,3 +100,13 @@ def test_compressed_on_request_it_holds_the_same(parameters, tmp_path):
         assert file["separation"].filters()["zlib"]
     with pytest.raises(ValueError, match="compression is 12; allowed: 0 to 9"):
         tb.stream(tmp_path / "no.nc", **AXES, parameters=parameters, compression=12)
+
+
+def test_more_than_there_is_room_for_is_refused_before_anything_is_solved(parameters, tmp_path):
+    axis = np.linspace(1e-7, 1e-6, 10**6)
+    axes = AXES | {"load": axis, "viscosity": axis, "roughness": 3e-7}
+    with pytest.raises(
+        OSError, match=r"grid.nc would hold .e\+1. points in .*e\+1. bytes; allowed"
+    ):
+        tb.stream(tmp_path / "grid.nc", **axes, parameters=parameters)
+    assert list(tmp_path.iterdir()) == []

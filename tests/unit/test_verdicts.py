@@ -1,13 +1,15 @@
 """What is made of the verdicts: words, counts, and the page, on made-up judgements."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 
 from thirdbody.study import verdicts
+from thirdbody.study.calibration import Unknown
 from thirdbody.study.checks import Verdict
 from thirdbody.study.claims import Claim
-from thirdbody.study.verdict_text import claims_json, claims_markdown
+from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
 from thirdbody.study.verdicts import Judgement, Trial, counted_once, discriminating, outcome
 
 HELD = Verdict("1", 1.0, 0.0, 0.0, True, True)
@@ -90,6 +92,7 @@ def test_the_page_shows_contradictions_apart():
     (row,) = (line for line in apart.splitlines() if line.startswith("| aside"))
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
     assert cells == ["aside", "yes", "taken (fails)", "Figure 9 says so or twice"]
+    assert claims_html(held).count("<tr>") == 1 + len(held.claims)
     failed = page.split("## What fails, and what would change it")[1]
     assert "**taken**" in failed
     assert "**other**" in failed
@@ -141,3 +144,17 @@ def test_programs_read_what_the_page_says():
     assert [row["id"] for row in content["headline"]] == ["taken"]
     assert [row["id"] for row in content["predictions"]] == ["kept back"]
     assert content["statements"][-1]["score"] is None
+
+
+def test_an_input_is_moved_only_where_a_surface_can_have_it(parameters):
+    def judge(name, inputs, effort=None):
+        if inputs["summit_parameter"] < parameters.summit_parameter:
+            raise ValueError("summit_parameter leaves no variance to the summits")
+        return Judgement(name, ())
+
+    court = SimpleNamespace(claims=(), base=parameters, judge=judge)
+    unknown = Unknown("summit_parameter", (0.02, 2.0), (0.1, 1.0), True)
+    reading = SimpleNamespace(unknowns=[unknown])
+    held = Trial.of(court, {"inputs": {}, "ensemble": [{}]}, reading, [])
+    assert [each.name for each in held.nudged] == ["higher summit parameter"]
+    assert len(held.ensemble) == 1

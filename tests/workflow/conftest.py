@@ -1,5 +1,7 @@
 """One full run on the minimal configuration; every test gets a copy of it to harm."""
 
+import fcntl
+
 import pytest
 from workspace import Workspace
 
@@ -11,12 +13,20 @@ def sources(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def finished(sources, tmp_path_factory):
-    """The repository after a full minimal run; not to be written to."""
-    workspace = sources.copied_to(tmp_path_factory.mktemp("finished") / "thirdbody")
-    run = workspace.snakemake()
-    assert run.returncode == 0, run.stdout + run.stderr
-    return workspace
+def finished(sources, tmp_path_factory, worker_id):
+    """The repository after a full minimal run, the same for all processes that test; not to be
+    written to."""
+    own = tmp_path_factory.getbasetemp()
+    shared = own if worker_id == "master" else own.parent
+    made = shared / "finished"
+    with open(shared / "finished.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not made.exists():
+            workspace = sources.copied_to(own / "running")
+            run = workspace.snakemake()
+            assert run.returncode == 0, run.stdout + run.stderr
+            workspace.root.rename(made)
+    return Workspace(made)
 
 
 @pytest.fixture(scope="session")

@@ -29,7 +29,9 @@ METHODS |= {("nested_roots", None)}
 @pytest.fixture(scope="module")
 def measured(sources, tmp_path_factory):
     """The repository after a run of the accuracy target alone."""
-    workspace = sources.copied_to(tmp_path_factory.mktemp("measured") / "thirdbody")
+    workspace = sources.copied_to(
+        tmp_path_factory.mktemp("measured") / "thirdbody"
+    ).with_machine_code()
     run = workspace.snakemake("accuracy")
     assert run.returncode == 0, run.stdout + run.stderr
     return workspace
@@ -61,7 +63,7 @@ def test_what_is_timed_leaves_no_share_to_others(measured):
     assert timed == {name for name in rules if name.startswith("time_")} != set()
     profile = yaml.safe_load((measured.root / "workflow/profiles/default/config.yaml").read_text())
     assert profile["resources"] == ["quiet=100"]
-    assert profile["default-resources"] == ["quiet=1"]
+    assert "quiet=1" in profile["default-resources"]
 
 
 @pytest.mark.parametrize("name", ["errors", "times"])

@@ -77,6 +77,24 @@ def inputs(name, content, *words):
     return Case(name, spoil, words)
 
 
+def calibrated(name, old, new, *words):
+    """A calibrated file of one's own, in which ``old`` text is ``new``."""
+
+    def spoil(root):
+        shipped = root / "config/calibrated/uncentred_surface_wide_full.yaml"
+        changed = shipped.read_text(encoding="utf-8").replace(old, new)
+        (root / "config/own.yaml").write_text(changed, encoding="utf-8")
+        put(name, CONFIG, "calibrated", "config/own.yaml").spoil(root)
+
+    return Case(name, spoil, words)
+
+
+def changes(name, content, *words):
+    """A file of changes given with --config changes=."""
+    made = text(name, "mine.yaml", content, *words)
+    return Case(made.name, made.spoil, words, ("--config", "changes=mine.yaml"))
+
+
 def without(name, file):
     return Case(name, lambda root: (root / file).unlink(), (file, "allowed"))
 
@@ -194,6 +212,32 @@ CASES = [
     put("command for a path", CONFIG, "inputs", "config/$(id).yaml", "inputs", "$(id)", "allowed"),
     put("line break in a path", CONFIG, "inputs", "config/inputs.yaml\n", "inputs", "allowed"),
     put("missing inputs", CONFIG, "inputs", "config/none.yaml", "config/none.yaml", "allowed"),
+    changes("inputs outside config", b"inputs: soft.yaml\n", "inputs", "'soft.yaml'", "in config/"),
+    changes("inputs of another folder", b"inputs: /tmp/a.yaml\n", "'/tmp/a.yaml'", "in config/"),
+    changes("a number as inputs", b"inputs: 3\n", "inputs is 3", "with their values, or the path"),
+    changes("inputs without a folder", b"inputs: config/\n", "'config/'", "YAML file in config/"),
+    calibrated(
+        "calibrated file of no reading",
+        "reading: uncentred_surface_wide_full",
+        "reading: mine",
+        "config/own.yaml: reading is 'mine'",
+        "uncentred_summit_wide_full",
+    ),
+    changes(
+        "inputs that a surface cannot have",
+        b"inputs: {summit_offset: true, summit_parameter: 0.0195}\n",
+        "inputs: summit_parameter is 0.0",
+        "at roughness 4e-07 m",
+        "allowed: above 0.019",
+    ),
+    changes(
+        "inputs that a surface cannot have in the ensemble",
+        b"inputs: {summit_offset: true, summit_parameter_exponent: -1.38}\n",
+        "inputs in member ",
+        "of config/calibrated/",
+        "summit_parameter is 0.0",
+        "allowed: above 0.019",
+    ),
     # inputs of the model
     inputs("unknown input", b"colour: 3\n", "config/mine.yaml", "'colour'", "allowed"),
     inputs("input out of bounds", b"truncation: 99.0\n", "truncation", "99.0", "0.5 to 10"),
@@ -284,6 +328,23 @@ CASES = [
     ),
     given("key on the command line", "colour=red", "'colour'", "inputs"),
     given("value on the command line", "rtol=much", "rtol", "'much'", "a number"),
+    given("run that is no word", "run=../soft", "run is '../soft'", "a plain word"),
+    given("run called like a folder of products", "run=figures", "run is 'figures'", "no folder"),
+    given(
+        "number in braces on the command line",
+        "inputs={truncation: 2.5}",
+        "inputs.truncation is '2.5'",
+        "in braces after --config",
+    ),
+    given("changes that are not there", "changes=none.yaml", "none.yaml", "a readable YAML file"),
+    given("changes that are a folder", "changes=config", "config: Is a directory", "YAML file"),
+    Case(
+        "target after the settings",
+        lambda root: None,
+        ("results/figures/fig04.svg", "KEY=VALUE", "targets go first"),
+        ("--config", "changes=config/minimal.yaml", "results/figures/fig04.svg"),
+    ),
+    given("changes that are a number", "changes=3", "changes is 3", "the path of a YAML file"),
 ]
 
 

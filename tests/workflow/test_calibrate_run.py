@@ -13,7 +13,9 @@ BUDGET = {"scattered": 3, "population": 5, "evaluations": 10, "walkers": 18, "st
 @pytest.fixture(scope="module")
 def calibrated(sources, tmp_path_factory):
     """The repository after the calibration of two readings."""
-    workspace = sources.copied_to(tmp_path_factory.mktemp("calibrated") / "thirdbody")
+    workspace = sources.copied_to(
+        tmp_path_factory.mktemp("calibrated") / "thirdbody"
+    ).with_machine_code()
 
     def smaller(text):
         settings = yaml.safe_load(text)
@@ -43,9 +45,10 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
 def test_the_same_seeds_give_the_same_files(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
     shutil.rmtree(again.root / "results")
-    run = again.snakemake("calibrate")
+    name = f"results/calibration/{READINGS[0]}.yaml"
+    run = again.snakemake(name)
     assert run.returncode == 0, run.stdout + run.stderr
-    assert files(again, "results/calibration") == files(calibrated, "results/calibration")
+    assert (again.root / name).read_bytes() == (calibrated.root / name).read_bytes()
 
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):

@@ -32,6 +32,7 @@ PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
 CLAIMS = ("claims/*", "figures/claims.*")
+PAGE = ("explorer/*",)
 
 
 def of_figure(name):
@@ -59,7 +60,7 @@ def followers(recorded, changed):
 
 def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspace):
     workspace.put("config/scenes.yaml", "scenes/fig08/curves/0/viscosity_cSt", [0, 80])
-    assert remade(workspace) == workspace.products(*of_figure("fig08"), *GATHERED)
+    assert remade(workspace) == workspace.products(*of_figure("fig08"), *GATHERED, *PAGE)
     assert not workspace.pending()
 
 
@@ -67,7 +68,7 @@ def test_another_style_draws_again_and_solves_nothing(workspace):
     workspace.rewrite(
         "src/thirdbody/figures/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n"
     )
-    assert workspace.pending() == workspace.products("figures/*")
+    assert workspace.pending() == workspace.products("figures/*", *PAGE)
     drawn = remade(workspace, "results/figures/fig03.png")
     assert drawn == workspace.products("figures/fig03.*")
 
@@ -94,7 +95,7 @@ def test_another_library_module_reruns_what_imports_it(workspace, recorded, modu
 
 def test_the_figures_solve_nothing_and_the_film_enters_no_paper_table(finished, recorded):
     drawn = followers(recorded, "src/thirdbody/figures/sheet/saving.py")
-    assert drawn == finished.products("figures/*")
+    assert drawn == finished.products("figures/*", *PAGE)
     film = followers(recorded, "src/thirdbody/model/film.py")
     assert film >= finished.products(*ALL_CURVES, *WINDOWS)
     assert film.isdisjoint(finished.products(*PAPER_TABLES))
@@ -109,11 +110,11 @@ def test_missing_products_are_made_again_and_no_others(workspace):
     for name in ("tables/table2.tex", "figures/fig07.svg", "accuracy/solver_cost.csv"):
         (workspace.root / "results" / name).unlink()
     made = remade(workspace)
-    assert made == workspace.products("tables/table2.*", "figures/fig07.*", GATHERED[0])
+    assert made == workspace.products("tables/table2.*", "figures/fig07.*", GATHERED[0], *PAGE)
 
 
 def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(workspace):
-    expected = workspace.products(*of_figure("fig05"), *GATHERED)
+    expected = workspace.products(*of_figure("fig05"), *GATHERED, *PAGE)
     (workspace.root / "results/datasets/fig05.nc").unlink()
     assert workspace.pending() == expected
 
@@ -121,9 +122,14 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
 @pytest.mark.parametrize(
     ("file", "key", "value", "patterns"),
     [
-        ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED)),
-        ("config/config.yaml", "windows/roughness_nm", [100, 300], (*WINDOWS, *SHOWING_WINDOWS)),
-        ("config/claims.yaml", "0/statement", "Particles matter.", (*CLAIMS, *PRINTED)),
+        ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED, *PAGE)),
+        (
+            "config/config.yaml",
+            "windows/roughness_nm",
+            [100, 300],
+            (*WINDOWS, *SHOWING_WINDOWS, *PAGE),
+        ),
+        ("config/claims.yaml", "0/statement", "Particles matter.", (*CLAIMS, *PRINTED, *PAGE)),
         (
             "config/config.yaml",
             "schematics/fig01/0/load_N",
@@ -134,14 +140,17 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
             "config/scenes.yaml",
             "load_axis/load_N",
             [0.05, 80.0],
-            (*ALL_CURVES, *GATHERED, *WINDOWS),
+            (*ALL_CURVES, *GATHERED, *WINDOWS, *PAGE),
         ),
         (
             "config/inputs.yaml",
             # an input that no calibrated file gives
             "yield_pressure_ratio/value",
             0.41,
-            (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS, *SENSITIVITY),
+            (
+                *(*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS),
+                *(*CLAIMS, *SENSITIVITY, *PAGE),
+            ),
         ),
         (
             "config/calibrated/uncentred_surface_wide_full.yaml",
@@ -149,10 +158,10 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
             1.8,
             (
                 *(*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS),
-                *(*CLAIMS, *SENSITIVITY, "figures/fronts.*"),
+                *(*CLAIMS, *SENSITIVITY, *PAGE, "figures/fronts.*"),
             ),
         ),
-        ("config/paper_tables.yaml", "table1/0/property", "Modulus", PAPER_TABLES),
+        ("config/paper_tables.yaml", "table1/0/property", "Modulus", (*PAPER_TABLES, *PAGE)),
     ],
     ids=[
         "rtol",

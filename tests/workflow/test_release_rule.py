@@ -1,11 +1,11 @@
-"""`snakemake release`, run twice: what goes to an archive is the same bytes wherever it is made."""
+"""`snakemake release`: what goes to an archive, and what the verification in it finds.
 
-import filecmp
+That it is the same bytes wherever it is made is tested by ``survival/test_killed.py``.
+"""
+
 import json
-import shutil
 import subprocess
 import sys
-import zipfile
 
 import pytest
 from workspace import ROOT, Workspace
@@ -16,25 +16,13 @@ from thirdbody.release.codecheck import targets
 
 PAPER = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff")
 NAME = PAPER.of_other_configuration().full_name  # of the few loads that are solved here
-ELSEWHERE = {
-    "TZ": "Pacific/Kiritimati",
-    "LC_ALL": "C",
-    "PYTHONUTF8": "0",
-    "PYTHONCOERCECLOCALE": "0",
-    "PYTHONHASHSEED": "1",
-}
 
 
 @pytest.fixture(scope="module")
 def released(finished, tmp_path_factory):
     """The folder of a release, among the results that it was made of."""
     workspace = finished.copied_to(tmp_path_factory.mktemp("released") / "a folder")
-    return release_of(workspace, "-c2")
-
-
-def release_of(workspace, *arguments, **settings):
-    """Make the release in ``workspace``; its folder."""
-    run = workspace.snakemake(*arguments, "release", **settings)
+    run = workspace.snakemake("release")
     assert run.returncode == 0, run.stdout + run.stderr
     return workspace.root / "results" / "release" / NAME
 
@@ -116,23 +104,3 @@ def test_damaged_products_and_archive_file_are_named(released):
         path.write_bytes(content)
     assert code == 1
     assert all(name in line for name in names)
-
-
-def test_source_in_the_archive_makes_the_same_archive_elsewhere(
-    released, tmp_path, monkeypatch, tell
-):
-    with zipfile.ZipFile(released.with_name(f"{NAME}.zip")) as archive:
-        archive.extractall(tmp_path)
-    unpacked = tmp_path / NAME
-    assert verified(unpacked / "verification/verify.py")[0] == 0
-    source = Workspace(shutil.copytree(unpacked / "data" / "source", tmp_path / "elsewhere"))
-    shutil.copyfile(unpacked / "data/configuration/config.json", source.root / "used.json")
-    for name, value in ELSEWHERE.items():
-        monkeypatch.setenv(name, value)
-    again = release_of(source, "-c1", config=("--configfile", "used.json"))
-    names = files_in(released, released)
-    assert files_in(again, again) == names
-    assert filecmp.cmpfiles(released, again, names, shallow=False) == (names, [], [])
-    archives = {folder.with_name(f"{NAME}.zip").read_bytes() for folder in (released, again)}
-    assert len(archives) == 1
-    tell(f"archive: {len(names)} files of the same bytes from two runs")

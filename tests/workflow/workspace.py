@@ -17,14 +17,24 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
+MACHINE_CODE = Path("src/thirdbody/solver/compiled/__pycache__")  # where numba keeps it
 NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
 
 
 @dataclass(frozen=True)
 class Workspace:
-    """A copy of the repository at ``root``."""
+    """A copy of the repository at ``root``, or a folder of other work.
+
+    Python imports from ``imported``; from the copy itself if there are none.
+    """
 
     root: Path
+    imported: tuple[Path, ...] = ()
+
+    @property
+    def packages(self) -> tuple[Path, ...]:
+        """Folders that Python imports from."""
+        return self.imported or (self.root / "src", self.root)
 
     @classmethod
     def of_sources(cls, root: Path) -> Workspace:
@@ -38,14 +48,21 @@ class Workspace:
         shutil.copytree(ROOT, root, ignore=left_out)
         return cls(root)
 
+    def with_machine_code(self) -> Workspace:
+        """The same with the compiled loop, if tests before have compiled it: that takes long."""
+        (self.root / MACHINE_CODE).mkdir(exist_ok=True)
+        for kept in (ROOT / MACHINE_CODE).glob("*.nb?"):
+            shutil.copy2(kept, self.root / MACHINE_CODE)
+        return self
+
     def copied_to(self, root: Path) -> Workspace:
         """The same with results and times of change, elsewhere."""
         shutil.copytree(self.root, root)
         return Workspace(root)
 
     def execute(self, *command) -> subprocess.CompletedProcess:
-        """Run a command at the root; ``thirdbody`` is the copy's own, whichever is installed."""
-        library = {"PYTHONPATH": os.pathsep.join([str(self.root / "src"), str(self.root)])}
+        """Run a command at the root; ``thirdbody`` is that of ``packages``, whichever is installed."""
+        library = {"PYTHONPATH": os.pathsep.join(map(str, self.packages))}
         return subprocess.run(
             command,
             cwd=self.root,
@@ -118,9 +135,9 @@ class Workspace:
 def is_product(path: Path) -> bool:
     """Whether a file under ``results/`` is no mere record of one."""
     # not at the top: ``run_here`` imports the library of its copy in a process that has none yet
-    from thirdbody.run.custody import RECORDS
+    from thirdbody.run.places import CUSTODY
 
-    return path.is_file() and RECORDS.name not in path.parts
+    return path.is_file() and CUSTODY not in path.parts
 
 
 ABSENT = object()
@@ -149,6 +166,7 @@ def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:
         os.dup2(stream.fileno(), 1)
         os.dup2(stream.fileno(), 2)
     os.chdir(root)
+    sys.argv = ["snakemake", *arguments]
     os.environ["PYTHONPATH"] = os.pathsep.join([str(root / "src"), str(root)])
     sys.path[:0] = [str(root / "src"), str(root)]
     from snakemake.cli import main

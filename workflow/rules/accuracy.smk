@@ -12,15 +12,15 @@ except ValueError as error:
 
 rule measure_errors:
     input:
-        points="tests/golden/accuracy_points.csv",
-        plain="verification/plain_model.py",
+        points=place_of("tests/golden/accuracy_points.csv"),
+        plain=place_of("verification/plain_model.py"),
         modules=import_closure("workflow/scripts/measure_errors.py"),
     output:
-        errors="results/accuracy/errors.csv",
+        errors="<results>/accuracy/errors.csv",
     log:
-        "logs/measure_errors.log",
+        "<logs>/measure_errors.log",
     benchmark:
-        "logs/measure_errors.tsv"
+        "<logs>/measure_errors.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -34,14 +34,14 @@ rule measure_errors:
 
 rule judge_extremes:
     input:
-        extremes="tests/golden/extremes.csv",
+        extremes=place_of("tests/golden/extremes.csv"),
         modules=import_closure("workflow/scripts/judge_extremes.py"),
     output:
-        verdicts="results/accuracy/extremes.csv",
+        verdicts="<results>/accuracy/extremes.csv",
     log:
-        "logs/judge_extremes.log",
+        "<logs>/judge_extremes.log",
     benchmark:
-        "logs/judge_extremes.tsv"
+        "<logs>/judge_extremes.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -55,22 +55,22 @@ rule judge_extremes:
 
 rule gather_accuracy:
     input:
-        errors="results/accuracy/errors.csv",
-        extremes="results/accuracy/extremes.csv",
-        times="results/accuracy/times.csv",
-        scaling="results/accuracy/scaling.csv",
-        surfaces="results/accuracy/surfaces.csv",
-        starts="results/accuracy/starts.csv",
-        streaming="results/accuracy/streaming.csv",
+        errors="<results>/accuracy/errors.csv",
+        extremes="<results>/accuracy/extremes.csv",
+        times="<results>/accuracy/times.csv",
+        scaling="<results>/accuracy/scaling.csv",
+        surfaces="<results>/accuracy/surfaces.csv",
+        starts="<results>/accuracy/starts.csv",
+        streaming="<results>/accuracy/streaming.csv",
         modules=import_closure("workflow/scripts/gather_accuracy.py"),
     output:
-        dataset="results/accuracy/accuracy.nc",
-        bars="results/accuracy/bars.csv",
-        text="results/accuracy/bars.md",
+        dataset="<results>/accuracy/accuracy.nc",
+        bars="<results>/accuracy/bars.csv",
+        text="<results>/accuracy/bars.md",
     log:
-        "logs/gather_accuracy.log",
+        "<logs>/gather_accuracy.log",
     benchmark:
-        "logs/gather_accuracy.tsv"
+        "<logs>/gather_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -82,19 +82,17 @@ rule gather_accuracy:
 
 rule render_accuracy:
     input:
-        errors="results/accuracy/errors.csv",
-        times="results/accuracy/times.csv",
-        style="src/thirdbody/figures/paper.mplstyle",
+        errors="<results>/accuracy/errors.csv",
+        times="<results>/accuracy/times.csv",
+        style=place_of("src/thirdbody/figures/paper.mplstyle"),
         modules=import_closure("workflow/scripts/render_accuracy.py"),
     output:
-        multiext("results/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "results/figures/accuracy.png", caption="../report/figure.rst", category="Figures"
-        ),
+        multiext("<results>/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("<results>/figures/accuracy.png", subcategory="Figures", **IN_REPORT),
     log:
-        "logs/render_accuracy.log",
+        "<logs>/render_accuracy.log",
     benchmark:
-        "logs/render_accuracy.tsv"
+        "<logs>/render_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -106,15 +104,17 @@ rule render_accuracy:
 
 rule accuracy:
     input:
-        "results/accuracy/errors.csv",
-        "results/accuracy/extremes.csv",
-        "results/accuracy/times.csv",
-        "results/accuracy/omissions.csv",
-        "results/accuracy/scaling.csv",
-        "results/accuracy/surfaces.csv",
-        "results/accuracy/starts.csv",
-        "results/accuracy/streaming.csv",
-        "results/accuracy/bars.csv",
-        "results/accuracy/bars.md",
-        "results/accuracy/accuracy.nc",
-        multiext("results/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),
+        "<results>/accuracy/errors.csv",
+        "<results>/accuracy/extremes.csv",
+        "<results>/accuracy/times.csv",
+        "<results>/accuracy/omissions.csv",
+        "<results>/accuracy/scaling.csv",
+        "<results>/accuracy/surfaces.csv",
+        "<results>/accuracy/starts.csv",
+        "<results>/accuracy/streaming.csv",
+        "<results>/accuracy/bars.csv",
+        "<results>/accuracy/bars.md",
+        "<results>/accuracy/accuracy.nc",
+        multiext("<results>/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),
+    message:
+        "All that measures accuracy is made"

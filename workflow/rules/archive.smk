@@ -11,18 +11,20 @@ except ValueError as error:
     sys.exit(f"{error}")
 
 # nothing but the paper's configuration is sealed under the name and version of the project
-IS_CHANGED = config != PAPER
+IS_CHANGED = config != {key: value for key, value in PAPER.items() if key != "run"}
 if IS_CHANGED:
     RELEASE = RELEASE.of_other_configuration()
 
 # what is measured on a machine differs from run to run: it goes to the record
-MEASURED = "results/accuracy/"
+MEASURED = f"{PLACES.products}/accuracy/"
 
 
 rule release:
     input:
-        archive=f"results/release/{RELEASE.full_name}.zip",
-        provenance="results/release/provenance.json",
+        archive=f"<results>/release/{RELEASE.full_name}.zip",
+        provenance="<results>/release/provenance.json",
+    message:
+        "The release is made"
 
 
 rule stage_release:
@@ -30,23 +32,25 @@ rule stage_release:
         products=[path for path in rules.all.input if not path.startswith(MEASURED)],
         bands=branch(
             settings["bands"],
-            then=expand("results/bands/{figure}.nc", figure=CURVE_FIGURES),
+            then=expand("<results>/bands/{figure}.nc", figure=CURVE_FIGURES),
             otherwise=[],
         ),
         sources=source_files(),
         modules=import_closure("workflow/scripts/stage_release.py"),
     output:
-        sealed=f"results/release/{RELEASE.full_name}/tagmanifest-sha512.txt",
+        sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha512.txt",
     log:
-        "logs/stage_release.log",
+        "<logs>/stage_release.log",
     benchmark:
-        "logs/stage_release.tsv"
+        "<logs>/stage_release.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
     params:
         settings={"config": config, "parameters": settings["parameters"]},
-        jobs=lambda wildcards, input: jobs_behind([*input.products, *input.bands], workflow.rules),
+        jobs=lambda wildcards, input: jobs_behind(
+            [*input.products, *input.bands], workflow.rules, PLACES
+        ),
         software=software_versions("pyproject.toml"),
         is_changed=IS_CHANGED,
     message:
@@ -60,11 +64,11 @@ rule pack_release:
         sealed=rules.stage_release.output.sealed,
         modules=import_closure("workflow/scripts/pack_release.py"),
     output:
-        archive=f"results/release/{RELEASE.full_name}.zip",
+        archive=f"<results>/release/{RELEASE.full_name}.zip",
     log:
-        "logs/pack_release.log",
+        "<logs>/pack_release.log",
     benchmark:
-        "logs/pack_release.tsv"
+        "<logs>/pack_release.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -79,14 +83,14 @@ rule pack_release:
 rule record_provenance:
     input:
         archive=rules.pack_release.output.archive,
-        cost="results/accuracy/solver_cost.csv",
+        cost="<results>/accuracy/solver_cost.csv",
         modules=import_closure("workflow/scripts/record_provenance.py"),
     output:
-        provenance="results/release/provenance.json",
+        provenance="<results>/release/provenance.json",
     log:
-        "logs/record_provenance.log",
+        "<logs>/record_provenance.log",
     benchmark:
-        "logs/record_provenance.tsv"
+        "<logs>/record_provenance.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -3,15 +3,15 @@
 
 rule compute_band:
     input:
-        dataset="results/datasets/{figure}.nc",
+        dataset="<results>/datasets/{figure}.nc",
         calibrated=settings["calibrated"],
         modules=import_closure("workflow/scripts/compute_band.py"),
     output:
-        band="results/bands/{figure}.nc",
+        band="<results>/bands/{figure}.nc",
     log:
-        "logs/compute_band/{figure}.log",
+        "<logs>/compute_band/{figure}.log",
     benchmark:
-        "logs/compute_band/{figure}.tsv"
+        "<logs>/compute_band/{figure}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -8,16 +8,16 @@ CALIBRATION = settings["calibration"]
 
 rule search_reading:
     input:
-        claims="config/claims.yaml",
-        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
+        claims=f"{CONFIG}/claims.yaml",
+        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
         modules=import_closure("workflow/scripts/search_reading.py"),
     output:
-        evaluations="results/calibration/{reading}/seed{seed}.csv",
-        fronts="results/calibration/{reading}/seed{seed}_fronts.json",
+        evaluations="<results>/calibration/{reading}/seed{seed}.csv",
+        fronts="<results>/calibration/{reading}/seed{seed}_fronts.json",
     log:
-        "logs/search_reading/{reading}_{seed}.log",
+        "<logs>/search_reading/{reading}_{seed}.log",
     benchmark:
-        "logs/search_reading/{reading}_{seed}.tsv"
+        "<logs>/search_reading/{reading}_{seed}.tsv"
     wildcard_constraints:
         seed="[0-9]+",
     conda:
@@ -35,17 +35,17 @@ rule search_reading:
 rule sample_reading:
     input:
         evaluations=expand(
-            "results/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
+            "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
         ),
-        claims="config/claims.yaml",
-        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
+        claims=f"{CONFIG}/claims.yaml",
+        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
         modules=import_closure("workflow/scripts/sample_reading.py"),
     output:
-        samples="results/calibration/{reading}/seed{seed}_samples.csv",
+        samples="<results>/calibration/{reading}/seed{seed}_samples.csv",
     log:
-        "logs/sample_reading/{reading}_{seed}.log",
+        "<logs>/sample_reading/{reading}_{seed}.log",
     benchmark:
-        "logs/sample_reading/{reading}_{seed}.tsv"
+        "<logs>/sample_reading/{reading}_{seed}.tsv"
     wildcard_constraints:
         seed="[0-9]+",
     conda:
@@ -63,21 +63,21 @@ rule sample_reading:
 rule summarise_reading:
     input:
         evaluations=expand(
-            "results/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
+            "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
         ),
         samples=expand(
-            "results/calibration/{{reading}}/seed{seed}_samples.csv", seed=CALIBRATION["seeds"]
+            "<results>/calibration/{{reading}}/seed{seed}_samples.csv", seed=CALIBRATION["seeds"]
         ),
         fronts=expand(
-            "results/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
+            "<results>/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
         ),
         modules=import_closure("workflow/scripts/summarise_reading.py"),
     output:
-        calibrated="results/calibration/{reading}.yaml",
+        calibrated="<results>/calibration/{reading}.yaml",
     log:
-        "logs/summarise_reading/{reading}.log",
+        "<logs>/summarise_reading/{reading}.log",
     benchmark:
-        "logs/summarise_reading/{reading}.tsv"
+        "<logs>/summarise_reading/{reading}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -91,14 +91,14 @@ rule summarise_reading:
 
 rule calibrate:
     input:
-        calibrated=expand("results/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
         modules=import_closure("workflow/scripts/adopt_calibration.py"),
     output:
-        adopted="results/calibration/adopted.txt",
+        adopted="<results>/calibration/adopted.txt",
     log:
-        "logs/calibrate.log",
+        "<logs>/calibrate.log",
     benchmark:
-        "logs/calibrate.tsv"
+        "<logs>/calibrate.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

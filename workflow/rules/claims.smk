@@ -3,16 +3,16 @@
 
 rule render_claims:
     input:
-        claims="results/claims/claims.csv",
-        style="src/thirdbody/figures/paper.mplstyle",
+        claims="<results>/claims/claims.csv",
+        style=place_of("src/thirdbody/figures/paper.mplstyle"),
         modules=import_closure("workflow/scripts/render_claims.py"),
     output:
-        multiext("results/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("results/figures/claims.png", caption="../report/figure.rst", category="Figures"),
+        multiext("<results>/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("<results>/figures/claims.png", subcategory="Figures", **IN_REPORT),
     log:
-        "logs/render_claims.log",
+        "<logs>/render_claims.log",
     benchmark:
-        "logs/render_claims.tsv"
+        "<logs>/render_claims.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -25,15 +25,15 @@ rule render_claims:
 rule render_fronts:
     input:
         calibrated=CALIBRATED,
-        style="src/thirdbody/figures/paper.mplstyle",
+        style=place_of("src/thirdbody/figures/paper.mplstyle"),
         modules=import_closure("workflow/scripts/render_fronts.py"),
     output:
-        multiext("results/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("results/figures/fronts.png", caption="../report/figure.rst", category="Figures"),
+        multiext("<results>/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("<results>/figures/fronts.png", subcategory="Figures", **IN_REPORT),
     log:
-        "logs/render_fronts.log",
+        "<logs>/render_fronts.log",
     benchmark:
-        "logs/render_fronts.tsv"
+        "<logs>/render_fronts.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

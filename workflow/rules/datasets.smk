@@ -5,12 +5,12 @@ rule compute_dataset:
     input:
         modules=import_closure("workflow/scripts/compute_dataset.py"),
     output:
-        dataset="results/datasets/{figure}.nc",
-        cost="results/accuracy/solver_cost/{figure}.csv",
+        dataset="<results>/datasets/{figure}.nc",
+        cost="<results>/accuracy/solver_cost/{figure}.csv",
     log:
-        "logs/compute_dataset/{figure}.log",
+        "<logs>/compute_dataset/{figure}.log",
     benchmark:
-        "logs/compute_dataset/{figure}.tsv"
+        "<logs>/compute_dataset/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["scenes"]),
     conda:
@@ -30,11 +30,11 @@ rule compute_schematic:
     input:
         modules=import_closure("workflow/scripts/compute_schematic.py"),
     output:
-        sections="results/schematics/{figure}.nc",
+        sections="<results>/schematics/{figure}.nc",
     log:
-        "logs/compute_schematic/{figure}.log",
+        "<logs>/compute_schematic/{figure}.log",
     benchmark:
-        "logs/compute_schematic/{figure}.tsv"
+        "<logs>/compute_schematic/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["schematics"]),
     conda:

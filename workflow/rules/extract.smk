@@ -3,15 +3,15 @@
 
 rule extract_curves:
     input:
-        dataset="results/datasets/{figure}.nc",
+        dataset="<results>/datasets/{figure}.nc",
         modules=import_closure("workflow/scripts/extract_curves.py"),
     output:
-        tpca_loads="results/extracted/tpca_loads/{figure}.csv",
-        transitions="results/extracted/transitions/{figure}.csv",
+        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
+        transitions="<results>/extracted/transitions/{figure}.csv",
     log:
-        "logs/extract_curves/{figure}.log",
+        "<logs>/extract_curves/{figure}.log",
     benchmark:
-        "logs/extract_curves/{figure}.tsv"
+        "<logs>/extract_curves/{figure}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -27,11 +27,11 @@ rule find_windows:
     input:
         modules=import_closure("workflow/scripts/find_windows.py"),
     output:
-        windows="results/extracted/tpca_windows/all.csv",
+        windows="<results>/extracted/tpca_windows/all.csv",
     log:
-        "logs/find_windows.log",
+        "<logs>/find_windows.log",
     benchmark:
-        "logs/find_windows.tsv"
+        "<logs>/find_windows.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -47,15 +47,15 @@ rule find_windows:
 
 rule gather_printed:
     input:
-        claims="config/claims.yaml",
-        schemas=["config/claims.schema.yaml", "config/conditions.schema.yaml"],
+        claims=f"{CONFIG}/claims.yaml",
+        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
         modules=import_closure("workflow/scripts/gather_printed.py"),
     output:
-        table="results/extracted/printed/all.csv",
+        table="<results>/extracted/printed/all.csv",
     log:
-        "logs/gather_printed.log",
+        "<logs>/gather_printed.log",
     benchmark:
-        "logs/gather_printed.tsv"
+        "<logs>/gather_printed.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -67,14 +67,14 @@ rule gather_printed:
 
 rule recompute_paper_table:
     input:
-        printed="config/paper_tables.yaml",
+        printed=f"{CONFIG}/paper_tables.yaml",
         modules=import_closure("workflow/scripts/recompute_paper_table.py"),
     output:
-        rows="results/extracted/{table}/all.csv",
+        rows="<results>/extracted/{table}/all.csv",
     log:
-        "logs/recompute_paper_table/{table}.log",
+        "<logs>/recompute_paper_table/{table}.log",
     benchmark:
-        "logs/recompute_paper_table/{table}.tsv"
+        "<logs>/recompute_paper_table/{table}.tsv"
     wildcard_constraints:
         table="table[12]",
     conda:

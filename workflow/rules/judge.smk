@@ -1,29 +1,36 @@
 # Judgement: the verdict on every statement of the paper under the calibrated inputs.
 
-CALIBRATED = sorted(str(path) for path in Path("config/calibrated").glob("*.yaml"))
+CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
 
 
 rule judge_claims:
     input:
-        claims="config/claims.yaml",
+        claims=f"{CONFIG}/claims.yaml",
         schemas=[
-            "config/claims.schema.yaml",
-            "config/conditions.schema.yaml",
-            "config/calibrated.schema.yaml",
-            "config/inputs.schema.yaml",
-            "config/inputs.yaml",
+            place_of("config/claims.schema.yaml"),
+            place_of("config/conditions.schema.yaml"),
+            place_of("config/calibrated.schema.yaml"),
+            place_of("config/inputs.schema.yaml"),
+            f"{CONFIG}/inputs.yaml",
         ],
         default=settings["calibrated"],
         calibrated=CALIBRATED,
         modules=import_closure("workflow/scripts/judge_claims.py"),
     output:
-        table="results/claims/claims.csv",
-        text="results/claims/claims.md",
-        data="results/claims/verdicts.json",
+        table="<results>/claims/claims.csv",
+        text="<results>/claims/claims.md",
+        page=report(
+            "<results>/claims/claims.html",
+            caption="../report/claims.rst",
+            category=part_of_report,
+            subcategory="Tables",
+            labels={"title": "The paper's statements and their verdicts"},
+        ),
+        data="<results>/claims/verdicts.json",
     log:
-        "logs/judge_claims.log",
+        "<logs>/judge_claims.log",
     benchmark:
-        "logs/judge_claims.tsv"
+        "<logs>/judge_claims.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"

@@ -7,11 +7,11 @@ rule compute_elasticities:
     input:
         modules=import_closure("workflow/scripts/compute_elasticities.py"),
     output:
-        rows="results/extracted/sensitivity/elasticities.csv",
+        rows="<results>/extracted/sensitivity/elasticities.csv",
     log:
-        "logs/compute_elasticities.log",
+        "<logs>/compute_elasticities.log",
     benchmark:
-        "logs/compute_elasticities.tsv"
+        "<logs>/compute_elasticities.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -30,11 +30,11 @@ rule compute_sobol_indices:
     input:
         modules=import_closure("workflow/scripts/compute_sobol_indices.py"),
     output:
-        rows="results/extracted/sensitivity/sobol_indices.csv",
+        rows="<results>/extracted/sensitivity/sobol_indices.csv",
     log:
-        "logs/compute_sobol_indices.log",
+        "<logs>/compute_sobol_indices.log",
     benchmark:
-        "logs/compute_sobol_indices.tsv"
+        "<logs>/compute_sobol_indices.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -51,18 +51,16 @@ rule compute_sobol_indices:
 
 rule render_sensitivity:
     input:
-        table="results/tables/sensitivity.csv",
-        style="src/thirdbody/figures/paper.mplstyle",
+        table="<results>/tables/sensitivity.csv",
+        style=place_of("src/thirdbody/figures/paper.mplstyle"),
         modules=import_closure("workflow/scripts/render_sensitivity.py"),
     output:
-        multiext("results/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "results/figures/sensitivity.png", caption="../report/figure.rst", category="Figures"
-        ),
+        multiext("<results>/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("<results>/figures/sensitivity.png", subcategory="Figures", **IN_REPORT),
     log:
-        "logs/render_sensitivity.log",
+        "<logs>/render_sensitivity.log",
     benchmark:
-        "logs/render_sensitivity.tsv"
+        "<logs>/render_sensitivity.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -4,14 +4,14 @@
 
 rule time_classes:
     input:
-        plain="verification/plain_model.py",
+        plain=place_of("verification/plain_model.py"),
         modules=import_closure("workflow/scripts/time_classes.py"),
     output:
-        times="results/accuracy/times.csv",
+        times="<results>/accuracy/times.csv",
     log:
-        "logs/time_classes.log",
+        "<logs>/time_classes.log",
     benchmark:
-        "logs/time_classes.tsv"
+        "<logs>/time_classes.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -30,13 +30,13 @@ rule time_sweeps:
     input:
         modules=import_closure("workflow/scripts/time_sweeps.py"),
     output:
-        omissions="results/accuracy/omissions.csv",
-        scaling="results/accuracy/scaling.csv",
-        surfaces="results/accuracy/surfaces.csv",
+        omissions="<results>/accuracy/omissions.csv",
+        scaling="<results>/accuracy/scaling.csv",
+        surfaces="<results>/accuracy/surfaces.csv",
     log:
-        "logs/time_sweeps.log",
+        "<logs>/time_sweeps.log",
     benchmark:
-        "logs/time_sweeps.tsv"
+        "<logs>/time_sweeps.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -55,11 +55,11 @@ rule time_starts:
     input:
         modules=import_closure("workflow/scripts/time_starts.py"),
     output:
-        table="results/accuracy/starts.csv",
+        table="<results>/accuracy/starts.csv",
     log:
-        "logs/time_starts.log",
+        "<logs>/time_starts.log",
     benchmark:
-        "logs/time_starts.tsv"
+        "<logs>/time_starts.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -77,11 +77,11 @@ rule time_streaming:
     input:
         modules=import_closure("workflow/scripts/time_streaming.py"),
     output:
-        table="results/accuracy/streaming.csv",
+        table="<results>/accuracy/streaming.csv",
     log:
-        "logs/time_streaming.log",
+        "<logs>/time_streaming.log",
     benchmark:
-        "logs/time_streaming.tsv"
+        "<logs>/time_streaming.tsv"
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -10,7 +10,7 @@ PLACE = Path("config/calibrated")
 
 def adopt(calibrated, adopted):
     """Copy every file of ``calibrated`` to config/calibrated and list their names."""
-    PLACE.mkdir(exist_ok=True)
+    PLACE.mkdir(parents=True, exist_ok=True)
     for source in map(Path, calibrated):
         with whole(PLACE / source.name) as part:
             shutil.copyfile(source, part)

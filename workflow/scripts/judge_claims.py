@@ -6,11 +6,13 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.claims import load_claims
-from thirdbody.study.verdict_text import claims_json, claims_markdown
+from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
 from thirdbody.study.verdicts import Court, Trial, verdict_rows
 
 
-def judge_claims(claims, default, calibrated, settings, parameters, laid_over, table, text, data):
+def judge_claims(
+    claims, default, calibrated, settings, parameters, laid_over, table, text, page, data
+):
     """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
     under those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
@@ -19,11 +21,11 @@ def judge_claims(claims, default, calibrated, settings, parameters, laid_over, t
     main["ensemble"] = [member | laid_over for member in main["ensemble"]]
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
     given = trial, main, readings, settings["headline"]
-    page, content = claims_markdown(*given), claims_json(*given)
-    with whole(table, text, data) as (table_part, text_part, data_part):
+    contents = claims_markdown(*given), claims_html(trial), claims_json(*given)
+    with whole(table, text, page, data) as (table_part, *parts):
         write_csv(table_part, verdict_rows(trial), TABLES["claims"])
-        text_part.write_text(page, encoding="utf-8")
-        data_part.write_text(content, encoding="utf-8")
+        for part, content in zip(parts, contents, strict=True):
+            part.write_text(content, encoding="utf-8")
 
 
 if __name__ == "__main__":
@@ -37,5 +39,6 @@ if __name__ == "__main__":
             snakemake.params.laid_over,
             snakemake.output.table,
             snakemake.output.text,
+            snakemake.output.page,
             snakemake.output.data,
         )

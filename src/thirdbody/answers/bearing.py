@@ -11,9 +11,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
+from thirdbody.answers.arguments import check_number
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_parameters
 
 
 @dataclass(frozen=True)
@@ -25,10 +28,11 @@ class Material:
     hardness: float
 
     def __post_init__(self):
-        if not (self.modulus > 0.0 and 0.0 <= self.poisson_ratio <= 0.5 and self.hardness > 0.0):
-            raise ValueError(
-                f"material is {self}; allowed: modulus and hardness positive, Poisson's ratio 0 to 0.5"
-            )
+        check_number("modulus", self.modulus)
+        check_number("hardness", self.hardness)
+        check_number("poisson_ratio", self.poisson_ratio, positive=False)
+        if self.poisson_ratio > 0.5:
+            raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
 
     @property
     def compliance(self) -> float:
@@ -100,8 +104,9 @@ def bearing(
     Raises
     ------
     ValueError
-        For a number that is not positive, a speed without the density of the oil, and a density
-        without a speed.
+        In one line: for a number that is not positive, a speed without the density of the oil, a
+        density without a speed, a body that is no ``Material``, and inputs that are no
+        ``Parameters``, or leave their bounds.
 
     Examples
     --------
@@ -125,9 +130,15 @@ def bearing(
         "viscosity_cSt": viscosity_cSt,
         "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
     }
+    check_parameters(parameters)
     for name, value in numbers.items():
-        if value is not None and not 0.0 < value < float("inf"):
-            raise ValueError(f"{name} is {value!r}; allowed: positive numbers")
+        if value is not None:
+            check_number(name, value)
+    bodies = {"ball": ball, "flat": flat, "particle": particle}
+    for name, body in bodies.items():
+        if body is not None and not isinstance(body, Material):
+            allowed = f"a Material, as MATERIALS of {', '.join(MATERIALS)}"
+            raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
     modulus = parameters.elastic_modulus_surfaces
     changes = {}
     if (ball, flat, particle) != (None, None, None):
@@ -158,13 +169,17 @@ def bearing(
     material_parameter = parameters.material_parameter * stiffer
     if pressure_viscosity_per_GPa is not None:
         material_parameter = 1e-9 * pressure_viscosity_per_GPa * modulus
-    return replace(
-        parameters,
-        **changes,
-        ball_radius=radius,
-        speed_per_viscosity=speed_per_viscosity,
-        material_parameter=material_parameter,
-    )
+    changes |= {
+        "ball_radius": radius,
+        "speed_per_viscosity": speed_per_viscosity,
+        "material_parameter": material_parameter,
+    }
+    try:
+        return replace(parameters, **changes)
+    except ValueError as error:
+        given = {**numbers, **bodies}
+        names = ", ".join(name for name, value in given.items() if value is not None)
+        raise ValueError(f"from {names} follows: {error}") from None
 
 
 # what each derived input is, and the formula that it follows from
@@ -196,11 +211,13 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     >>> derived(tb.load_parameters()).value("ball_radius")
     0.00635
     """
+    check_parameters(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
         for name, (unit, formula) in FORMULAS.items()
     ]
     if viscosity_cSt is not None:
+        check_number("viscosity_cSt", viscosity_cSt, positive=False)
         speed = parameters.speed_per_viscosity * AXES["viscosity"].to_si(viscosity_cSt)
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
     note = f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays"

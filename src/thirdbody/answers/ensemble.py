@@ -16,6 +16,7 @@ from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_parameters
 
 ENDS = (0.05, 0.95)  # quantiles between which the range lies
 
@@ -36,7 +37,8 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     Raises
     ------
     ValueError
-        In one line: the file, the key at fault, its value and what is allowed.
+        In one line: for inputs that are no ``Parameters``; the file, the key at fault, its value and
+        what is allowed.
 
     Examples
     --------
@@ -47,6 +49,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     >>> {member.ball_radius for member in members}, len({member.apparent_area for member in members}) > 1
     ({0.01}, True)
     """
+    check_parameters(parameters)
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     content = read_calibrated(path)

@@ -13,11 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.units import Unit, check_ends, in_si
+from thirdbody.answers.arguments import check_count, check_ends, checked_levels
+from thirdbody.answers.units import Unit, in_si
 from thirdbody.curves.crossings import excess_over, level_roots
-from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_rtol
+from thirdbody.progress import Progress, check_progress
+from thirdbody.solver.arguments import check_points, check_rtol
+from thirdbody.solver.bracketing import Known
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
@@ -82,6 +84,7 @@ def find(
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
+    progress: bool = True,
     **conditions: ArrayLike,
 ) -> Crossings:
     """Find where a variable has a level along one of the five axes: all crossings.
@@ -102,9 +105,11 @@ def find(
         Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
-        Number of values of the sweep, at least 2.
+        Number of values of the sweep, from 2 to a million.
     rtol : float
         Relative error asked for, as of ``solve``.
+    progress : bool
+        Whether a search that takes long says how far it has come, as ``solve``.
     **conditions : array_like
         The other four axes, by any of the names above; they and ``level`` broadcast.
 
@@ -116,8 +121,9 @@ def find(
     Raises
     ------
     ValueError
-        For an unknown variable or axis, an axis that is missing or given twice, ends that are not
-        positive and increasing, and what ``solve`` refuses.
+        In one line: for an unknown variable or axis, a level that is no number, an axis that is
+        missing or given twice, ends that are not positive and increasing, a ``count`` that is not
+        whole or out of its range, and what ``solve`` refuses.
 
     Notes
     -----
@@ -150,14 +156,15 @@ def find(
     >>> found.count, bool(found.first[0] < found.first[1])
     (array([1, 1]), True)
     """
-    if variable not in QUANTITIES:
-        raise ValueError(f"variable is {variable!r}; allowed: {', '.join(QUANTITIES)}")
+    level = checked_levels(variable, level)
+    check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
     given = in_si(conditions, parameters, but=unit.axis.name)
-    columns = np.broadcast_arrays(np.asarray(level, float), *given.values())
+    check_points({"level": level, **given})
+    columns = np.broadcast_arrays(level, *given.values())
     levels, *others = map(np.ravel, columns)
     (found,) = crossings(
-        [(variable, levels)], unit, swept, dict(zip(given, others)), parameters, rtol
+        [(variable, levels)], unit, swept, dict(zip(given, others)), parameters, rtol, progress
     )
     return Crossings(along, columns[0].shape, *found)
 
@@ -169,8 +176,7 @@ def sweep_values(
     unit = Unit.of(along, parameters)
     ends = unit.searched(parameters) if between is None else between
     check_ends("between", ends)
-    if count < 2:
-        raise ValueError(f"count is {count}; allowed: at least 2")
+    check_count("count", count)
     return unit, np.geomspace(*unit.to_si(ends), count)
 
 
@@ -181,6 +187,7 @@ def crossings(
     others: Mapping[str, NDArray],
     parameters: Parameters,
     rtol: float,
+    progress: bool = True,
 ) -> list[tuple]:
     """Find the crossings of several variables, which are solved together.
 
@@ -194,7 +201,7 @@ def crossings(
         Increasing values of the axis [SI].
     others : mapping
         The other axes [SI], each of shape (queries,).
-    parameters, rtol
+    parameters, rtol, progress
         As of ``find``.
 
     Returns
@@ -208,9 +215,13 @@ def crossings(
     expect_points(queries * swept.size)
     step = max(1, CHUNK // swept.size)
     pieces = [np.arange(start, min(start + step, queries)) for start in range(0, queries, step)]
-    enclosed = [search.enclosed(piece, swept[:, None]) for piece in pieces]
-    limit, query, *ends, rises = map(np.concatenate, zip(*enclosed)) if pieces else [_NONE] * 5
-    log_value, log_error, status = search.refined(limit, query, ends)
+    enclosed = []
+    with Progress(queries, "curves searched", progress) as shown:
+        for piece in pieces:
+            enclosed.append(search.enclosed(piece, swept[:, None]))
+            shown.add(piece.size)
+    limit, query, rises, *places = map(np.concatenate, zip(*enclosed)) if pieces else [_NONE] * 9
+    log_value, log_error, status = search.refined(limit, query, *places)
     value = np.exp(log_value)
     error = value * np.expm1(log_error)
     fields = query, unit.from_si(value), unit.from_si(error), rises, status
@@ -235,7 +246,8 @@ class _Search:
     def enclosed(self, query, values, limits=None, depth=DEPTH):
         """The crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries).
 
-        Returns the limit and the query of each, ln of both neighbours, and whether it rises.
+        Returns the limit and the query of each, and whether it rises; ln of both neighbours and of a
+        value beyond the first of them; by how much the variable exceeds the level at these three.
         """
         limits = range(len(self.limits)) if limits is None else limits
         given = {name: column[query] for name, column in self.others.items()}
@@ -246,6 +258,7 @@ class _Search:
             parameters=self.parameters,
             rtol=self.rtol,
             variables=wanted,
+            progress=False,
         )
         log_values = np.broadcast_to(np.log(values), (len(values), query.size))
         pieces = []
@@ -255,13 +268,18 @@ class _Search:
             above = excess > 0.0
             known = np.isfinite(excess)
             step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
+            first = step == 0  # of which the values beyond lie on the other side
+            around = [
+                (np.minimum(each, len(values) - 1), place)
+                for each in (step + first, step + ~first, np.where(first, 2, step - 1))
+            ]
             pieces.append(
                 (
                     np.full(step.size, index),
                     query[place],
-                    log_values[step, place],
-                    log_values[step + 1, place],
                     above[step + 1, place],
+                    *(log_values[each] for each in around),
+                    *(excess[each] for each in around),
                 )
             )
             if depth:
@@ -272,7 +290,7 @@ class _Search:
                     pieces.append(self.enclosed(query[place], finer, [index], depth - 1))
         return tuple(map(np.concatenate, zip(*pieces)))
 
-    def refined(self, limit, query, ends):
+    def refined(self, limit, query, near, far, beyond, *excess):
         """ln of each crossing and of its error as a ratio, and the status there."""
         if query.size == 0:
             return np.zeros(0), np.zeros(0), np.zeros(0, np.int8)
@@ -280,32 +298,39 @@ class _Search:
         level = np.stack([levels for _, levels in self.limits])[limit, query]
         given = {name: column[query] for name, column in self.others.items()}
         asked = names, level, given, self.parameters, self.rtol
-        root, width = level_roots(self.along, ends, *asked)
-        there = given | {self.along: np.exp(root)}
-        also = excess_over(names, level, there, self.parameters, self.rtol, ["solution_status"])[1]
-        error = self._certain(root, 2.0 * (width + self.rtol), asked)
-        return root, error, also["solution_status"]
+        known = Known(*excess[:2], beyond, excess[2])
+        root, width = level_roots(self.along, (near, far), *asked, known=known)
+        return root, *self._certain(root, 2.0 * (width + self.rtol), asked)
 
     def _certain(self, root, error, asked):
         """How far from ``root`` it is certain that a variable is above the level on one side and
-        below it on the other; begins with ``error``."""
+        below it on the other; begins with ``error``.  Also the status that far below ``root``."""
         names, level, given, *how = asked
-        left = np.arange(root.size)
+        left, status = np.arange(root.size), np.zeros(root.size, np.int8)
         for _ in range(ATTEMPTS):
             here = {name: column[left] for name, column in given.items()}
             sides = []
             for sign in (-1.0, 1.0):
                 value = np.exp(root[left] + sign * error[left])
                 point = here | {self.along: value}
-                excess, also = excess_over(names[left], level[left], point, *how, ["error_bound"])
+                asked_for = (
+                    names[left],
+                    level[left],
+                    point,
+                    *how,
+                    ["error_bound", "solution_status"],
+                )
+                excess, also = excess_over(*asked_for)
+                if sign < 0.0:
+                    status[left] = also["solution_status"]
                 margin = also["error_bound"] * np.abs(excess + level[left])
                 sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
             left = left[~(sides[0] * sides[1] < 0.0)]
             if left.size == 0:
-                return error
+                return error, status
             error[left] *= WIDER
         error[left] = np.inf
-        return error
+        return error, status
 
 
 def _may_touch(excess):

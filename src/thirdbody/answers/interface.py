@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
-from numbers import Real
 
 import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.answers.answer import Answer, Row, Value
+from thirdbody.answers.arguments import check_count, check_ends, check_number
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
@@ -20,10 +20,11 @@ from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.messages import shown
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
-from thirdbody.solver.arguments import NEVER_ZERO
+from thirdbody.solver.arguments import NEVER_ZERO, check_names, check_parameters
 from thirdbody.solver.solve import solve
 
 SHOWN_IN = {"separation": AXES["roughness"]}  # variables that are told in the unit of an axis
@@ -55,7 +56,8 @@ class Interface:
     Raises
     ------
     ValueError
-        For a condition that is not a finite number, or not in its range.
+        For a condition that is not a finite number, or not in its range, and inputs that are no
+        ``Parameters``.
 
     Examples
     --------
@@ -79,8 +81,9 @@ class Interface:
     parameters: Parameters = field(default_factory=load_parameters, repr=False)
 
     def __post_init__(self):
+        check_parameters(self.parameters)
         for name, key in ENGINEERING.items():
-            check_condition(key, getattr(self, key), name in NEVER_ZERO)
+            check_number(key, getattr(self, key), name in NEVER_ZERO)
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -135,6 +138,8 @@ class Interface:
             A row for each variable: ``value`` here, ``other`` there, and the range over the ensemble
             of the second less the first; ``found`` unless nothing balances a load.
         """
+        if not isinstance(other, Interface):
+            raise ValueError(f"other is {shown(other)}; allowed: an Interface")
         mine, *of_members = self._states()
         theirs, *of_their_members = other._states()
         rows = []
@@ -194,7 +199,8 @@ class Interface:
             are left out.
         """
         key = _key_of(along)
-        between = between or SEARCHED[along]
+        check_names("flags", flags, BORDERED)
+        between = SEARCHED[along] if between is None else between
         others = {name: value for name, value in self.conditions.items() if name != key}
         found, *of_members = (
             transitions(key, parameters=each, between=between, **others)
@@ -302,7 +308,7 @@ class Interface:
         low, high : float
             Ends of the axis, positive, in the unit of the interface.
         count : int
-            Number of points, evenly spaced in their logarithm; at least 2.
+            Number of points, evenly spaced in their logarithm; from 2 to a million.
 
         Returns
         -------
@@ -312,7 +318,8 @@ class Interface:
         Raises
         ------
         ValueError
-            For an unknown axis, or ends that are not positive and increasing.
+            For an unknown axis, ends that are not positive and increasing, or a ``count`` that is
+            not whole or out of its range.
 
         Examples
         --------
@@ -324,10 +331,8 @@ class Interface:
         True
         """
         key = _key_of(along)
-        if not 0.0 < low < high < np.inf:
-            raise ValueError(f"low and high are {low:g}, {high:g}; allowed: positive, increasing")
-        if count < 2:
-            raise ValueError(f"count is {count}; allowed: at least 2")
+        check_ends("low to high", (low, high))
+        check_count("count", count)
         points = np.geomspace(low, high, count)
         given = self.conditions | {key: points}
         mine, *of_members = (
@@ -351,8 +356,8 @@ def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple
 
 def _key_of(along: str) -> str:
     """The name in engineering units of an axis."""
-    if along not in ENGINEERING:
-        raise ValueError(f"along is {along!r}; allowed: {', '.join(ENGINEERING)}")
+    if not isinstance(along, str) or along not in ENGINEERING:
+        raise ValueError(f"along is {shown(along)}; allowed: {', '.join(ENGINEERING)}")
     return ENGINEERING[along]
 
 
@@ -362,14 +367,6 @@ def _known(value: float) -> float | None:
 
 def _word(name: str) -> str:
     return name.replace("_", " ")
-
-
-def check_condition(key: str, value: float, positive: bool) -> None:
-    """Raises ``ValueError`` unless a condition is a finite number, zero or more, or ``positive``."""
-    number = isinstance(value, Real) and not isinstance(value, bool)
-    if not number or not 0.0 <= value < np.inf or (positive and value == 0.0):
-        least = "positive" if positive else "zero or positive"
-        raise ValueError(f"{key} is {value!r}; allowed: {least} numbers")
 
 
 def words(name: str) -> str:

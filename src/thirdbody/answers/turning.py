@@ -7,16 +7,19 @@ from dataclasses import fields
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, check_ends, in_si
+from thirdbody.answers.arguments import check_count, check_ends
+from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, in_si
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.arguments import check_rtol
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 60  # loads between which maxima are looked for
 RATIOS = np.linspace(0.2, 3.0, 113)  # x_a/sigma of a window's first sweep
 TOLERANCE = 1e-6  # of its ends
+DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # in a window, of any diameter
 
 
 def turning_point(
@@ -53,7 +56,8 @@ def turning_point(
     Raises
     ------
     ValueError
-        For a condition that is missing, given twice or not positive, and loads that do not increase.
+        In one line: for a condition that is missing, given twice or not positive, loads that do not
+        increase, a ``count`` that is not whole or out of its range, and what ``solve`` refuses.
 
     Examples
     --------
@@ -68,6 +72,8 @@ def turning_point(
     >>> found.exists
     array([False,  True])
     """
+    check_rtol(rtol)
+    check_count("count", count)
     loads = np.geomspace(*load_range(between_N, parameters), count)
     given = in_si(conditions, parameters, but="load")
     columns = np.broadcast_arrays(*given.values())
@@ -108,7 +114,7 @@ def turning_window(
     Raises
     ------
     ValueError
-        As ``turning_point``.
+        As ``turning_point``, for another condition than these two, and for more than one surface.
 
     Examples
     --------
@@ -119,7 +125,14 @@ def turning_window(
     >>> bool(window.low < 1.0 < window.high)
     True
     """
-    given = in_si({"viscosity": 0.0, "particle_diameter": 0.0} | conditions, parameters, "load")
+    for key in conditions:
+        if Unit.of(key, parameters).axis.name in ("load", *DRY):
+            told = "allowed: roughness and particle density"
+            raise ValueError(f"{key} is no condition of a window of dry contact; {told}")
+    given = in_si(DRY | conditions, parameters, but="load")
+    for name, values in given.items():
+        if values.ndim:
+            raise ValueError(f"{name} has shape {values.shape}; allowed: one number")
     loads = load_range(between_N, parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
     density = float(given["particle_density"])

@@ -14,8 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.data.conditions import AXES, Axis
 from thirdbody.data.quantities import NORMAL_LOAD
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_parameters, checked_axis
+from thirdbody.solver.arguments import check_parameters, check_points, checked_axis
 from thirdbody.solver.labelled import is_labelled
 from thirdbody.solver.units import is_quantity
 
@@ -76,15 +77,15 @@ class Unit:
         array(3.e-07)
         """
         check_parameters(parameters)
+        known = dict.fromkeys((*AXES, *ENGINEERING.values()))
+        if not isinstance(key, str) or key not in known:
+            raise ValueError(f"there is no axis {shown(key)}; allowed: {', '.join(known)}")
         if key == LOAD_IN_NEWTONS:
             return cls(key, AXES["load"], NORMAL_LOAD.units, 1.0 / parameters.newtons_per_load)
-        for axis in AXES.values():
-            if key == axis.name:
-                return cls(key, axis, axis.units, 1.0)
-            if key == axis.key:
-                return cls(key, axis, axis.unit, axis.scale)
-        allowed = ", ".join(dict.fromkeys((*AXES, *ENGINEERING.values())))
-        raise ValueError(f"there is no axis {key!r}; allowed: {allowed}")
+        axis = next(axis for axis in AXES.values() if key in (axis.name, axis.key))
+        if key == axis.name:
+            return cls(key, axis, axis.units, 1.0)
+        return cls(key, axis, axis.unit, axis.scale)
 
     def to_si(self, values: ArrayLike) -> NDArray:
         """``values`` in SI, equal decimals as equal floats (see ``Axis.to_si``)."""
@@ -114,13 +115,6 @@ def unit_text(name: str) -> str:
     return NORMAL_LOAD.units if name == "load" else AXES[name].unit
 
 
-def check_ends(name: str, ends: tuple[float, float]) -> None:
-    """Raises ``ValueError`` unless the ``ends`` of a range are positive and increasing."""
-    low, high = ends
-    if not 0.0 < low < high < np.inf:
-        raise ValueError(f"{name} is {low:g} to {high:g}; allowed: positive and increasing")
-
-
 def in_si(
     given: Mapping[str, ArrayLike], parameters: Parameters, but: str | None = None
 ) -> dict[str, NDArray]:
@@ -145,7 +139,7 @@ def in_si(
     ------
     ValueError
         If an axis is missing, given twice, unknown, or the one that is not to be given, and for
-        numbers that ``solve`` refuses.
+        numbers and shapes that ``solve`` refuses.
 
     Examples
     --------
@@ -168,6 +162,7 @@ def in_si(
     if missing:
         name = missing[0]
         raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
+    check_points(found)
     return {name: found[name] for name in AXES if name in found}
 
 

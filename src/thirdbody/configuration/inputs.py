@@ -14,12 +14,14 @@ last that is given counts:
 from __future__ import annotations
 
 from collections.abc import Mapping
+from numbers import Real
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_valid, validate
+from thirdbody.messages import shown_file
 from thirdbody.model.bounds import BOUNDS
 
 if TYPE_CHECKING:
@@ -66,13 +68,17 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     entries = read_entries()
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
-    validate(inputs, values_schema(entries), "load_parameters")
-    return Parameters(**chosen.values | _plain_values(inputs))
+    given = {name: _of_python(value) for name, value in inputs.items()}
+    validate(given, values_schema(entries), "load_parameters")
+    return Parameters(**chosen.values | _plain_values(given))
 
 
-def read_entries() -> Entries:
-    """Entries of ``config/inputs.yaml`` by the name of the input, each value among those allowed."""
-    path = schema.config_directory() / "inputs.yaml"
+def read_entries(directory: Path | None = None) -> Entries:
+    """Entries of ``inputs.yaml`` by the name of the input, each value among those allowed.
+
+    It is the one in ``directory``, a folder such as ``config/``; without one, that of the project.
+    """
+    path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = read_valid(path, "inputs")
     validate(entries, _overlay_schema(entries), str(path))
     return entries
@@ -92,12 +98,18 @@ class ChosenInputs(NamedTuple):
         A value of each input, SI, numbers as ``float``.
     calibrated : str
         Path of the calibrated file.
+    reading : str
+        The reading that it is of.
+    ensemble : list of dict
+        The members of its ensemble, each with what is laid over it.
     laid_over : dict
         The values that are laid over those of this file.
     """
 
     values: Values
     calibrated: str
+    reading: str
+    ensemble: list[Values]
     laid_over: Values
 
 
@@ -128,10 +140,12 @@ def choose_inputs(
     content = read_yaml(given) if is_file else given
     if is_file and "inputs" in content:
         calibrated, content = given, {}
-    validate(content, _overlay_schema(entries), str(given) if is_file else "inputs")
+    validate(content, _overlay_schema(entries), shown_file(given) if is_file else "inputs")
     laid_over = _plain_values(content)
-    best = _plain_values(_read_calibrated(calibrated, entries)["inputs"])
-    return ChosenInputs(uncalibrated(entries) | best | laid_over, str(calibrated), laid_over)
+    found = _read_calibrated(calibrated, entries)
+    values = uncalibrated(entries) | _plain_values(found["inputs"]) | laid_over
+    ensemble = [_plain_values(member) | laid_over for member in found["ensemble"]]
+    return ChosenInputs(values, str(calibrated), found["reading"], ensemble, laid_over)
 
 
 def read_calibrated(path: str | Path) -> dict:
@@ -198,6 +212,11 @@ def _given_schema(name: str, entry: Mapping) -> dict:
 
 def _closed(properties: dict) -> dict:
     return {"type": "object", "additionalProperties": False, "properties": properties}
+
+
+def _of_python(value: object) -> object:
+    """A number of numpy as one of Python, and anything else as it is."""
+    return value.item() if isinstance(value, Real) and hasattr(value, "item") else value
 
 
 def _plain_values(given: Mapping) -> Values:

@@ -7,6 +7,8 @@ from typing import Any
 
 import yaml
 
+from thirdbody.messages import shown, shown_file
+
 
 class _StrictLoader(yaml.composer.Composer, yaml.CSafeLoader):
     """YAML without duplicate keys, anchors or tags: a configuration is plain data.
@@ -73,20 +75,23 @@ def read_yaml(path: str | Path, kind: type = dict, strict: bool = True) -> Any:
     ValueError
         In one line: the file, the line in it, and what is wrong there.
     """
+    name = shown_file(path)
     try:
         text = Path(path).read_bytes().decode("utf-8")
     except OSError as error:
-        raise ValueError(f"{path}: {error.strerror}; allowed: a readable YAML file") from None
+        raise ValueError(f"{name}: {error.strerror}; allowed: a readable YAML file") from None
     except UnicodeDecodeError as error:
-        raise ValueError(f"{path}: byte {error.start} is not UTF-8") from None
+        raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
+    except (TypeError, ValueError):
+        raise ValueError(f"{shown(path)} is no path; allowed: that of a YAML file") from None
     try:
         content = yaml.load(text, _StrictLoader if strict else yaml.CSafeLoader)
     except RecursionError:
-        raise ValueError(f"{path}: nested too deeply") from None
+        raise ValueError(f"{name}: nested too deeply") from None
     except (yaml.YAMLError, ValueError) as error:
-        raise ValueError(f"{path}: {_one_line(error)}") from None
+        raise ValueError(f"{name}: {_one_line(error)}") from None
     if not isinstance(content, kind):
-        raise ValueError(f"{path}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
+        raise ValueError(f"{name}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
     return content
 
 

@@ -24,20 +24,21 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.rules import RULES, Breach
+from thirdbody.messages import LONGEST, shown, shown_file
+from thirdbody.run.home import HOME
 
 SHARED = "conditions"  # what the schemas of several files say of the same quantities
 LONGEST_LIST = 1000  # what the schemas allow at most
 MOST_NAMED = 16  # keys in a message
-LONGEST_SHOWN = 60  # letters of a value in a message
 
 
 def config_directory() -> Path:
     """Where the configuration lies: inside an installed package, else beside ``src/``."""
-    package = Path(__file__).resolve().parents[1]
-    installed = package / "config"
-    return installed if installed.is_dir() else package.parents[1] / "config"
+    return HOME / "config"
 
 
 def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
@@ -64,7 +65,7 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
     """
     schema = read_schema(kind)
     content = read_yaml(path, {"object": dict, "array": list}[schema["type"]])
-    validate(content, schema, str(path), **definitions)
+    validate(content, schema, shown_file(path), **definitions)
     return content
 
 
@@ -104,12 +105,6 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
         for path, breach in _breaches(asked):
             line = _told(_place(content, path), breach, _value_at(content, path))
             raise ValueError(f"{name}: {line}")
-
-
-def shown(value: Any) -> str:
-    """A value as a message shows it, cut where it is long."""
-    text = repr(value)
-    return text if len(text) <= LONGEST_SHOWN else f"{text[: LONGEST_SHOWN - 3]}..."
 
 
 # ---- the dialect of JSON Schema
@@ -212,13 +207,16 @@ def _explained(place: str, error) -> str:
 
 
 def _hint(error) -> str:
-    """How to write a number that YAML 1.1 has taken for text, 1e11: with a point and a sign."""
+    """Why a number has been taken for text: in YAML 1.1 it has a point and a sign, 1.0e+11, and no
+    quotes; what stands in braces or brackets after ``--config`` is text."""
     if error.validator != "type" or not isinstance(error.instance, str):
         return ""
     try:
         digits, power = f"{float(error.instance):.15e}".split("e")
     except ValueError:
         return ""
+    if isinstance(yaml.safe_load(error.instance), (int, float)):
+        return ", where this is text: in quotes, or in braces after --config"
     return f", which YAML reads from {float(digits)!r}e{power}"
 
 
@@ -239,7 +237,7 @@ def _nearest(name: str, known: Sequence[str]) -> str:
     """All keys that are known or, of a great many, those that ``name`` can be a slip for."""
     if len(known) <= MOST_NAMED:
         return ", ".join(known)
-    near = get_close_matches(name[:LONGEST_SHOWN], known, MOST_NAMED // 2, cutoff=0.0)
+    near = get_close_matches(name[:LONGEST], known, MOST_NAMED // 2, cutoff=0.0)
     return f"{', '.join(near)} and {len(known) - len(near)} more"
 
 

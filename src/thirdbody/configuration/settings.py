@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib.metadata import version
 from pathlib import Path
 
@@ -14,7 +14,8 @@ from thirdbody.configuration.inputs import (
     values_schema,
 )
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import read_valid, shown, validate
+from thirdbody.configuration.schema import read_valid, validate
+from thirdbody.messages import shown
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # whose versions can change a number
 
@@ -54,13 +55,15 @@ def read_changes(path: str | None) -> dict:
     return read_yaml(path)
 
 
-def workflow_settings(config: Mapping) -> dict:
+def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict:
     """The configuration that the rules take their parameters from.
 
     Parameters
     ----------
     config : Mapping
-        ``config/config.yaml`` and ``config/scenes.yaml`` with all changes, as Snakemake merges them.
+        ``config.yaml`` and ``scenes.yaml`` with all changes, as Snakemake merges them.
+    folder : str or Path, optional
+        Where the other files of the configuration lie; the project's own folder without it.
 
     Returns
     -------
@@ -71,7 +74,9 @@ def workflow_settings(config: Mapping) -> dict:
         - ``calibration`` and ``sensitivity``, the settings of both studies;
         - ``parameters`` and ``uncalibrated``, the inputs of the model as ``config`` chooses them, and
           without calibrated file and what is laid over it, SI;
-        - ``calibrated``, the path of that file, and ``inputs``, the values laid over it;
+        - ``calibrated``, the path of that file, ``inputs``, the values laid over it, and
+          ``ensemble``, the members of its ensemble with these values;
+        - ``accuracy``, the path of the settings of the accuracy run;
         - ``software``, the versions of what computes.
 
     Raises
@@ -79,26 +84,82 @@ def workflow_settings(config: Mapping) -> dict:
     ValueError
         In one line: the file, the key at fault, its value and what is allowed.
     """
-    directory = schema.config_directory()
-    entries = read_entries()
+    directory = Path(folder or schema.config_directory())
+    entries = read_entries(directory)
     values = values_schema(entries)
     validate(config, schema.read_schema("config"), "configuration", input_values=values)
     read_valid(directory / "paper_tables.yaml", "paper_tables")
-    chosen = choose_inputs(entries, config["calibrated"], config["inputs"])
+    given = config["inputs"]
+    laid_over = _found(given, directory) if isinstance(given, str) else given
+    chosen = choose_inputs(entries, _found(config["calibrated"], directory), laid_over)
+    calibration = read_valid(directory / "calibration.yaml", "calibration", input_values=values)
+    if chosen.reading not in calibration["readings"]:
+        allowed = ", ".join(calibration["readings"])
+        raise ValueError(
+            f"{chosen.calibrated}: reading is {shown(chosen.reading)}; allowed: {allowed}"
+        )
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": read_valid(
-            directory / "calibration.yaml", "calibration", input_values=values
-        ),
+        "calibration": calibration,
         "sensitivity": read_valid(directory / "sensitivity.yaml", "sensitivity"),
         "parameters": chosen.values,
         "calibrated": chosen.calibrated,
         "inputs": chosen.laid_over,
+        "ensemble": chosen.ensemble,
         "uncalibrated": uncalibrated(entries),
+        "accuracy": _found(config["accuracy"], directory),
         "software": {name: version(name) for name in SOFTWARE},
     }
+
+
+def _found(path: str, folder: Path) -> str:
+    """A file named as ``config/...``: in the current folder, else in the ``folder`` of the configuration."""
+    return path if Path(path).exists() else str(folder.parent / path)
+
+
+def require_surfaces(settings: Mapping) -> None:
+    """Require that every configured surface can have the inputs that are laid over the calibrated ones.
+
+    Parameters
+    ----------
+    settings : Mapping
+        What ``workflow_settings`` returns.
+
+    Raises
+    ------
+    ValueError
+        In one line: for inputs that leave no variance to the summits of a surface, and those of which
+        a member of the ensemble does.
+    """
+    if not settings["inputs"]:
+        return
+    import numpy as np  # the workflow is read without, unless there are inputs of one's own
+
+    from thirdbody.model.parameters import Parameters
+
+    roughness = 1e-9 * np.unique(list(_roughnesses(settings)))
+    best = settings["parameters"]
+    sets = {"inputs": best}
+    for number, member in enumerate(settings["ensemble"], 1):
+        sets[f"inputs in member {number} of {settings['calibrated']}"] = best | member
+    for name, values in sets.items():
+        try:
+            Parameters(**values).surface(roughness)
+        except ValueError as error:
+            raise ValueError(f"configuration: {name}: {error}") from None
+
+
+def _roughnesses(settings: Mapping) -> Iterator[float]:
+    """sigma [nm] of all that is configured, some of it twice."""
+    yield from settings["windows"]["roughness_nm"]
+    for scene in settings["scenes"].values():
+        for group in scene["curves"]:
+            yield from group["roughness_nm"]
+    for panels in settings["schematics"].values():
+        for panel in panels:
+            yield panel["roughness_nm"]
 
 
 def with_one_reading(calibration: Mapping, name: str) -> dict:

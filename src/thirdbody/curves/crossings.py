@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.solver.bracketing import Known, bracketed_roots
 from thirdbody.solver.solve import solve
 
 
@@ -59,6 +59,7 @@ def level_roots(
     parameters: Parameters,
     rtol: float,
     way: str | None = None,
+    known: Known | None = None,
 ) -> tuple[NDArray, NDArray]:
     """Where each quantity passes its level between two values of one condition.
 
@@ -74,6 +75,8 @@ def level_roots(
         The other four conditions.
     parameters, rtol, way
         As for ``solve``.
+    known : Known, optional
+        By how much the quantities exceed their levels at both ends and at a third place.
 
     Returns
     -------
@@ -91,4 +94,4 @@ def level_roots(
         value[moved] = excess_over(*asked, parameters, rtol, way=way)[0]
         return value.copy()
 
-    return bracketed_roots(excess, *ends, 0.1 * rtol)
+    return bracketed_roots(excess, *ends, 0.1 * rtol, known)

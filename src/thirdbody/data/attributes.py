@@ -11,14 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
-from thirdbody.data.quantities import Quantity
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import NO_FLAG
 
-SCHEMA_VERSION = "1.0"
+SCHEMA_VERSION = "1.1"
 PAPER_DOI = "10.3389/fmech.2024.1390335"
-# what stands where a dataset holds no point, which is another thing than a point without solution
-FILL_FLOAT = 9.969209968386869e36
-FILL_FLAG = np.int8(-127)
 # What ACDD-1.3 asks of every file beside the attributes that depend on its content; the dates are
 # that of this version of the software, so that the same inputs give the same bytes.
 RELEASE_DATE = "2026-11-21"
@@ -76,7 +74,7 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable, with the value that fills the points which it does not hold."""
+    """Attributes of a variable, with what stands for the points which it does not hold."""
     attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
     return attributes | ({"comment": quantity.comment} if quantity.comment else {})
 
@@ -87,22 +85,24 @@ def _number_attributes(quantity):
         "long_name": quantity.long_name,
         "symbol": quantity.symbol,
         "equation": quantity.equation,
-        "ancillary_variables": "solution_status",
+        "ancillary_variables": STATUS,
         "coverage_content_type": "modelResult",
         "_FillValue": FILL_FLOAT,
     }
 
 
 def _flag_attributes(flag):
+    named = dict(enumerate(flag.meanings))
+    named |= {} if flag.name == STATUS else {NO_FLAG: "without_values"}
+    named |= {FILL_FLAG: "not_shown"}
     return {
         "units": flag.units,
         "long_name": flag.long_name,
         "symbol": flag.symbol,
         "equation": flag.equation,
-        "flag_values": np.arange(len(flag.meanings), dtype=np.int8),
-        "flag_meanings": " ".join(flag.meanings),
+        "flag_values": np.array([*named], dtype=np.int8),
+        "flag_meanings": " ".join(named.values()),
         "coverage_content_type": "qualityInformation",
-        "_FillValue": FILL_FLAG,
     }
 
 

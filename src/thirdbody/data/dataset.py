@@ -9,16 +9,23 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.data.attributes import (
-    FILL_FLAG,
-    FILL_FLOAT,
     coordinate_attributes,
     global_attributes,
     variable_attributes,
 )
 from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
-from thirdbody.data.quantities import CONTRACT, FLAGS, NORMAL_LOAD, QUANTITIES, VARIABLES
+from thirdbody.data.quantities import (
+    CONTRACT,
+    FILL_FLAG,
+    FILL_FLOAT,
+    FLAGS,
+    NORMAL_LOAD,
+    QUANTITIES,
+    VARIABLES,
+)
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
+from thirdbody.progress import check_progress
 from thirdbody.solver.arguments import check_parameters, check_rtol, check_variables, checked_axis
 from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
@@ -37,6 +44,7 @@ def grid(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
+    progress: bool = True,
 ) -> xr.Dataset:
     """Every combination of five axes, solved and described, in memory.
 
@@ -59,6 +67,8 @@ def grid(
         Relative error asked for in every variable [1].
     variables : collection of str, optional
         Those of ``Solution`` that are wanted; ``solution_status`` is always given.
+    progress : bool, optional
+        Whether a call that takes long says how far it has come, as ``solve``.
 
     Returns
     -------
@@ -97,9 +107,10 @@ def grid(
     """
     check_parameters(parameters)
     check_rtol(rtol)
+    check_progress(progress)
     names = with_status(variables)
     axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
-    solution = solve_arrays(crossed(axes), parameters, rtol, names)
+    solution = solve_arrays(crossed(axes), parameters, rtol, names, progress=progress)
     values = {name: getattr(solution, name) for name in names}
     return described_grid(axes, values, parameters, rtol)
 

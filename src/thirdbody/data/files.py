@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 import glob
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from thirdbody.run.custody import PRODUCTS, record_of, record_text
+from thirdbody.messages import shown, shown_file
+from thirdbody.run.custody import record_of, record_text
+from thirdbody.run.places import PRODUCTS
 
 
 @contextmanager
@@ -30,9 +33,12 @@ def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Pa
 
     Raises
     ------
+    ValueError
+        For what is no name of a file.
     OSError
-        Naming the places, if a file was not written, or could not be for want of room or right.
-        Whatever the block raises, nothing new appears in any place.
+        Naming the places, if a file was not written, or could not be for want of room or right; what
+        cannot be begun is refused before the block runs.  Whatever the block raises, nothing new
+        appears in any place.
 
     Examples
     --------
@@ -46,11 +52,13 @@ def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Pa
     False
     True
     """
-    places = [Path(path) for path in paths]
+    places = [_place(path) for path in paths]
     products = [place for place in places if recorded and place.is_relative_to(PRODUCTS)]
     # records first: what a process killed between them leaves differs from its record
     parts = {place: _part_of(place) for place in [*map(record_of, products), *places]}
     try:
+        for place in places:
+            _require_possible(place, parts[place])
         yield parts[places[0]] if len(places) == 1 else tuple(parts[place] for place in places)
         for place in places:
             with open(parts[place], "rb") as written:
@@ -60,14 +68,26 @@ def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Pa
         for place, part in parts.items():
             os.replace(part, place)
     except OSError as error:
-        elsewhere = error.filename and Path(error.filename) not in parts.values()
+        elsewhere = error.filename and Path(error.filename) not in (*parts, *parts.values())
         if elsewhere or error.strerror is None:
             raise
-        names = ", ".join(map(str, places))
+        names = ", ".join(map(shown_file, places))
         raise OSError(f"{names} cannot be written ({error.strerror})") from None
     finally:
         for part in parts.values():
-            part.unlink(missing_ok=True)
+            with suppress(OSError):
+                part.unlink()
+
+
+def _place(path: str | Path) -> Path:
+    """``path`` as the place of a file."""
+    try:
+        place = Path(path)
+    except TypeError:
+        place = Path()
+    if not place.name or "\0" in place.name:
+        raise ValueError(f"{shown(path)} is no name of a file; allowed: the path of one to write")
+    return place
 
 
 def _part_of(place: Path) -> Path:
@@ -78,6 +98,14 @@ def _part_of(place: Path) -> Path:
     for left in place.parent.glob(f".{glob.escape(place.stem)}.partial*{place.suffix}"):
         left.unlink(missing_ok=True)
     return place.with_name(f".{place.stem}.partial{os.getpid()}{place.suffix}")
+
+
+def _require_possible(place: Path, part: Path) -> None:
+    """Raise ``OSError`` if ``part``, which will take its ``place``, cannot be made there."""
+    if place.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
+    part.touch()
+    part.unlink()
 
 
 def _write_record(product: Path, parts: dict[Path, Path]) -> None:

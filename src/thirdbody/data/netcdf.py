@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.quantities import QUANTITIES
+from thirdbody.data.quantities import FILL_FLAG, QUANTITIES, STATUS
 
 
 def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
@@ -56,7 +56,7 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
 
 
 def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """A dataset of ``write_dataset``, in memory; nan where it holds no point.
+    """A dataset of ``write_dataset``, in memory; where it holds no point, nan and ``FILL_FLAG``.
 
     Parameters
     ----------
@@ -87,7 +87,9 @@ def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
     ndarray of bool
         One element a combination, in the shape of the dataset behind its axis of loads.
     """
-    return np.isfinite(dataset["solution_status"].values).any(axis=0)
+    status = dataset[STATUS].values
+    # nan where xarray has masked points, of which it makes floats
+    return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
 
 
 def write_netcdf(dataset: xr.Dataset, path: str | PathLike, encoding: Mapping) -> None:

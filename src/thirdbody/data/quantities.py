@@ -8,7 +8,16 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
+
+STATUS = "solution_status"  # the flag that says how to take all other variables
+# What stands where a dataset holds no point, which is another thing than a point without solution:
+# the fill values of NetCDF.  Of a flag it is a value with a meaning, not_shown, and not declared as
+# missing, for which readers such as xarray would turn integers into floats.
+FILL_FLOAT = 9.969209968386869e36
+FILL_FLAG = np.int8(-127)
 
 
 @dataclass(frozen=True)
@@ -45,6 +54,9 @@ class Quantity:
 NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
 ERROR_BOUND = Quantity(
     "error_bound", "none", "1", "bound on the relative error of every variable", "none"
+)
+SEPARATION_COUNT = Quantity(
+    "separation_count", "none", "1", "at how many separations the forces balance", "1-2"
 )
 
 
@@ -86,12 +98,12 @@ FLAGS = _by_name(
         "contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", FLAG_MEANINGS["contact_mode"]
     ),
     Quantity(
-        "solution_status",
+        STATUS,
         "none",
         "1",
         "status of the solution",
         "1-8",
-        FLAG_MEANINGS["solution_status"],
+        FLAG_MEANINGS[STATUS],
         "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from html import escape
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 
@@ -30,8 +31,8 @@ RESULTS = {
     "particle_contact_area_ratio": "load where Aₛₐ,ₜ* = {:g}",
 }
 MEASURES = {
-    "elasticity": "Elasticities, d ln(result)/d ln(input)",
-    "sobol_total": "Total Sobol indices",
+    "elasticity": "Sensitivities: elasticities, d ln(result)/d ln(input)",
+    "sobol_total": "Sensitivities: total Sobol indices",
 }
 CROSSINGS = (  # columns of the transitions: quantity, level, heading
     ("solid_load_fraction", 0.9, "Lₛ = 90 % [N]"),
@@ -39,14 +40,16 @@ CROSSINGS = (  # columns of the transitions: quantity, level, heading
     ("particle_contact_area_ratio", 0.95, "Aₛₐ,ₜ* = 0.95 [N]"),
     ("particle_contact_area_ratio", 0.05, "Aₛₐ,ₜ* = 0.05 [N]"),
 )
+FIGURES, PAPER = "figures", "paper"  # headings of what curves of one's own do not have
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """A table as it is read: a line above it, headings, and rows of texts."""
+    """A table as it is read: a title and a note above it, headings, and rows of texts."""
 
-    caption: str
+    title: str
+    note: str
     headings: Sequence[str]
     rows: Sequence[Sequence[str]]
 
@@ -114,21 +117,83 @@ def readable(
 
 
 def markdown(sheets: Sequence[Sheet]) -> str:
-    """Text of ``sheets``, one below the other."""
-    from tabulate import tabulate
-
+    """Text of ``sheets``, one below the other, each with its caption as a first paragraph."""
     return "\n".join(
-        f"{sheet.caption}\n\n"
-        + tabulate(sheet.rows, sheet.headings, tablefmt="github", disable_numparse=True)
-        + "\n"
+        f"{_caption(sheet, '**{}.**')}\n\n{_table(sheet, 'github')}\n" for sheet in sheets
+    )
+
+
+def page(sheets: Sequence[Sheet]) -> str:
+    """HTML page of ``sheets``, one below the other; it needs no other file.
+
+    Examples
+    --------
+    >>> text = page([Sheet("Sizes", "All of them.", ["x"], [["x < 3"]])])
+    >>> "<strong>Sizes.</strong> All of them." in text, "<td>x &lt; 3</td>" in text
+    (True, True)
+    """
+    shown = "\n".join(
+        f"<p>{_caption(sheet, '<strong>{}.</strong>', escape)}</p>\n{_table(sheet, 'html')}"
         for sheet in sheets
     )
+    return PAGE.format(title=escape(sheets[0].title), shown=shown)
+
+
+PAGE = """\
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>{title}</title>
+<style>
+body {{ background: white; color: black; font: 14px/1.4 sans-serif; margin: 1em; }}
+table {{ border-collapse: collapse; margin-bottom: 2em; }}
+th, td {{ border: 1px solid #bbb; padding: 0.2em 0.6em; text-align: left; vertical-align: top; }}
+th {{ background: #eee; }}
+</style>
+</head>
+<body>
+{shown}
+</body>
+</html>
+"""
+
+
+def _caption(sheet, title, written=str) -> str:
+    return f"{title.format(written(sheet.title))} {written(sheet.note)}".rstrip()
+
+
+def _table(sheet, style) -> str:
+    from tabulate import tabulate
+
+    return tabulate(sheet.rows, sheet.headings, tablefmt=style, disable_numparse=True)
+
+
+def _paper_table(title) -> Callable[..., list[Sheet]]:
+    """How a table of the paper is read: printed and recomputed values side by side."""
+    note = "Recomputed from the other printed values where that is possible."
+    headings = ["property", "symbol", "unit", "printed", "recomputed", "verdict", "remark"]
+
+    def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
+        lines = [
+            [
+                *(row[name] for name in ("property", "symbol", "unit")),
+                *(_ends(row[f"{name}_low"], row[f"{name}_high"]) for name in headings[3:5]),
+                row["verdict"],
+                row["remark"] or "",
+            ]
+            for row in rows
+        ]
+        return [Sheet(title, note, headings, lines)]
+
+    return sheets
 
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     numbers = _by_curve(printed)
-    headings = [*CURVE_HEADINGS, "F_TPCA* [10⁻⁶]", "paper", "F_TPCA [N]", "Aₛₐ,ₜ*", "paper"]
-    headings += ["Lₛ [%]", "paper", "d [nm]"]
+    headings = [*CURVE_HEADINGS, "F_TPCA* [10⁻⁶]", PAPER, "F_TPCA [N]", "Aₛₐ,ₜ*", PAPER]
+    headings += ["Lₛ [%]", PAPER, "d [nm]"]
     lines = []
     for key, some in _curves(rows):
         row, paper = some[0], numbers.get(key, {})
@@ -146,11 +211,13 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
                 rounded(row["separation_m"] / 1e-9),
             ]
         )
-    return [Sheet("Turning points of the contact area.", headings, lines)]
+    title = "Turning points of the contact area"
+    note = "A row is a curve. Beside the model's numbers stand the paper's, with their tolerances."
+    return [_sheet_beside(printed, title, note, headings, lines)]
 
 
 def _windows(rows, printed, _) -> list[Sheet]:
-    headings = ["σ [nm]", "low end of xₐ/σ", "paper", "high end of xₐ/σ", "paper", "xₐ [nm]"]
+    headings = ["σ [nm]", "low end of xₐ/σ", PAPER, "high end of xₐ/σ", PAPER, "xₐ [nm]"]
     surfaces: dict[float, dict] = {}
     for row in rows:
         surfaces.setdefault(row["roughness_m"], {})[row["end"]] = row
@@ -167,7 +234,11 @@ def _windows(rows, printed, _) -> list[Sheet]:
             line += [rounded(value, row["error"]), "; ".join(dict.fromkeys(paper))]
             diameters.append(rounded(value * roughness / 1e-9, row["error"] * roughness / 1e-9))
         lines.append([*line, " to ".join(diameters)])
-    return [Sheet("Where dry contact has a turning point.", headings, lines)]
+    title = "Windows of the turning point in dry contact"
+    note = (
+        "It occurs between two ends of xₐ/σ. Beside them stand the paper's, with their tolerances."
+    )
+    return [Sheet(title, note, headings, lines)]
 
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
@@ -190,34 +261,48 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
             ]
             line.append(", ".join([arrow + load for load, arrow in found.items()] + paper))
         lines.append(line)
-    caption = (
-        "Loads at which the regime or mode changes; ↓ the quantity falls with the load, ↑ it rises."
-    )
-    return [Sheet(caption, headings, lines)]
+    title = "Loads at which the regime or mode changes"
+    note = "A row is a curve. ↓ the quantity falls with the load, ↑ it rises."
+    return [_sheet_beside(printed, title, note, headings, lines)]
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     sheets = []
     names = list(dict.fromkeys(result_name(row) for row in rows if row["input"]))
-    for measure, caption in MEASURES.items():
+    note = f"0 stands for less than {NEGLIGIBLE:g}."
+    for measure, title in MEASURES.items():
         inputs: dict[str, dict] = {}
         for row in rows:
             if row["measure"] == measure and row["input"] and row["sensitivity"] is not None:
                 cells = inputs.setdefault(row["input"].replace("_", " "), {})
                 cells[result_name(row)] = _response(row)
         lines = [[name, *(cells.get(one, "") for one in names)] for name, cells in inputs.items()]
-        caption += f"; 0 stands for less than {NEGLIGIBLE:g}."
-        sheets.append(Sheet(caption, ["input", *names], lines))
+        sheets.append(Sheet(title, note, ["input", *names], lines))
     return sheets
 
 
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
+    "table1": _paper_table("Table 1. Properties of the materials, as printed and recomputed"),
+    "table2": _paper_table("Table 2. Operating conditions, as printed and recomputed"),
     "tpca_loads": _turning_points,
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
 }
-CURVE_HEADINGS = ["figures", *(f"{axis.sign} [{axis.unit}]" for axis in CONDITION_AXES)]
+CURVE_HEADINGS = [FIGURES, *(f"{axis.sign} [{axis.unit}]" for axis in CONDITION_AXES)]
+
+
+def _sheet_beside(printed, title, note, headings, lines) -> Sheet:
+    """A table of curves; where nothing is printed of them, without columns for what the paper says."""
+    absent = () if printed else (FIGURES, PAPER)
+    kept = [place for place, heading in enumerate(headings) if heading not in absent]
+    shown = [[line[place] for place in kept] for line in lines]
+    return Sheet(title, note, [headings[place] for place in kept], shown)
+
+
+def _ends(low, high) -> str:
+    """A range, or the one value that there is."""
+    return " to ".join(f"{value:.6g}" for value in (low, high) if value is not None)
 
 
 def _response(row) -> str:

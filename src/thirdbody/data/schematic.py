@@ -122,7 +122,7 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
         variables[name] = ("panel", values, coordinate_attributes(QUANTITIES[name]))
     modes = np.array([CONTACT_MODES.index(state.contact_mode) for state in states], dtype=np.int8)
     flag = variable_attributes(FLAGS["contact_mode"])
-    variables["contact_mode"] = ("panel", modes, {k: flag[k] for k in flag if k != "_FillValue"})
+    variables["contact_mode"] = ("panel", modes, flag)
     for name, meaning in SURFACES.items():
         heights = [getattr(section, name) for section in sections]
         variables[name] = (("panel", "position"), heights, {"units": "m", "long_name": meaning})

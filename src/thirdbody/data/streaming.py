@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from itertools import product
 from math import prod
+from numbers import Integral
 from os import PathLike
+from pathlib import Path
+from shutil import disk_usage
 
 import netCDF4
 import numpy as np
@@ -16,7 +19,9 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import Axes, crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
 from thirdbody.data.quantities import CONTRACT
+from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
+from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import check_parameters, check_rtol
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solution import Solution, type_of
@@ -38,6 +43,7 @@ def stream(
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
     compression: int = 0,
+    progress: bool = True,
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
@@ -57,13 +63,15 @@ def stream(
         Those of ``Solution`` that are wanted; ``solution_status`` is always given.
     compression : int, optional
         Level of zlib, from 0 to 9.  Nothing is compressed at 0: it would take longer than solving.
+    progress : bool, optional
+        Whether a call that takes long says how far it has come, as ``solve``.
 
     Raises
     ------
     ValueError
         As ``grid``, but for any number of points.
     OSError
-        If there is no room or no right to write.
+        If there is no right to write, or no room: unless it is compressed, before anything is solved.
 
     Warns
     -----
@@ -90,18 +98,21 @@ def stream(
     >>> written["separation"].squeeze().shape
     (2,)
     """
-    if compression not in range(10):
-        raise ValueError(f"compression is {compression!r}; allowed: 0 to 9")
+    if not isinstance(compression, Integral) or compression not in range(10):
+        raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
     check_parameters(parameters)
     check_rtol(rtol)
+    check_progress(progress)
     names = with_status(variables)
     axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
 
     def solved(sides):
         return solve_arrays(crossed(sides), parameters, rtol, names)
 
-    expect_points(prod(axis.size for axis in axes.values()))
-    write_blocks(path, axes, solved, parameters, rtol, names, compression)
+    points = prod(axis.size for axis in axes.values())
+    expect_points(points)
+    with Progress(points, "points", progress) as progressing:
+        write_blocks(path, axes, solved, parameters, rtol, names, compression, progressing.add)
 
 
 def write_blocks(
@@ -112,6 +123,7 @@ def write_blocks(
     rtol: float,
     names: Collection[str] = CONTRACT,
     compression: int = 0,
+    written: Callable[[int], None] = lambda points: None,
 ) -> None:
     """Write what ``solved`` returns for each block of a grid.
 
@@ -131,17 +143,34 @@ def write_blocks(
         Variables to write.
     compression : int, optional
         Level of zlib.
+    written : callable, optional
+        Is told how many more points are written.
     """
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
-    empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in names}
-    described = described_grid(axes, empty, parameters, rtol)
-    with whole(path, recorded=False) as part, netCDF4.Dataset(part, "w", format="NETCDF4") as file:
-        variables = _declare(file, described, lengths, compression)
-        for block in blocks(shape, lengths):
-            solution = solved(sides(axes, block))
-            for name, variable in variables.items():
-                variable[block] = getattr(solution, name)
+    types = {name: np.dtype(type_of(name)) for name in names}
+    with whole(path, recorded=False) as part:
+        if not compression:
+            _require_room(path, prod(shape), sum(kind.itemsize for kind in types.values()))
+        empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
+        described = described_grid(axes, empty, parameters, rtol)
+        with netCDF4.Dataset(part, "w", format="NETCDF4") as file:
+            variables = _declare(file, described, lengths, compression)
+            for block in blocks(shape, lengths):
+                solution = solved(sides(axes, block))
+                for name, variable in variables.items():
+                    variable[block] = getattr(solution, name)
+                written(solution.solution_status.size)
+
+
+def _require_room(path: str | PathLike, points: int, bytes_a_point: int) -> None:
+    """Raise ``OSError`` if the folder of a file has no room for it."""
+    size, free = points * bytes_a_point, disk_usage(Path(path).parent).free
+    if size > free:
+        raise OSError(
+            f"{shown_file(path)} would hold {points:.3g} points in {size:.3g} bytes; allowed: at most the "
+            f"{free:.3g} bytes that are free there"
+        )
 
 
 def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
@@ -185,7 +214,7 @@ def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths, compression)
     variables = {}
     for name, values in described.data_vars.items():
         attributes = dict(values.attrs)
-        fill = attributes.pop("_FillValue")
+        fill = attributes.pop("_FillValue", None)
         attributes["coordinates"] = "normal_load"
         variables[name] = file.createVariable(
             name,

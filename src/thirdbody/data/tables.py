@@ -53,6 +53,15 @@ CURVE = (  # what tells one curve from another
     Column("figure", "string", "", "figure of the paper whose curves these are"),
     *CONDITIONS.values(),
 )
+# Columns of the CSV file beside a figure: the points that it draws.
+DRAWN_POINTS = (
+    Column("panel", "string", "", "letter of the panel"),
+    Column("curve", "string", "", "label of the curve"),
+    Column("x_name", "string", "", "quantity along x"),
+    Column("x", "number", "", "its value, in SI units"),
+    Column("y_name", "string", "", "quantity along y"),
+    Column("y", "number", "", "its value, in SI units"),
+)
 POINT_CLASS = (
     Column("medium", "string", "", "dry or lubricated"),
     Column("bodies", "string", "", "two_body or three_body"),

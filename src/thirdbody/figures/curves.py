@@ -26,7 +26,7 @@ from thirdbody.figures.sheet.naming import parameter_title, shared_notes
 from thirdbody.figures.sheet.panel import Panel, panel_figure
 from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.sheet.styles import Styles
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve, shown_curves, with_relative_area
+from thirdbody.figures.shown import Curve, shown_curves, with_relative_area
 
 MARKERS_PER_CURVE = 7
 PARTED = 1.6  # points between curves that are told apart
@@ -111,15 +111,25 @@ class CurveFigure:
             Rows of the table ``printed``: the paper's numbers for this figure.
         windows : sequence of Mapping
             Rows of the table ``tpca_windows``.
+
+        Raises
+        ------
+        ValueError
+            In one line, if ``data`` hold nothing that it shows.
         """
         curves = [each for each in shown_curves(data) if self._shows(each.condition)]
         data = with_relative_area(data)
-        contents = self._panels(data)
+        contents = self._panels(data, curves)
+        if not contents:
+            names = ", ".join(dict.fromkeys(each.y for each in self.contents))
+            raise ValueError(f"there is nothing to draw; allowed: points with {names}")
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
         styles = Styles(conditions, self.parameter)
         common = shared_notes(conditions)
-        newtons_per_load = float(data["normal_load"][-1] / data["load"][-1])
+        newtons_per_load = None
+        if "normal_load" in data:
+            newtons_per_load = float(data["normal_load"][-1] / data["load"][-1])
         figure = panel_figure([(content.x, content.y) for content in contents])
         marked: set[Condition] = set()
         for panel, content in zip(figure.axes, contents, strict=True):
@@ -143,9 +153,20 @@ class CurveFigure:
         draw_key(figure, title, ", ".join(common), styles.key(conditions, marked), marks)
         return figure
 
-    def _panels(self, data) -> Sequence[Content]:
-        held = AREA_OVER_TWO_BODY in data
-        contents = [each for each in self.contents if held or each.y != AREA_OVER_TWO_BODY]
+    def _panels(self, data, curves) -> Sequence[Content]:
+        """Panels of what ``data`` hold along ``curves``."""
+
+        def holds(name):
+            return name in data and any(
+                np.isfinite(each.values(data, name)).any() for each in curves
+            )
+
+        sizes = len({each.condition.diameter_ratio for each in curves})
+        contents = [
+            each
+            for each in self.contents
+            if (sizes > 1 if each.x == "diameter_ratio" else holds(each.x) and holds(each.y))
+        ]
         if not self.each_surface:
             return contents
         indices = range(data.sizes["roughness"])

@@ -48,8 +48,11 @@ def shown_curves(data: xr.Dataset) -> list[Curve]:
 def with_relative_area(data: xr.Dataset) -> xr.Dataset:
     """``data`` with A_t* over that of dry two-body contact at the same load and roughness.
 
-    The variable ``AREA_OVER_TWO_BODY`` is left out where a surface with curves has no such contact.
+    The variable ``AREA_OVER_TWO_BODY`` is left out where a surface with curves has no such contact,
+    or ``data`` no areas.
     """
+    if AREA not in data:
+        return data
     curves = shown_curves(data)
     references = {
         curve.condition.roughness: curve.values(data, AREA)

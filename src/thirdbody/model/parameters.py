@@ -10,6 +10,7 @@ from dataclasses import asdict, dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.readings import Readings
@@ -147,7 +148,7 @@ class Parameters:
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
             return
         for name in outside:
-            told = f"{name} is {getattr(self, name)!r}; allowed: {BOUNDS[name]} (SI)"
+            told = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
             raise ValueError(told)
 
     @computed_once

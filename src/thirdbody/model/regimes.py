@@ -37,7 +37,8 @@ FLAG_MEANINGS = {  # what the values 0, 1, ... of each flag stand for
     "contact_mode": CONTACT_MODES,
     "solution_status": SOLUTION_STATUSES,
 }
-WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and -1 for regime and mode
+WITHOUT_VALUES = ("coverage_exceeded", "load_exceeded")  # nan, and NO_FLAG for regime and mode
+NO_FLAG = np.int8(-1)
 # Where several apply, the last of these is the status.
 MILDEST_FIRST = (
     "several_separations",

@@ -26,6 +26,7 @@ COMPARED = {
     ("figures", ".csv"): "the points drawn; every number is compared",
     ("claims", ".csv"): "statements of the paper; every verdict is compared",
     ("claims", ".json"): "the same verdicts for programs; every one is compared",
+    ("explorer", ".html"): "opened in a browser; its curves are those of the figures",
     ("accuracy", ".csv"): "time of solving; its order of magnitude is compared, as machines differ",
 }
 
@@ -36,7 +37,8 @@ def targets(snakefile: str | PathLike) -> list[str]:
     Parameters
     ----------
     snakefile : path
-        A Snakefile whose ``rule all`` lists file names, and calls of ``multiext``, literally.
+        A Snakefile whose ``rule all`` lists file names, and calls of ``multiext``, literally.  They
+        begin with ``<results>``, which is ``results`` in a run without a name.
 
     Returns
     -------
@@ -57,8 +59,10 @@ def _names(element: ast.expr) -> list[str]:
     """File names that an element of the list stands for: itself, or those of a ``multiext``."""
     if isinstance(element, ast.Call):
         stem, *endings = map(ast.literal_eval, element.args)
-        return [f"{stem}{ending}" for ending in endings]
-    return [ast.literal_eval(element)]
+        names = [f"{stem}{ending}" for ending in endings]
+    else:
+        names = [ast.literal_eval(element)]
+    return [name.replace("<results>", "results") for name in names]
 
 
 def codecheck_text(products: list[str], release: Release) -> str:

@@ -37,6 +37,7 @@ KINDS = {
     "tables": "tables of the paper and what was extracted from the datasets",
     "figures": "figures, with the points drawn as CSV",
     "claims": "statements of the paper and their verdicts",
+    "explorer": "a page for any browser: figures, statements and the model itself",
 }
 FOLDERS = {
     "configuration": "configuration of the run and the inputs of the model that follow from it",

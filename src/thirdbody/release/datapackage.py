@@ -8,20 +8,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from thirdbody.data.tables import TABLES, Column
+from thirdbody.data.tables import DRAWN_POINTS, TABLES, Column
 from thirdbody.release.bag import digest, files_in
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
 from thirdbody.release.media import media_type
-
-# Columns of the CSV file beside a figure: the points that it draws.
-DRAWN_POINTS = (
-    Column("panel", "string", "", "letter of the panel"),
-    Column("curve", "string", "", "label of the curve"),
-    Column("x_name", "string", "", "quantity along x"),
-    Column("x", "number", "", "its value, in SI units"),
-    Column("y_name", "string", "", "quantity along y"),
-    Column("y", "number", "", "its value, in SI units"),
-)
 
 
 def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:

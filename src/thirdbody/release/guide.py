@@ -6,10 +6,11 @@ import json
 from pathlib import Path
 
 from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.tables import DRAWN_POINTS
 from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import DATA_LICENCE, Release
-from thirdbody.release.datapackage import DRAWN_POINTS, table_schema
+from thirdbody.release.datapackage import table_schema
 
 # Unit and meaning of each entry of ``model_parameters``, the attribute of datasets.
 MODEL = {
@@ -137,12 +138,13 @@ def _datasets(folder: Path, title: str) -> str:
         f"### `data/datasets/`: {title}",
         "",
         "NetCDF-4, conventions CF-1.11 and ACDD-1.3. Combinations of the five dimensions that a",
-        "figure does not show hold `_FillValue`. Each point has a `solution_status`, which is among",
+        "figure does not show hold `_FillValue`, and flags say `not_shown`. Each point has a",
+        "`solution_status`, which is among",
         "",
         *(f"- `{status}`: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
         "",
-        f"Points that are {' or '.join(WITHOUT_VALUES)} hold nan, and -1 for regime and mode; all",
-        "others have values.",
+        f"Points that are {' or '.join(WITHOUT_VALUES)} hold nan, and regime and mode say",
+        "`without_values`; all others have values.",
         "",
         "| file | what | shape | points | status |",
         "|---|---|---|---|---|",
@@ -155,12 +157,7 @@ def _datasets(folder: Path, title: str) -> str:
 
 def _dataset_row(name: str, dataset) -> str:
     status = dataset["solution_status"]
-    counts = {
-        meaning: int((status == value).sum())
-        for value, meaning in zip(
-            status.attrs["flag_values"], status.attrs["flag_meanings"].split(), strict=True
-        )
-    }
+    counts = {name: int((status == code).sum()) for code, name in enumerate(STATUS_MEANINGS)}
     told = ", ".join(f"{count} {meaning}" for meaning, count in counts.items() if count)
     shape = " x ".join(str(dataset.sizes[dimension]) for dimension in status.dims)
     return f"| `{name}` | {dataset.attrs['title']} | {shape} | {sum(counts.values())} | {told} |"
@@ -199,7 +196,20 @@ def _files(folder: Path, title: str) -> str:
     return f"### `data/{folder.name}/`: {title}\n\n{names}\n"
 
 
-_CHAPTERS = {"datasets": _datasets, "tables": _tables, "figures": _figures, "claims": _tables}
+def _explorer(folder: Path, title: str) -> str:
+    return (
+        f"### `data/{folder.name}/`: {title}\n\nOpen `data/{folder.name}/index.html` in any browser: it "
+        "needs no server and no network. Its sliders change every input of the model.\n"
+    )
+
+
+_CHAPTERS = {
+    "datasets": _datasets,
+    "tables": _tables,
+    "figures": _figures,
+    "claims": _tables,
+    "explorer": _explorer,
+}
 
 
 def _meaning(folder: Path) -> str:

@@ -6,24 +6,27 @@ import ast
 from functools import cache
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[3]
-HOMES = {"thirdbody": ROOT / "src", "benchmarks": ROOT}  # where each package lies
+from thirdbody.run.home import HOME, PACKAGE, is_current_folder
+
+HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME}  # where each package lies
 
 
 def import_closure(script) -> list[str]:
     """Modules of this repository that ``script`` imports, directly or not.
 
-    ``script`` and the result are relative to the root of the repository.  Snakemake reruns a rule
-    whose listed inputs changed; with these it follows the library.
+    ``script`` is its place in the repository; so are the results of a run in the repository, else
+    they are where the modules lie.  Snakemake reruns a rule whose listed inputs changed; with these
+    it follows the library.
     """
     found: set[Path] = set()
-    waiting = list(_imported(ROOT / script))
+    waiting = list(_imported(HOME / script))
     while waiting:
         module = waiting.pop()
         if module not in found:
             found.add(module)
             waiting.extend(_imported(module))
-    return sorted(str(path.relative_to(ROOT)) for path in found)
+    at_home = is_current_folder()
+    return sorted(str(path.relative_to(HOME) if at_home else path) for path in found)
 
 
 @cache

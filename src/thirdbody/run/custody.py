@@ -1,7 +1,8 @@
 """Custody: a record of what each product was when it was made, by which damage is found later.
 
 The record of ``results/figures/fig03.svg`` is ``results/.custody/figures/fig03.svg.sha256``, one
-line that ``sha256sum --check`` reads.  `thirdbody.data.files.whole` writes it with the product.
+line that ``sha256sum --check`` reads.  A run with a name has records of its own, in
+``results/NAME/.custody/``.  `thirdbody.data.files.whole` writes a record with its product.
 """
 
 from __future__ import annotations
@@ -12,14 +13,17 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import IO
 
-PRODUCTS = Path("results")
-RECORDS = PRODUCTS / ".custody"
+from thirdbody.run.places import CUSTODY, PRODUCTS
+
 SUFFIX = ".sha256"
 
 
 def record_of(product: str | Path) -> Path:
-    """Name of the record of a file in ``results/``."""
-    return RECORDS / f"{Path(product).relative_to(PRODUCTS)}{SUFFIX}"
+    """Name of the record of a file in ``results/``: in the nearest folder of records above it."""
+    folders = Path(product).relative_to(PRODUCTS).parents
+    homes = (PRODUCTS / folder for folder in folders)
+    home = next((home for home in homes if (home / CUSTODY).is_dir()), PRODUCTS)
+    return home / CUSTODY / f"{Path(product).relative_to(home)}{SUFFIX}"
 
 
 def record_text(product: str | Path, content: IO[bytes]) -> str:
@@ -27,13 +31,15 @@ def record_text(product: str | Path, content: IO[bytes]) -> str:
     return f"{hashlib.file_digest(content, 'sha256').hexdigest()}  {product}\n"
 
 
-def damaged_products() -> list[str]:
-    """Products that are there and are not what their records say, or cannot be read; sorted.
+def damaged_products(folder: Path = PRODUCTS) -> list[str]:
+    """Products of a run that are there and are not what their records say, or cannot be read; sorted.
 
-    A product without a record is not among them, nor one that was deleted.
+    ``folder`` is that of the run's products.  A product without a record is not among them, nor one
+    that was deleted.
     """
-    names = (str(path.relative_to(RECORDS)) for path in RECORDS.rglob(f"*{SUFFIX}"))
-    recorded = sorted(str(PRODUCTS / name.removesuffix(SUFFIX)) for name in names)
+    records = folder / CUSTODY
+    names = (str(path.relative_to(records)) for path in records.rglob(f"*{SUFFIX}"))
+    recorded = sorted(str(folder / name.removesuffix(SUFFIX)) for name in names)
     return [each for each in recorded if os.path.lexists(each) and not _is_as_made(each)]
 
 
@@ -48,8 +54,8 @@ def require_recorded(products: Iterable[str | Path]) -> None:
     for product in products:
         if not _is_as_made(product):
             raise ValueError(
-                f"{product} is not known to be whole: no record in {RECORDS}/ says that it was "
-                f"made as it is; remake it: snakemake -c2 --force {product}"
+                f"{product} is not known to be whole: {record_of(product)} does not say that it "
+                f"was made as it is; remake it: snakemake -c2 --force {product}"
             )
 
 

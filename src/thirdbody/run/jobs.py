@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from thirdbody.run.places import Places
 
-def jobs_behind(paths, rules) -> list[dict]:
+FILES = ("inputs", "outputs")  # fields of a job that name products
+
+
+def jobs_behind(paths, rules, places: Places) -> list[dict]:
     """The jobs that make the files ``paths``, each after those that it depends on.
 
     ``rules`` are those of the workflow, as Snakemake holds them; a job has the fields of
-    ``thirdbody.release.crate.Job``.
+    ``thirdbody.release.crate.Job``.  Its files are called as in a run without a name, whatever the
+    run's ``places`` are.
     """
     jobs: dict[str, dict] = {}
 
@@ -22,7 +27,10 @@ def jobs_behind(paths, rules) -> list[dict]:
 
     for path in paths:
         follow(path)
-    return list(jobs.values())
+    return [
+        {**job, **{key: [places.without_run(name) for name in job[key]] for key in FILES}}
+        for job in jobs.values()
+    ]
 
 
 def _job_of(path, rules) -> dict | None:

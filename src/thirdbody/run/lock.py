@@ -27,7 +27,7 @@ def hold_alone(path: str | Path) -> IO[str]:
     OSError
         While another process holds the lock.
     """
-    Path(path).parent.mkdir(exist_ok=True)
+    Path(path).parent.mkdir(parents=True, exist_ok=True)
     held = open(path, "a", encoding="ascii")  # noqa: SIM115, it stays open
     try:
         fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -38,13 +38,21 @@ def hold_alone(path: str | Path) -> IO[str]:
 
 
 def require_writable(folder: str | Path) -> None:
-    """Require the right to write to ``folder`` and every folder in it.
+    """Require the right to read and write ``folder`` and every folder in it, or to make it.
 
     Raises
     ------
     OSError
-        Naming the first folder that may not be written to.
+        Naming the first folder that may not be written to, or what is in the place of one.
     """
-    for path, _, _ in os.walk(folder):
-        if not os.access(path, os.W_OK | os.X_OK):
+    if not os.path.lexists(folder):
+        folder = Path(folder).parent
+        within = [folder]
+    elif Path(folder).is_dir():
+        inner = (os.path.join(path, name) for path, names, _ in os.walk(folder) for name in names)
+        within = [folder, *inner]
+    else:
+        raise OSError(f"{folder} is no folder; move it away: a run makes a folder of that name")
+    for path in within:
+        if not os.access(path, os.R_OK | os.W_OK | os.X_OK):
             raise OSError(f"{path} may not be written to; allow it, or run in a folder of your own")

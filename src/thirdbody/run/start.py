@@ -14,18 +14,19 @@ from pathlib import Path
 from typing import IO
 
 from thirdbody.run.bytecode import Bytecode
-from thirdbody.run.custody import PRODUCTS, damaged_products
+from thirdbody.run.custody import damaged_products
 from thirdbody.run.lock import hold_alone, require_writable
+from thirdbody.run.places import Places
 
-LOCK = ".snakemake/thirdbody.lock"
+BOOKS = Path(".snakemake")  # which Snakemake keeps, for queries too
 
 
-def look_before_planning(workflow, bytecode: Bytecode) -> None:
+def look_before_planning(workflow, bytecode: Bytecode, places: Places) -> None:
     """Have Snakemake, before it decides which jobs to run, learn which products are damaged.
 
     Damaged products are named on stderr and are to be made again if anything asks for them.  Where
-    jobs are to be started, the process first takes the folder for itself and prepares ``bytecode``;
-    if it cannot, it ends with one line and exit code 1.
+    jobs are to be started, the process first takes their places for itself and prepares ``bytecode``;
+    if it cannot, or may not write where it has to, it ends with one line and exit code 1.
 
     Parameters
     ----------
@@ -33,6 +34,8 @@ def look_before_planning(workflow, bytecode: Bytecode) -> None:
         The ``snakemake.workflow.Workflow`` of the main process, while its Snakefile is read.
     bytecode
         The bytecode that jobs load.
+    places
+        Where the files of this run go.
 
     Notes
     -----
@@ -40,14 +43,17 @@ def look_before_planning(workflow, bytecode: Bytecode) -> None:
     comes after its plan, which would be out of date if another run had been under way.  Between
     the two it always calls ``Workflow._build_dag``, which is replaced here.
     """
+    _require_writable(BOOKS)
     plan, held = workflow._build_dag, []
+    if hasattr(plan, "looks_first"):  # a workflow that uses this one reads it for each `use rule`
+        return
 
     def look_and_plan() -> None:
         runs = workflow.execution_settings is not None and not workflow.dryrun
         if runs:
-            held.append(_take_folder())
+            held.append(_take(places))
             bytecode.prepare()
-        damaged = damaged_products()
+        damaged = damaged_products(places.products)
         for product in damaged:
             print(f"{product} is not as it was made: to be made again", file=sys.stderr)
         workflow.dag.forcefiles.update(damaged)  # outputs to make even if they seem up to date
@@ -57,17 +63,27 @@ def look_before_planning(workflow, bytecode: Bytecode) -> None:
         if runs:
             _permit_replacing(damaged, workflow.dag)
 
+    look_and_plan.looks_first = True
     workflow._build_dag = look_and_plan
 
 
-def _take_folder() -> IO[str]:
-    """The lock of a run: the folder is its own for as long as somebody keeps this file open."""
+def _take(places: Places) -> IO[str]:
+    """The lock of a run: its places are its own for as long as somebody keeps this file open."""
     try:
-        held = hold_alone(LOCK)
-        require_writable(PRODUCTS)
+        held = hold_alone(places.lock)
     except OSError as error:
         sys.exit(str(error))
+    _require_writable(places.products, places.logs)
     return held
+
+
+def _require_writable(*folders: Path) -> None:
+    """End with one line if one of the ``folders`` may not be written to."""
+    try:
+        for folder in folders:
+            require_writable(folder)
+    except OSError as error:
+        sys.exit(str(error))
 
 
 def _show_as_missing(damaged: Iterable[str], iocache) -> None:

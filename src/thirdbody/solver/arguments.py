@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterable, Mapping
 from itertools import zip_longest
 from math import prod
 from numbers import Real
@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.solver.labelled import is_labelled
@@ -30,28 +31,55 @@ def check_parameters(parameters: Any) -> None:
 
 def check_variables(variables: Any, known: Collection[str] = VARIABLES) -> None:
     """Raises ``ValueError`` unless ``variables`` is a collection of names out of ``known``."""
+    check_names("variables", variables, known)
+
+
+def check_names(argument: str, given: Any, known: Collection[str]) -> None:
+    """Raises ``ValueError`` unless what an ``argument`` is given is a collection of names out of
+    ``known``."""
     allowed = f"allowed: a list out of {', '.join(known)}"
-    if not isinstance(variables, Collection):
-        raise ValueError(f"variables is a {type(variables).__name__}; {allowed}")
-    unknown = [name for name in variables if name not in known]
-    if isinstance(variables, str) or unknown:
-        shown = variables if isinstance(variables, str) else unknown[0]
-        raise ValueError(f"variables has {shown!r}; {allowed}")
+    listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
+    if not listed or isinstance(given, bytes):
+        raise ValueError(f"{argument} is a {type(given).__name__}; {allowed}")
+    unknown = [name for name in given if not isinstance(name, str) or name not in known]
+    if isinstance(given, str) or unknown:
+        bad = given if isinstance(given, str) else unknown[0]
+        raise ValueError(f"{argument} has {shown(bad)}; {allowed}")
 
 
 def check_rtol(rtol: Any) -> None:
     """Raises ``ValueError`` unless ``rtol`` is within what float64 and the tables can promise."""
     if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
-        raise ValueError(f"rtol is {rtol!r}; allowed: 1e-11 to 1e-2")
+        raise ValueError(f"rtol is {shown(rtol)}; allowed: 1e-11 to 1e-2")
 
 
-def check_points(*arrays: NDArray) -> None:
-    """Raises ``ValueError`` if ``arrays`` broadcast to more points than memory holds."""
-    sizes = zip_longest(*(array.shape[::-1] for array in arrays), fillvalue=1)
-    points = prod(map(max, sizes))
+def check_points(arrays: Mapping[str, NDArray]) -> None:
+    """Raises ``ValueError`` unless ``arrays``, by the names of conditions, broadcast to no more points
+    than memory holds."""
+    shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
+    columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
+    lengths = [set(column) - {1} or {1} for column in columns]
+    if any(len(each) > 1 for each in lengths):
+        told = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
+        raise ValueError(f"shapes do not go together: {told}; allowed: those that broadcast")
+    _check_number(shapes, (each.pop() for each in lengths))
+
+
+def check_named_points(labelled: Mapping[str, Any]) -> None:
+    """Raises ``ValueError`` if arrays, by the names of conditions, broadcast by the names of their
+    dimensions to more points than memory holds."""
+    sizes: dict = {}
+    for array in labelled.values():
+        sizes |= zip(array.dims, array.shape, strict=True)
+    _check_number(labelled, sizes.values())
+
+
+def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
+    """Raises ``ValueError`` if dimensions of these lengths hold more points than memory."""
+    points = prod(lengths)
     if points > MOST_POINTS:
-        told = f"{points:.3g} points in one call; allowed: at most {MOST_POINTS:g}"
-        raise ValueError(f"{told}, and thirdbody.stream writes any number to a file")
+        told = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
+        raise ValueError(f"{told} in one call, and thirdbody.stream writes any number to a file")
 
 
 def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
@@ -81,8 +109,10 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         raise ValueError(f"{name} is a ragged list; allowed: numbers of one shape") from None
     if array.dtype.kind == "O" and all(type(each) in (int, float) for each in array.flat):
         array = _of_long_integers(name, array)
+    check_points({name: array})
     if array.dtype.kind not in "iuf":
-        raise ValueError(f"{name} is of type {array.dtype}; allowed: numbers")
+        kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
+        raise ValueError(f"{name} is of type {kind}; allowed: numbers")
     array = np.asarray(array, float)
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST

@@ -24,17 +24,35 @@ def is_labelled(given: Any) -> bool:
     return hasattr(given, "dims") and hasattr(given, "data")
 
 
-def broadcast_by_name(
-    given: Mapping[str, Any], arrays: Mapping[str, NDArray]
-) -> tuple[dict[str, NDArray], xr.DataArray]:
-    """Arrays that broadcast by position as those ``given`` do by the names of their dimensions.
+def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[str, Any]:
+    """The ``arrays`` of conditions, SI, with the dimensions and coordinates of what was ``given``.
+
+    Raises
+    ------
+    ValueError
+        In one line: for an array without names among others.
+    """
+    import xarray as xr
+
+    named = [name for name, each in given.items() if is_labelled(each)]
+    for name, array in arrays.items():
+        if name not in named and array.ndim > 0:
+            allowed = f"a number or an xarray.DataArray, as {named[0]} is"
+            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
+    labelled = {
+        name: xr.DataArray(arrays[name], getattr(given[name], "coords", None), given[name].dims)
+        for name in named
+    }
+    return {**arrays, **labelled}
+
+
+def broadcast_by_name(conditions: Mapping[str, Any]) -> tuple[dict[str, NDArray], xr.DataArray]:
+    """Arrays that broadcast by position as ``conditions`` do by the names of their dimensions.
 
     Parameters
     ----------
-    given : mapping
-        The conditions by name, some with named dimensions, the others scalars.
-    arrays : mapping
-        Their values, SI.
+    conditions : mapping
+        What ``with_names`` returns.
 
     Returns
     -------
@@ -46,21 +64,13 @@ def broadcast_by_name(
     Raises
     ------
     ValueError
-        In one line: for an array without names among others, and coordinates that differ.
+        In one line: for coordinates that differ.
     """
     import xarray as xr
 
-    named = [name for name, each in given.items() if is_labelled(each)]
-    for name, array in arrays.items():
-        if name not in named and array.ndim > 0:
-            allowed = f"a number or an xarray.DataArray, as {named[0]} is"
-            raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
-    labelled = [
-        xr.DataArray(arrays[name], getattr(given[name], "coords", None), given[name].dims)
-        for name in named
-    ]
+    named = {name: each for name, each in conditions.items() if is_labelled(each)}
     try:
-        labelled = xr.align(*labelled, join="exact")
+        labelled = xr.align(*named.values(), join="exact")
     except ValueError:
         told = "have other coordinates along the same dimension; allowed: equal ones"
         raise ValueError(f"{', '.join(named)} {told}") from None
@@ -68,13 +78,15 @@ def broadcast_by_name(
         pattern = reduce(add, labelled)  # which merges the coordinates
     _, *labelled = xr.broadcast(pattern, *labelled)
     found = {name: each.values for name, each in zip(named, labelled, strict=True)}
-    return {**arrays, **found}, pattern
+    return {**conditions, **found}, pattern
 
 
-def labelled_as(pattern: xr.DataArray, solution: Solution) -> Solution:
-    """The ``solution`` with each of its arrays as a ``DataArray`` like ``pattern``."""
+def labelled_as(pattern: xr.DataArray, solution: Solution, named: Mapping[str, Any]) -> Solution:
+    """The ``solution`` with each of its arrays as a ``DataArray`` like ``pattern``.
+
+    Its conditions are those with names, ``named``.
+    """
     found = {
-        name: values if values is None else pattern.copy(data=values).rename(name)
-        for name, values in vars(solution).items()
+        name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
     }
-    return type(solution)(**found)
+    return type(solution)(**found, conditions=named)

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.extras import require
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver import availability
 from thirdbody.solver.points import Conditions
@@ -79,8 +80,8 @@ def check_way(way: str | None) -> None:
     ImportError
         If the compiled loop is asked for and numba is not installed.
     """
-    if way is not None and way not in ALLOWED:
-        raise ValueError(f"way is {way!r}; allowed: {', '.join(ALLOWED)}, or None to choose")
+    if way is not None and not (isinstance(way, str) and way in ALLOWED):
+        raise ValueError(f"way is {shown(way)}; allowed: {', '.join(ALLOWED)}, or None to choose")
     if way == COMPILED and not availability.is_loaded():
         require("compiled", "numba")
 
@@ -130,6 +131,7 @@ def solve_points(
     rtol: float,
     variables: Collection[str],
     way: str | None = None,
+    settled: Callable[[int], None] | None = None,
 ) -> dict[str, NDArray]:
     """Solve points by the way that takes least time.
 
@@ -145,6 +147,8 @@ def solve_points(
         Names of the variables of ``Solution`` that are wanted.
     way : str, optional
         One of ``WAYS``, by which all points are solved first; or ``REPEATABLE``.
+    settled : callable, optional
+        Is told, from any thread, how many more points are settled.
 
     Returns
     -------
@@ -154,7 +158,7 @@ def solve_points(
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
     few = few_surfaces(conditions.roughness)
     may_be_single = way == COMPILED or conditions.size >= SINGLE_WORTH
-    task = _Task(conditions, parameters, rtol, few is None, may_be_single, result)
+    task = _Task(conditions, parameters, rtol, few is None, may_be_single, result, settled)
     groups = list(groups_of(conditions, parameters, few))
     if way is None:
         ways = fastest_ways(groups, parameters, rtol)
@@ -329,6 +333,7 @@ class _Task:
     shared: bool  # whether surfaces share tables
     may_be_single: bool  # whether the loop begins in single precision where that has the digits
     result: dict[str, NDArray]
+    settled: Callable[[int], None] | None
 
     def solve_by_loop(self, groups: list[Group]) -> list[Group]:
         """As the other methods, but for groups, because the points of a call share a sheet."""
@@ -376,9 +381,13 @@ class _Task:
                 found = solved(self.conditions.take(piece))
                 if not found.left.any():
                     self._store(piece, found, slice(None))
-                    return NONE
-                self._store(_chosen(piece, ~found.left), found, ~found.left)
-                return _chosen(piece, found.left)
+                    left = NONE
+                else:
+                    self._store(_chosen(piece, ~found.left), found, ~found.left)
+                    left = _chosen(piece, found.left)
+            if self.settled is not None:
+                self.settled(found.left.size - left.size)
+            return left
 
         left = list(each(left_of, _pieces(places, size)))
         return left[0] if len(left) == 1 else np.concatenate([NONE, *left])

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +15,7 @@ from thirdbody.model.film import THICKEST
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
+    NO_FLAG,
     contact_mode,
     gravest_status,
     lubrication_regime,
@@ -21,9 +24,12 @@ from thirdbody.solver.balance import BALANCES, dry_balance
 from thirdbody.solver.points import Points
 from thirdbody.solver.several import may_be_several
 
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
-NO_FLAG = np.int8(-1)  # regime and mode of a point without values
 
 
 @dataclass(frozen=True)
@@ -32,7 +38,8 @@ class Solution:
 
     Every attribute is an array of the broadcast shape of the arguments of ``solve``, of xarray if one
     of these is, or None if it was not asked for.  Points without solution hold nan, or -1 where a
-    flag has no meaning.  Printed, it says what each is, with regimes, modes and statuses by name.
+    flag has no meaning.  Printed, it says what each is, with regimes, modes and statuses by name;
+    ``to_dataset`` and ``to_dataframe`` give all of them with their labels.
 
     Attributes
     ----------
@@ -55,6 +62,8 @@ class Solution:
         What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308,
         below which float64 loses digits.  Where rounding keeps it above the ``rtol`` that was asked
         for, the status is ``not_converged``, but the values stand.
+    conditions : mapping
+        The five conditions that were solved, by name, SI: arrays that broadcast to the shape.
     """
 
     total_contact_area: NDArray | None = None
@@ -69,15 +78,92 @@ class Solution:
     solution_status: NDArray | None = None
     separation_count: NDArray | None = None
     error_bound: NDArray | None = None
+    conditions: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def known(self) -> dict[str, Any]:
+        """The variables that were asked for, by name."""
+        return {name: getattr(self, name) for name in VARIABLES if getattr(self, name) is not None}
+
+    def to_dataset(self) -> xr.Dataset:
+        """The points as a dataset: each variable and condition with its name, unit and symbol.
+
+        Returns
+        -------
+        xarray.Dataset
+            Variables are those that were asked for, flags integers with ``flag_values`` and
+            ``flag_meanings``.  The conditions are coordinates.  A dimension has the name of the
+            condition that alone varies along it, else it is called ``point``; arrays of xarray keep
+            their dimensions and coordinates.
+
+        Raises
+        ------
+        ModuleNotFoundError
+            In one line, if xarray is not installed: the extra ``data`` brings it.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import thirdbody as tb
+        >>> curves = tb.solve(
+        ...     load=np.geomspace(1e-6, 1e-4, 5)[:, np.newaxis],
+        ...     viscosity=[0.0, 90e-6],
+        ...     particle_diameter=3e-7,
+        ...     roughness=3e-7,
+        ...     particle_density=1e11,
+        ...     parameters=tb.load_parameters(),
+        ... )
+        >>> dataset = curves.to_dataset()
+        >>> dict(dataset.sizes)
+        {'load': 5, 'viscosity': 2}
+        >>> dataset["separation"].attrs["units"]
+        'm'
+        """
+        from thirdbody.data.labels import labelled_dataset
+
+        return labelled_dataset(self.known, self.conditions)
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The points as a table: one row a point, its conditions first.
+
+        Returns
+        -------
+        pandas.DataFrame
+            Numbers are in SI, the units in ``attrs["units"]``.  Flags are categories by their names,
+            nan where a point has none.
+
+        Raises
+        ------
+        ModuleNotFoundError
+            In one line, if xarray and its pandas are not installed: the extra ``data`` brings them.
+
+        Examples
+        --------
+        >>> import thirdbody as tb
+        >>> points = tb.solve(
+        ...     load=[1e-6, 1e-5],
+        ...     viscosity=90e-6,
+        ...     particle_diameter=3e-7,
+        ...     roughness=3e-7,
+        ...     particle_density=1e11,
+        ...     parameters=tb.load_parameters(),
+        ... )
+        >>> table = points.to_dataframe()
+        >>> table[["load", "lubrication_regime"]].to_dict("list")
+        {'load': [1e-06, 1e-05], 'lubrication_regime': ['boundary', 'boundary']}
+        """
+        from thirdbody.data.labels import labelled_dataset, labelled_frame
+
+        return labelled_frame(labelled_dataset(self.known, self.conditions))
 
     def __repr__(self) -> str:
-        known = {name: np.asarray(each) for name, each in vars(self).items() if each is not None}
+        known = {name: np.asarray(each) for name, each in self.known.items()}
         shape = next(iter(known.values())).shape if known else ()
         lines = [f"{name:<28}{_told(name, each)}" for name, each in known.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])
 
 
-VARIABLES = tuple(field.name for field in fields(Solution))
+VARIABLES = tuple(each.name for each in fields(Solution) if each.name != "conditions")
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
 OF_AREAS = {

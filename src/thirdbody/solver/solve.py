@@ -8,14 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
+from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import (
+    check_named_points,
     check_parameters,
     check_points,
     check_rtol,
     check_variables,
     checked_axis,
 )
-from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as
+from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
 from thirdbody.solver.plan import check_way, solve_points
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
@@ -35,6 +37,7 @@ def solve(
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = VARIABLES,
     way: str | None = None,
+    progress: bool = True,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
@@ -66,6 +69,9 @@ def solve(
         default what takes least time for so many points in this process, the loading of a compiler
         included.  "repeatable" chooses one of the first two by the number of points alone: the same
         points have the same last digits, whatever the process has solved before.
+    progress : bool, optional
+        Whether a call that takes long says how far it has come, on the standard error stream: by a
+        bar on a terminal, after two seconds, else by a line every half a minute.
 
     Returns
     -------
@@ -79,8 +85,8 @@ def solve(
     ValueError
         In one line: for a negative, infinite or missing number, a zero load or roughness, a quantity
         of another dimension, arrays that do not broadcast, more than 1e9 points, inputs that are no
-        ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, and a summit
-        parameter that leaves no variance to the summits.
+        ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, a ``progress`` that
+        is no bool, and a summit parameter that leaves no variance to the summits.
     ImportError
         If ``way`` is "compiled" and numba is not installed.
 
@@ -116,6 +122,7 @@ def solve(
     check_rtol(rtol)
     check_variables(variables)
     check_way(way)
+    check_progress(progress)
     given = {
         "load": load,
         "viscosity": viscosity,
@@ -126,9 +133,12 @@ def solve(
     arrays = {name: checked_axis(name, value, parameters) for name, value in given.items()}
     warn_beyond_usual(arrays)
     if not any(map(is_labelled, given.values())):
-        return solve_arrays(arrays, parameters, rtol, variables, way)
-    arrays, pattern = broadcast_by_name(given, arrays)
-    return labelled_as(pattern, solve_arrays(arrays, parameters, rtol, variables, way))
+        return solve_arrays(arrays, parameters, rtol, variables, way, progress)
+    check_named_points({name: each for name, each in given.items() if is_labelled(each)})
+    named = with_names(given, arrays)
+    arrays, pattern = broadcast_by_name(named)
+    solution = solve_arrays(arrays, parameters, rtol, variables, way, progress)
+    return labelled_as(pattern, solution, named)
 
 
 def solve_arrays(
@@ -137,12 +147,15 @@ def solve_arrays(
     rtol: float,
     variables: Collection[str],
     way: str | None = None,
+    progress: bool = False,
 ) -> Solution:
     """What ``solve`` returns for conditions, by name, that have been checked."""
-    check_points(*arrays.values())
+    check_points(arrays)
     columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
     conditions = Conditions(**{name: column.ravel() for name, column in columns.items()})
-    with np.errstate(all="ignore"):  # what cannot be computed gets a status
-        found = solve_points(conditions, parameters, rtol, variables, way)
+    # what cannot be computed gets a status
+    with np.errstate(all="ignore"), Progress(conditions.size, "points", progress) as shown:
+        found = solve_points(conditions, parameters, rtol, variables, way, shown.add)
     shape = columns["load"].shape
-    return Solution(**{name: values.reshape(shape) for name, values in found.items()})
+    variables = {name: values.reshape(shape) for name, values in found.items()}
+    return Solution(**variables, conditions=dict(arrays))

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from thirdbody.data.attributes import FILL_FLOAT
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.extraction import curves_of
-from thirdbody.data.quantities import QUANTITIES
+from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve

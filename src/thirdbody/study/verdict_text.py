@@ -9,6 +9,7 @@ from typing import Any
 
 from tabulate import tabulate
 
+from thirdbody.data.readable import Sheet, page
 from thirdbody.study.verdicts import (
     FAILS,
     Trial,
@@ -93,6 +94,27 @@ def claims_markdown(
         *(_miss(row, why[row["id"]]) for row in rows if row["verdict"] == FAILS),
     ]
     return "\n\n".join(parts) + "\n"
+
+
+def claims_html(trial: Trial) -> str:
+    """The statements and their verdicts as a table, an HTML page.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+    """
+    rows = verdict_rows(trial)
+    columns = {
+        "where": "where",
+        "statement": "statement",
+        "published": "paper",
+        "measured": "model",
+        "verdict": "verdict",
+    }
+    cells = [[row[name] for name in columns] for row in rows]
+    title = "The paper's statements and their verdicts"
+    return page([Sheet(title, _summary(rows).replace("**", ""), [*columns.values()], cells)])
 
 
 def claims_json(

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -105,7 +106,7 @@ class Trial:
     ensemble : tuple of Judgement
         Under each member of the ensemble of the default.
     nudged : tuple of Judgement
-        Under the default with one unknown moved, up and down for each.
+        Under the default with one unknown moved, up and down for each, where a surface can have it.
     readings : tuple of Judgement
         Under the best inputs of each reading.
     """
@@ -137,12 +138,16 @@ class Trial:
         readings : sequence of mapping
             Contents of the calibrated files of all readings.
         """
-        inputs = default["inputs"]
+        inputs = court.base.as_dict() | default["inputs"]
+        nudged = []
+        for name, changed in _nudges(reading, inputs):
+            with suppress(ValueError):  # no surface has these inputs
+                nudged.append(court.judge(name, changed))
         return cls(
             court.claims,
             court.judge("default", inputs, FULL_EFFORT),
             tuple(court.judge("member", {**inputs, **member}) for member in default["ensemble"]),
-            tuple(court.judge(name, changed) for name, changed in _nudges(reading, inputs)),
+            tuple(nudged),
             tuple(court.judge(each["reading"], each["inputs"]) for each in readings),
         )
 

@@ -17,7 +17,8 @@ from pathlib import Path
 
 from workspace import MINIMAL, Workspace, is_product
 
-from thirdbody.run.custody import RECORDS, SUFFIX
+from thirdbody.run.custody import SUFFIX
+from thirdbody.run.places import CUSTODY
 
 LONG = os.environ.get("SURVIVAL") == "long"  # `make test-survival`
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
@@ -102,9 +103,11 @@ def kill(run: subprocess.Popen, whole_group: bool) -> None:
         run.wait(60)
 
 
-def kill_at(workspace: Workspace, jobs: int, chance: random.Random, whole_group=True) -> bool:
+def kill_at(
+    workspace: Workspace, jobs: int, chance: random.Random, *arguments, whole_group=True, **options
+) -> bool:
     """Start a run and kill it soon after ``jobs`` jobs have begun; False if it ended before."""
-    run = start(workspace)
+    run = start(workspace, *arguments, **options)
     while jobs_begun(workspace) < jobs and run.poll() is None:
         time.sleep(0.02)
     time.sleep(chance.uniform(0.0, 1.0))
@@ -141,7 +144,7 @@ def assert_same(root: Path, undisturbed: dict[str, bytes]) -> None:
 
 def _is_recorded(root: Path, name: str) -> bool:
     digest = hashlib.sha256((root / name).read_bytes()).hexdigest()
-    record = root / RECORDS.name / f"{name}{SUFFIX}"
+    record = root / CUSTODY / f"{name}{SUFFIX}"
     return record.read_text(encoding="utf-8") == f"{digest}  results/{name}\n"
 
 

@@ -76,6 +76,39 @@ SYNTAX = {
 }
 
 
+# what people write: the way to an entry, and its value
+SLIPS = {
+    "config/config.yaml": (
+        (("inputs",), "soft.yaml"),
+        (("inputs",), "/tmp/soft.yaml"),
+        (("inputs",), "../config/inputs.yaml"),
+        (("inputs",), "config/none.yaml"),
+        (("inputs",), "config/claims.yaml"),
+        (("inputs",), ["truncation"]),
+        (("inputs",), {"truncation": "2.5"}),
+        (("inputs",), {"hardness_surface_1": "3e9"}),
+        (("inputs",), {"hardness_surface_1": 3.0}),
+        (("inputs",), {"spread_ratio": 0.0}),
+        (("inputs",), {"summit_offset": True, "summit_parameter": 0.0195}),
+        (("inputs",), {"summit_offset": True, "summit_parameter_exponent": -1.38}),
+        (("calibrated",), "config/inputs.yaml"),
+        (("calibrated",), "config/none.yaml"),
+        (("rtol",), "1e-9"),
+        (("windows", "particle_diameter_per_roughness"), [2.5, 0.3]),
+        (("windows", "count"), 10**12),
+    ),
+    "config/scenes.yaml": (
+        (("load_axis", "load_N"), [80, 0.04]),
+        (("load_axis", "load_N"), ["1e-2", 80]),
+        (("load_axis", "count"), 10**12),
+        (("scenes", "fig03", "curves", 0, "particle_density_per_m2"), ["1e11"]),
+        (("scenes", "fig03", "curves", 0, "particle_density_per_m2"), [10**400]),
+        (("scenes", "fig03", "curves", 0, "roughness_nm"), [3e-7]),
+        (("scenes", "fig03", "title"), ""),
+    ),
+}
+
+
 @dataclass(frozen=True)
 class Mutation:
     """New ``content`` of ``file``; a refusal must say one of ``words``."""
@@ -101,6 +134,16 @@ def mutations() -> list[Mutation]:
         for way, what, new in chance.sample(changes, count):
             made.append(_changed(file, before.decode(), way, what, new))
     return made
+
+
+@cache
+def slips() -> list[Mutation]:
+    """The files of ``SLIPS``."""
+    return [
+        _changed(file, (ROOT / file).read_text(encoding="utf-8"), way, "replaced", new)
+        for file, changes in SLIPS.items()
+        for way, new in changes
+    ]
 
 
 def _changes(content) -> Iterator[tuple[tuple, str, object]]:
@@ -136,6 +179,8 @@ def _changed(file, text, way, what, new) -> Mutation:
     )
     if what == "renamed":
         words = (new, way[-1])
+    if what == "replaced" and isinstance(new, str):
+        words += (repr(new)[1:-1][:20] or "''",)
     if isinstance(
         way[0], int
     ):  # a statement: what else it must have, or another that it contradicts

@@ -75,7 +75,7 @@ def test_a_product_replaced_by_a_folder_is_made_again_unless_somebody_keeps_file
     code, said = ended(start(workspace))
     assert code != 0
     assert "results/tables/table1.md is not as it was made" in said
-    assert re.search(r"results/tables/table1.md, \S+ cannot be written \(Is a directory\)", said)
+    assert re.search(r"results/tables/table1.md, .+ cannot be written \(Is a directory\)", said)
     assert (product / "kept").read_text() == "somebody's own"
     (product / "kept").unlink()
     complete(workspace)

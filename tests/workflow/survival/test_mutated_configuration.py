@@ -8,12 +8,12 @@ from multiprocessing import get_context
 import numpy as np
 import pytest
 from harm import LONG
-from mutations import Mutation, mutations
+from mutations import Mutation, mutations, slips
 from workspace import ROOT, run_here
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.settings import read_plain, workflow_settings
+from thirdbody.configuration.settings import read_plain, require_surfaces, workflow_settings
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
@@ -29,6 +29,7 @@ NAMES = (
     "é*",
 )
 CHEAP = "results/extracted/table1/all.csv"
+UNREADABLE = ("TRACEBACK", "\\Z", "(?", "^[")  # what is no line for people: regular expressions
 MADE = ("results", "logs", ".snakemake", "__pycache__")
 # what Snakemake says of its own settings before it reads the workflow
 ANNOUNCED = ("Using workflow specific profile", "Config file config/")
@@ -58,6 +59,7 @@ def outcome(mutation: Mutation) -> str:
         for file in files:
             merged |= read_yaml(file)
         settings = workflow_settings(merged)
+        require_surfaces(settings)
         load_claims("config/claims.yaml")
     except ValueError as error:
         return str(error)
@@ -68,7 +70,7 @@ def outcome(mutation: Mutation) -> str:
 
 
 def test_each_is_read_or_refused_in_one_line_that_names_the_fault(in_folder, tell):
-    chosen = mutations()[:: 1 if LONG else 4]
+    chosen = [*slips(), *mutations()[:: 1 if LONG else 4]]
     before = {path.name for path in in_folder.rglob("*")}
     count, faults = collections.Counter(), []
     for mutation in chosen:
@@ -84,12 +86,16 @@ def test_each_is_read_or_refused_in_one_line_that_names_the_fault(in_folder, tel
         count["read" if told == "read" else "refused"] += 1
         named = any(word in told for word in mutation.words)
         if told != "read" and (
-            not named or len(told.splitlines()) != 1 or len(told) > 700 or "TRACEBACK" in told
+            not named
+            or len(told.splitlines()) != 1
+            or len(told) > 700
+            or any(word in told for word in UNREADABLE)
         ):
             faults.append(f"{mutation.name} -> {told[:300]}")
     assert not faults, "\n".join(faults)
     assert {path.name for path in in_folder.rglob("*")} == before
     tell(f"{len(chosen)} mutated configurations: {dict(count)}")
+    assert count["refused"] >= len(slips())
     assert len(chosen) >= 300 or not LONG
 
 
@@ -123,6 +129,7 @@ def run_all(sources, place, cases):
 def test_the_command_takes_a_sample_as_the_reader_does(sources, tmp_path, tell):
     ours = ("config/config.yaml", "config/scenes.yaml")
     chosen = [each for each in mutations() if each.file in ours][:: 7 if LONG else 60]
+    chosen += slips()[:: 1 if LONG else 8]
     cases = [(each.content, NAMES[place % len(NAMES)]) for place, each in enumerate(chosen)]
     codes = collections.Counter()
     for mutation, (code, said, kept) in zip(chosen, run_all(sources, tmp_path, cases), strict=True):

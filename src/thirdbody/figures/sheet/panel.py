@@ -131,7 +131,7 @@ class Panel(Axes):
         pixels = self.transData.transform(line.get_xydata())
         return pixels / self.figure.dpi * POINTS_PER_INCH
 
-    def frame(self, newtons_per_load: float) -> None:
+    def frame(self, newtons_per_load: float | None) -> None:
         """Scales, limits, ticks and labels for what has been drawn: call it last.
 
         Both variables must stand in ``SCALES``.  An axis of loads has its counterpart in newtons at
@@ -139,15 +139,15 @@ class Panel(Axes):
 
         Parameters
         ----------
-        newtons_per_load : float
-            F_t/F_t* [N].
+        newtons_per_load : float or None
+            F_t/F_t* [N]; None where it is not known, and the upper edge is left bare.
         """
         x, y = SCALES[self.x_name], SCALES[self.y_name]
         self._set_limits(x, y)
         self._draw_limit_lines(y)
         self._draw_ticks("bottom", *x.ticks(*self.get_xlim()))
         self._draw_ticks("left", *y.ticks(*self.get_ylim()))
-        if x.name == "load":
+        if x.name == "load" and newtons_per_load is not None:
             low, high = self.get_xlim()
             major, labels, minor = NEWTONS.ticks(low * newtons_per_load, high * newtons_per_load)
             self._draw_ticks("top", major / newtons_per_load, labels, minor / newtons_per_load)

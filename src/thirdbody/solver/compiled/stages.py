@@ -427,27 +427,37 @@ def stop_before_contact(block, count, model):
 
     There the loads have no Taylor series, and rounding may decide on which side a point is; and half
     of the way there an area has lost half of what its errors are compared with.  What errors of the
-    loads do to the separation depends on the slope, which loses a part on the other side.
+    loads do to the separation depends on the slope, which loses a part on the other side.  It stays
+    the same up to there, as ln M is concave: so they do not reach across where the particles that
+    lose touch bear far more than they are.
     """
     given, work, series, limits = block.given, block.work, block.series, model.limits
     particles, start = model.particles, model.particles.table.start
     own, other = particles.own_weight, particles.other_weight
     scale = particles.table.scale
-    eight, endless = work.dtype.type(8), work.dtype.type(np.inf)
+    eight, sixteen = work.dtype.type(8), work.dtype.type(16)
+    endless = work.dtype.type(np.inf)
     for k in range(count):
         separation, per_spread = work[SEPARATION, k], given[PER_SPREAD, k]
         bears = particles.pressure * given[PER_LOAD, k] * given[PLASTIC_AREA, k]
-        inner = bears * (scale + scale) * per_spread
-        here_1 = inner * own * series[MOMENT, SLOPE, k]
-        there_1 = inner * other * series[ELASTIC_MOMENT, SLOPE, k]
+        here, there = bears * own, bears * other
+        inner = (scale + scale) * per_spread
         total_1 = series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
-        rounded = abs(work[STEP, k]) + eight * limits.rounding * separation
-        unsure_here = rounded + work[UNSURE, k] / min(abs(total_1), abs(total_1 - here_1))
-        unsure_there = rounded + work[UNSURE, k] / min(abs(total_1), abs(total_1 - there_1))
+        beyond_here_1 = total_1 - here * inner * series[MOMENT, SLOPE, k]
+        beyond_there_1 = total_1 - there * inner * series[ELASTIC_MOMENT, SLOPE, k]
+        unsure, rounded = work[UNSURE, k], abs(work[STEP, k])
+        rounded += eight * limits.rounding * separation
+        slope = abs(total_1)
+        bears_here = abs(here * series[MOMENT, VALUE, k]) > sixteen * unsure
+        bears_there = abs(there * series[ELASTIC_MOMENT, VALUE, k]) > sixteen * unsure
+        slope_here = slope if bears_here else min(slope, abs(beyond_here_1))
+        slope_there = slope if bears_there else min(slope, abs(beyond_there_1))
+        unsure_here = (rounded + unsure / slope_here) * per_spread
+        unsure_there = (rounded + unsure / slope_there) * per_spread
         alpha = (separation - given[MEAN, k]) * per_spread - start
         shifted = alpha + given[ELASTIC_SHIFT, k]
-        stays = (unsure_here + unsure_here) * per_spread < abs(alpha)
-        stays &= (unsure_there + unsure_there) * per_spread < abs(shifted)
+        stays = unsure_here + unsure_here < abs(alpha)
+        stays &= unsure_there + unsure_there < abs(shifted)
         work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
 
 

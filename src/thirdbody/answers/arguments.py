@@ -1,0 +1,74 @@
+"""The checks of what a question is asked with, besides conditions: one line for each mistake."""
+
+from __future__ import annotations
+
+import math
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.data.quantities import QUANTITIES
+from thirdbody.messages import shown
+from thirdbody.solver.arguments import check_points
+from thirdbody.solver.labelled import is_labelled
+from thirdbody.solver.units import is_quantity
+
+MOST_VALUES = 1_000_000  # of a sweep or a curve
+
+
+def check_number(name: str, value: Any, positive: bool = True) -> None:
+    """Raises ``ValueError`` unless a value is a finite number, ``positive``, or zero or more."""
+    if not _is_number(value) or value < 0.0 or (positive and value == 0.0):
+        least = "positive" if positive else "zero or positive"
+        raise ValueError(f"{name} is {shown(value)}; allowed: {least} numbers")
+
+
+def check_ends(name: str, ends: Any) -> None:
+    """Raises ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
+    several = isinstance(ends, (tuple, list)) or (isinstance(ends, np.ndarray) and ends.ndim == 1)
+    if not several or len(ends) != 2 or not all(map(_is_number, ends)):
+        told = "allowed: two numbers, positive and increasing"
+        raise ValueError(f"{name} is {shown(ends)}; {told}")
+    low, high = map(float, ends)
+    if not 0.0 < low < high:
+        raise ValueError(f"{name} is {low:g} to {high:g}; allowed: positive and increasing")
+
+
+def check_count(name: str, count: Any) -> None:
+    """Raises ``ValueError`` unless a number of values is whole, and at least 2."""
+    whole = isinstance(count, Integral) and not isinstance(count, bool)
+    if not whole or not 2 <= count <= MOST_VALUES:
+        raise ValueError(
+            f"{name} is {shown(count)}; allowed: whole numbers from 2 to {MOST_VALUES}"
+        )
+
+
+def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
+    """The levels of a variable; ``ValueError`` for an unknown variable, and what is no number."""
+    if not isinstance(variable, str) or variable not in QUANTITIES:
+        raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
+    allowed = f"allowed: numbers, in {QUANTITIES[variable].units}"
+    several = level if isinstance(level, (list, tuple)) else [level]
+    if any(is_quantity(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
+        raise ValueError(f"level is a {type(level).__name__}; {allowed}")
+    try:
+        levels = np.asarray(level)
+    except ValueError:
+        raise ValueError(f"level is a ragged list; {allowed}") from None
+    check_points({"level": levels})
+    numbers = levels.dtype.kind in "iuf" or all(map(_is_number, levels.flat))
+    if not numbers or not np.isfinite(levels.astype(float, copy=False)).all():
+        raise ValueError(f"level is {shown(level)}; {allowed}")
+    return levels.astype(float, copy=False)
+
+
+def _is_number(value: Any) -> bool:
+    """Whether a value is a real number, finite as a float."""
+    if not isinstance(value, Real) or isinstance(value, bool):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:  # an integer of more than 308 digits
+        return False

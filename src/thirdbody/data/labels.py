@@ -1,0 +1,95 @@
+"""Solved points with labels: what ``Solution.to_dataset`` and ``Solution.to_dataframe`` return."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import xarray as xr
+
+from thirdbody.data.attributes import coordinate_attributes, variable_attributes
+from thirdbody.data.conditions import AXES
+from thirdbody.data.quantities import FLAGS, SEPARATION_COUNT, VARIABLES
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+POINT = "point"  # a dimension along which several conditions vary, or none
+KNOWN = VARIABLES | {SEPARATION_COUNT.name: SEPARATION_COUNT}
+
+
+def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]) -> xr.Dataset:
+    """Variables and conditions of solved points as a dataset.
+
+    Parameters
+    ----------
+    variables : mapping
+        Variables of a ``Solution`` by name: arrays of one shape, of xarray or not.
+    conditions : mapping
+        Those that were solved, by name, SI: they broadcast to the same shape.
+
+    Returns
+    -------
+    xarray.Dataset
+        A dimension along which one condition alone varies has the name of this condition.
+    """
+    first = next(iter(variables.values()), None)
+    labelled = isinstance(first, xr.DataArray)
+    plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]
+    shape = np.broadcast_shapes(*map(np.shape, (*variables.values(), *plain)))
+    dimensions = first.dims if labelled else _dimensions(shape, conditions)
+    coordinates = dict(first.coords) if labelled else {}
+    for name, values in conditions.items():
+        if name not in coordinates:
+            attributes = coordinate_attributes(AXES[name])
+            coordinates[name] = *_placed(values, dimensions, shape), attributes
+    described = {}
+    for name, values in variables.items():
+        attributes = variable_attributes(KNOWN[name])
+        attributes.pop("_FillValue", None)  # every point is there
+        described[name] = (dimensions, np.asarray(values), attributes)
+    return xr.Dataset(described, coordinates)
+
+
+def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:
+    """What ``labelled_dataset`` returned as a table: one row a point, flags by their names."""
+    flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
+    labels = [name for name in flat.dims if name in flat.coords]
+    others = [name for name in flat.coords if name not in labels]
+    frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
+    for name in FLAGS.keys() & flat.data_vars.keys():
+        meanings = FLAGS[name].meanings
+        named = frame[name].astype("category").cat.rename_categories(dict(enumerate(meanings)))
+        frame[name] = named.cat.set_categories(meanings)
+    frame.attrs["units"] = {
+        name: flat[name].attrs["units"] for name in frame.columns if "units" in flat[name].attrs
+    }
+    return frame
+
+
+def _dimensions(shape, conditions) -> list[str]:
+    """A name for each axis of the points: that of a condition that has it, and no other, to itself."""
+    having = [
+        [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
+        for axis in range(-len(shape), 0)
+    ]
+    owners = [names[0] if len(names) == 1 else None for names in having]
+    owners = [name if owners.count(name) == 1 else None for name in owners]
+    if owners.count(None) == 1:
+        return [name or POINT for name in owners]
+    return [name or f"{POINT}_{axis}" for axis, name in enumerate(owners)]
+
+
+def _placed(values, dimensions, shape):
+    """Dimensions and values of a condition, without the axes along which it is merely repeated."""
+    if isinstance(values, xr.DataArray):
+        return values.dims, values.values
+    axes = _axes(np.shape(values), shape)
+    repeated = tuple(axis for axis in range(-np.ndim(values), 0) if axis not in axes)
+    return [dimensions[axis] for axis in axes], np.squeeze(values, repeated)
+
+
+def _axes(sizes, shape) -> list[int]:
+    """Axes, counted from the last, of an array of ``sizes`` that are as long as those of ``shape``."""
+    return [axis for axis in range(-len(sizes), 0) if sizes[axis] == shape[axis]]

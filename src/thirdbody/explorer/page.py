@@ -1,0 +1,80 @@
+"""One file out of a template, a style, scripts, a charting library and the content of the page."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).parent
+FIRST = "main.js"  # the script that uses all others
+IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
+EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
+
+
+def page_text(content: Mapping[str, Any]) -> str:
+    """The page, which needs no other file and no network.
+
+    Parameters
+    ----------
+    content : Mapping
+        What ``thirdbody.explorer.content.page_content`` gathers.
+
+    Returns
+    -------
+    str
+        HTML.
+
+    Examples
+    --------
+    >>> text = page_text({"figures": []})
+    >>> text.startswith("<!doctype html>"), '"figures":[]' in text
+    (True, True)
+    """
+    data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+    parts = {
+        "style.css": _read("page/style.css"),
+        "d3.LICENSE": _read("vendor/d3.LICENSE"),
+        "d3.min.js": _read("vendor/d3.min.js"),
+        "content.json": data.replace("</", "<\\/"),
+        "main.js": one_script(FIRST),
+    }
+    template = _read("page/index.html")
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], template)
+
+
+def one_script(first: str) -> str:
+    """A script and all that it imports as one: each module once, after those that it imports.
+
+    A module becomes a function that is called at once and returns what the module exports.
+
+    Parameters
+    ----------
+    first : str
+        Name of a file in the folder ``page/``.
+
+    Examples
+    --------
+    >>> one_script("text.js").splitlines()[:2]
+    ['const modules = {};', 'modules["text.js"] = (() => {']
+    """
+    joined: dict[str, str] = {}
+
+    def join(name):
+        if name in joined:
+            return
+        text = _read(f"page/{name}")
+        for _, imported in IMPORT.findall(text):
+            join(imported)
+        body = IMPORT.sub(r'const \1 = modules["\2"];', EXPORT.sub("", text))
+        exports = ", ".join(EXPORT.findall(text))
+        joined[name] = f'modules["{name}"] = (() => {{\n{body}\nreturn {{ {exports} }};\n}})();'
+
+    join(first)
+    return "const modules = {};\n" + "\n\n".join(joined.values())
+
+
+def _read(name: str) -> str:
+    return (HERE / name).read_text(encoding="utf-8").strip()

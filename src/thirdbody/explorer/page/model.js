@@ -1,0 +1,489 @@
+// The equations of Chen & Horng (2024), doi:10.3389/fmech.2024.1390335, at a given separation d;
+// and `solve`, which finds d for a given load.  All of the page's numbers come from here.
+//
+// For given particles and surface everything is explicit in d: the load F_s of the solids and the
+// contact areas (Eqs. 2-6), and the load F_f of the fluid by Eq. 7 turned around.  SI units; loads
+// are over A_n E_ss, areas over A_n.  `inputs` has the names of config/inputs.yaml, `condition`
+// viscosity, particle_diameter, roughness, particle_density.
+
+const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64
+const FARTHEST = 60; // t from which on summits bear nothing in float64
+const NEAREST = -8; // t of surfaces that cut across each other's mean planes, whatever they are
+const LOWEST = -9; // alpha below which sizes add nothing to a moment in float64
+const SUMMIT_STEP = 1 / 32; // of tables in t: so fine that their errors are below 1e-9
+const SIZE_STEP = 1 / 256; // and in alpha, where the moment vanishes
+const FILM_STEP = 1 / 256; // of tables in ln H_c
+const FILM_SPAN = 20; // on either side of where both terms of Eq. 7 are equal
+const MOST_TABLES = 200; // surfaces whose tables are kept
+const EPSILON = 2 ** -52;
+const BOUNDED = 3.4; // times rounding of d is the bound of the library, which adds up several such errors
+const ROOT_TOLERANCE = 1e-13; // of d
+const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
+const RTOL = 1e-9; // the relative error that is promised where the status is not `not_converged`
+const THICKEST = 0.01; // H_c of what is still a film between two bodies
+const FILM_COUNTS = 1e-3; // L_f; what a film is like that bears less matters to nothing else
+
+export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
+export const NO_SUMMITS = "no_summits"; // the library refuses such inputs
+
+// --- quadrature and tables ---
+
+// Nodes and weights of Gauss and Legendre on the interval from 0 to 1, by Newton's method.
+function gaussLegendre(count) {
+  return Array.from({ length: count }, (_, i) => {
+    let x = Math.cos((Math.PI * (i + 0.75)) / (count + 0.5));
+    let slope = 1;
+    for (let step = 0; step < 8; step++) {
+      let [before, here] = [1, x];
+      for (let n = 2; n <= count; n++) {
+        [before, here] = [here, ((2 * n - 1) * x * here - (n - 1) * before) / n];
+      }
+      slope = (count * (x * here - before)) / (x * x - 1);
+      x -= here / slope;
+    }
+    return [0.5 * (x + 1), 1 / ((1 - x * x) * slope * slope)];
+  });
+}
+
+const NODES = gaussLegendre(48);
+
+// Smooth functions by cubic pieces between nodes from `first` on, each computed when first needed.
+// `exact(x, node)` fills in value and slope of each; the result tells the value of the `which`th.
+function tabulated(exact, { step, first, last, functions }) {
+  const width = 2 * functions;
+  const nodes = new Float64Array(width * (Math.ceil((last - first) / step) + 2)).fill(NaN);
+  const known = (index) => {
+    const node = nodes.subarray(width * index, width * (index + 1));
+    exact(first + index * step, node);
+  };
+  return (x, which = 0) => {
+    const place = (x - first) / step;
+    const index = Math.floor(place);
+    const low = width * index + 2 * which;
+    const high = low + width;
+    if (Number.isNaN(nodes[low])) known(index);
+    if (Number.isNaN(nodes[high])) known(index + 1);
+    const u = place - index;
+    const rise = nodes[high] - nodes[low];
+    const bend = (step * nodes[low + 1] - rise) * (1 - u) + (rise - step * nodes[high + 1]) * u;
+    return nodes[low] + u * (rise + (1 - u) * bend);
+  };
+}
+
+// --- the summits of a rough surface ---
+
+// McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R).
+const SUMMIT_PLACES = new Map([
+  [true, (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length]],
+  ["as_rough", (sigma, length) => [sigma, 0.045944 * length]],
+  [false, (sigma) => [sigma, 0]],
+]);
+
+export function surfaceOf(inputs, roughness) {
+  const scale = roughness / inputs.reference_roughness;
+  const parameter = inputs.summit_parameter * scale ** inputs.summit_parameter_exponent;
+  const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
+  const density = parameter / (radius * roughness);
+  const place = SUMMIT_PLACES.get(inputs.summit_offset);
+  const [deviation, offset] = place(roughness, 1 / (density * radius));
+  return { roughness, density, radius, deviation, offset };
+}
+
+const summitTables = new Map();
+
+// ln F_ss* and ln(A_ss/A_n) over t = (d - y_s)/sigma_s: eta_s times the integrals of Eq. 6 (left) over
+// all heights above d, of the asperity of Zhao, Maietta & Chang (2000) at the interference w sigma_s,
+// which yields first at w1 and is fully plastic from w2 on.  The largest weight of a summit is left
+// out of the integrals and enters as a logarithm.
+function summitTable(inputs, surface) {
+  const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
+  const hardness = softer / inputs.elastic_modulus_surfaces;
+  const radius = surface.radius / surface.deviation;
+  const k = inputs.yield_pressure_ratio;
+  const w1 = (0.75 * Math.PI * k * hardness) ** 2 * radius;
+  const w2 = w1 * inputs.plastic_interference_ratio;
+  const density = (surface.density * surface.deviation ** 2) / Math.sqrt(2 * Math.PI);
+
+  const area = (w) => {
+    const u = Math.min(Math.max((w - w1) / (w2 - w1), 0), 1);
+    return Math.PI * radius * w * (1 - 2 * u ** 3 + 3 * u ** 2);
+  };
+  const load = (w, itsArea) => {
+    if (w <= w1) return (4 / 3) * Math.sqrt(radius) * w ** 1.5;
+    if (w >= w2) return itsArea * hardness;
+    return itsArea * hardness * (1 - (1 - k) * (Math.log(w2 / w) / Math.log(w2 / w1)));
+  };
+
+  // the same surface keeps its table, whatever else changes
+  const key = [hardness, radius, k, w2, density].join();
+  if (summitTables.has(key)) return summitTables.get(key);
+
+  function exact(t, node) {
+    const root = Math.sqrt(2 * NEGLIGIBLE);
+    const reach = t > 0 ? (2 * NEGLIGIBLE) / (t + Math.hypot(t, root)) : root - t;
+    let [loads, areas, fartherLoads, fartherAreas, start] = [0, 0, 0, 0, 0];
+    for (const end of [w1, w2, Infinity].map((edge) => Math.sqrt(Math.min(edge, reach)))) {
+      for (let i = 0; i < NODES.length && end > start; i++) {
+        const r = start + (end - start) * NODES[i][0]; // w = r^2 makes the power of 3/2 smooth
+        const w = r * r;
+        const phi = Math.exp(-w * (t + 0.5 * w) - 0.5 * Math.min(t, 0) ** 2);
+        const itsArea = area(w);
+        const measure = phi * 2 * r * NODES[i][1] * (end - start);
+        loads += load(w, itsArea) * measure;
+        areas += itsArea * measure;
+        fartherLoads += load(w, itsArea) * measure * w;
+        fartherAreas += itsArea * measure * w;
+      }
+      start = end;
+    }
+    const log = (sum) => Math.log(density * sum) - 0.5 * Math.max(t, 0) ** 2;
+    node.set([log(loads), -t - fartherLoads / loads, log(areas), -t - fartherAreas / areas]);
+  }
+  const span = { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST, functions: 2 };
+  const table = tabulated(exact, span);
+  if (summitTables.size >= MOST_TABLES) summitTables.clear();
+  summitTables.set(key, table);
+  return table;
+}
+
+// --- third particles ---
+
+// phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
+const SIZES = {
+  uncentred: (inputs) => ({
+    place: (x) => [0, inputs.spread_ratio * x],
+    square: (alpha) => (inputs.spread_ratio * alpha) ** 2,
+    least: 0,
+  }),
+  centred: (inputs) => ({
+    place: (x) => [inputs.mean_ratio * x, inputs.spread_ratio * x],
+    square: (alpha) => (inputs.mean_ratio + inputs.spread_ratio * alpha) ** 2,
+    least: -inputs.mean_ratio / inputs.spread_ratio,
+  }),
+  gap_convolved: (inputs) => ({
+    place: (x, sigma) => [
+      inputs.mean_ratio * x,
+      Math.hypot(inputs.spread_ratio * x, inputs.gap_ratio * sigma),
+    ],
+    square: () => 1 + inputs.spread_ratio ** 2,
+    least: -Infinity,
+  }),
+};
+
+// I(x, X_max)/x_a^2 over alpha: the integral of x^2 phi_a in Eqs. 4 and 5.
+function momentTable(inputs, sizes) {
+  const most = inputs.truncation;
+  const least = Math.max(sizes.least, LOWEST);
+  const density = (alpha) =>
+    (sizes.square(alpha) * Math.exp(-0.5 * alpha * alpha)) / Math.sqrt(2 * Math.PI);
+  const integral = (alpha) => {
+    let sum = 0;
+    for (const [node, weight] of NODES) sum += weight * density(alpha + (most - alpha) * node);
+    return (most - alpha) * sum;
+  };
+  // counted from the largest size, where it vanishes and needs its digits
+  const exact = (below, node) => node.set([integral(most - below), density(most - below)]);
+  const span = { step: SIZE_STEP, first: 0, last: most - least, functions: 1 };
+  const table = tabulated(exact, span);
+  const all = integral(least);
+  return (alpha) => (alpha >= most ? 0 : alpha <= least ? all : table(most - alpha));
+}
+
+// Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
+const ELASTIC_SIDE = { printed: -1, physical: 1 };
+
+export function elasticFactor(inputs) {
+  return (
+    ((9 * Math.PI ** 2) / 4) *
+    ((inputs.hardness_surface_1 / inputs.elastic_modulus_particle) ** 2 +
+      (inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces) ** 2)
+  ); // of Eqs. 4 and 5
+}
+
+// --- film ---
+
+// The x at which e^(a x) + e^(b x) = e^y, over y: by Newton's method on the logarithm, which is convex in
+// x, from where one term has the value by itself; between nodes of a table where y is usual.
+const inverseFilms = new Map();
+
+function inverseFilm(a, b) {
+  const key = [a, b].join();
+  if (inverseFilms.has(key)) return inverseFilms.get(key);
+  const slopeAt = (x) => (a * Math.exp(a * x) + b * Math.exp(b * x)) / (Math.exp(a * x) + Math.exp(b * x));
+  const exact = (y) => {
+    let x = Math.max(y / a, y / b);
+    for (let step = 0; step < 7; step++) {
+      x -= (Math.log(Math.exp(a * x) + Math.exp(b * x)) - y) / slopeAt(x);
+    }
+    return x;
+  };
+  const fill = (y, node) => {
+    const x = exact(y);
+    node.set([x, 1 / slopeAt(x)]);
+  };
+  const table = tabulated(fill, { step: FILM_STEP, first: -FILM_SPAN, last: FILM_SPAN, functions: 1 });
+  const found = (y) => (Math.abs(y) < FILM_SPAN ? table(y) : exact(y));
+  inverseFilms.set(key, found);
+  return found;
+}
+
+// Eq. 7: H_c = smooth film and what roughness adds, each as logarithm over ln W (Eq. 8).
+function filmOf(inputs, viscosity, roughness) {
+  const kappa = inputs.ellipticity;
+  const lnU = Math.log(inputs.speed_per_viscosity * viscosity);
+  const lnG = Math.log(inputs.material_parameter);
+  const a = -0.045 * kappa ** 0.18;
+  const b = a - 0.133;
+  const rise = 0.663 * kappa ** 0.025;
+  const smooth =
+    Math.log(3.672 * (1 - 0.573 * Math.exp(-0.74 * kappa))) +
+    rise * lnU +
+    0.502 * kappa ** 0.064 * lnG; // Eq. 7, all but W of the smooth film
+  const rough =
+    smooth +
+    Math.log(0.025 * kappa ** 0.081) +
+    1.248 * Math.log(roughness / inputs.ball_radius) +
+    0.119 * Math.log(inputs.hardness_parameter) -
+    0.884 * lnU -
+    0.977 * lnG; // Eq. 7, all but W of the roughness term
+  const thickness = (lnW) => Math.exp(smooth + a * lnW) + Math.exp(rough + b * lnW);
+  // where both terms are equal: seen from there, all films of one ellipticity are one curve
+  const middle = (smooth - rough) / (b - a);
+  const level = smooth + a * middle;
+  const inverse = inverseFilm(a, b);
+  return {
+    thickness,
+    // ln W under which the film is as thick as H_c
+    loadParameter: (target) => middle + inverse(Math.log(target) - level),
+    // error that rounding leaves in ln H_c, a sum of so large terms [EPSILON]
+    rounding: (lnW) => Math.abs(smooth) + Math.abs(rough) + 2 * Math.abs(b * lnW),
+    // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0
+    isMeaningful: (lnW) => lnW > (Math.log(rise / (0.884 - rise)) + smooth - rough) / -0.133,
+  };
+}
+
+// Which load stands in W of Eq. 8: that of the fluid, or the total load as it is printed;
+// `total` is F_t* at a separation where solids bear one load and the film in W another (Eq. 1),
+// `shares` are L_s and L_f (Eq. 9), `inW` is the load in W.
+const FILM_LOADS = {
+  fluid: {
+    total: (solid, film) => solid + film,
+    shares: (solid, film) => [solid / (solid + film), film / (solid + film)],
+    inW: (load, fluidShare) => load * fluidShare,
+  },
+  total: {
+    total: (solid, film) => Math.max(solid, film),
+    // a thinner film than that of the load holds nothing
+    shares: (solid, film, load) =>
+      film > (1 - ROUNDED) * load ? [solid / load, 1 - solid / load] : [1, 0],
+    inW: (load) => load,
+  },
+};
+
+// --- all together ---
+
+// What conditions have in common under the same inputs: tables, which are made when first needed.
+export function modelOf(inputs) {
+  const sizes = SIZES[inputs.size_distribution](inputs);
+  const moment = momentTable(inputs, sizes);
+  const surfaces = new Map();
+  const factor = elasticFactor(inputs);
+  const side = ELASTIC_SIDE[inputs.elastic_limits];
+  const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
+  const contacting = inputs.coverage_limits === "contacting";
+  const wRatio = inputs.apparent_area / inputs.ball_radius ** 2; // W/F*
+  const hardness = inputs.hardness_surface_1 + inputs.hardness_surface_2;
+  const pressure = inputs.hardness_surface_1 / inputs.elastic_modulus_surfaces; // F_sa/A_sa
+  const onlyOne = !(above >= 0 && above <= 1)
+    ? 0
+    : contacting
+      ? (above * inputs.hardness_surface_2) / inputs.elastic_modulus_surfaces
+      : Infinity; // F_t* up to which no more than one separation balances it
+  const filmLoad = FILM_LOADS[inputs.film_load];
+
+  function surfaceAt(roughness) {
+    if (!surfaces.has(roughness)) {
+      const surface = surfaceOf(inputs, roughness);
+      surfaces.set(roughness, { ...surface, table: summitTable(inputs, surface) });
+    }
+    return surfaces.get(roughness);
+  }
+
+  // The interface of a condition: `at` tells everything at a separation d, `solve` finds d for a load.
+  function contact({ viscosity, particle_diameter: diameter, roughness, particle_density: density }) {
+    const surface = surfaceAt(roughness);
+    const twoBody = !(diameter ** 2 * density > 0);
+    const film = viscosity > 0 ? filmOf(inputs, viscosity, roughness) : null;
+    const [mean, spread] = sizes.place(diameter, roughness);
+    const plane = mean + (inputs.particle_plane === "summit" ? surface.offset : 0);
+    const depth = (inputs.elastic_depth_ratio * diameter) / spread; // h_e/S
+    const share = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
+    const all = share * inputs.hardness_surface_1 * moment(-Infinity);
+    const reach = twoBody ? 0 : plane + (inputs.truncation + Math.max(-side, 0) * depth) * spread;
+
+    function solids(d) {
+      const t = (d - surface.offset) / surface.deviation;
+      const summitLoad = t < FARTHEST ? Math.exp(surface.table(t, 0)) : 0;
+      const summitArea = t < FARTHEST ? Math.exp(surface.table(t, 1)) : 0;
+      if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
+      const alpha = (d - plane) / spread;
+      const here = moment(alpha); // I(d, X_max)
+      const there = moment(alpha + side * depth);
+      const particles = share * inputs.hardness_surface_2 * Math.max(above * here + beyond * there, 0);
+      const covered = share * inputs.hardness_surface_1 * here;
+      const bare = Math.max(1 - (contacting ? covered : all), 0);
+      return {
+        load: summitLoad * bare + pressure * particles, // Eqs. 2 and 4
+        particles, // A_sa of Eq. 5
+        summits: summitArea * Math.max(1 - covered, 0), // A_ss-sa of Eq. 5
+        bare,
+      };
+    }
+
+    // F_f* under which the film is d thick (Eqs. 7 and 8)
+    const filmBears = (d) => Math.exp(film.loadParameter(d / inputs.ball_radius)) / wRatio;
+
+    // Total load F_t* at which the surfaces are d apart (Eq. 1)
+    function loadAt(d) {
+      const solid = solids(d).load;
+      return film ? filmLoad.total(solid, filmBears(d)) : solid;
+    }
+
+    // All variables at a separation d that balances the load F_t*.
+    function state(d, load, count = 1) {
+      const solid = solids(d);
+      const total = solid.particles + solid.summits; // Eq. 3
+      const shares = film ? filmLoad.shares(solid.load, filmBears(d), load) : [1, 0];
+      const ratio = twoBody ? 0 : solid.particles / total;
+      const found = {
+        load,
+        normal_load: load * inputs.apparent_area * inputs.elastic_modulus_surfaces,
+        total_contact_area: total,
+        particle_contact_area_ratio: ratio, // Eq. 10
+        surface_contact_area_ratio: solid.summits / total, // Eq. 10
+        solid_load_fraction: shares[0], // Eq. 9
+        fluid_load_fraction: shares[1],
+        separation: d,
+        film_thickness: d / inputs.ball_radius, // Eq. 7
+        regime: shares[0] > LIMITS.boundary ? 0 : shares[0] < LIMITS.full_film ? 2 : 1,
+        mode: twoBody ? 0 : ratio > LIMITS.particle ? 3 : ratio < LIMITS.surface ? 1 : 2,
+      };
+      found.status = statusOf(found, solid, count);
+      return found.status === "coverage_exceeded" ? nothing(load, found.status) : found;
+    }
+
+    function statusOf(found, solid, count) {
+      if (solid.bare <= EPSILON) return "coverage_exceeded";
+      if (uncertain(found.separation)) return "not_converged";
+      if (found.total_contact_area > 1) return "area_exceeded";
+      if (film && found.fluid_load_fraction > FILM_COUNTS) {
+        const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
+        const thick = found.film_thickness > THICKEST;
+        if (thick || !film.isMeaningful(lnW)) return "outside_film_formula";
+      }
+      return count > 1 ? "several_separations" : "converged";
+    }
+
+    // Whether rounding of d, and of the film's load behind it, moves the particles' area by more than is
+    // promised: their area vanishes at their reach.
+    function uncertain(d) {
+      if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
+      const rounded = 8 + (film ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0);
+      return BOUNDED * EPSILON * rounded * reach > RTOL * (reach - d);
+    }
+
+    const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
+
+    // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
+    // It is sought between the separations `near` and `far` first, where these are given.
+    function solve(load, far, near) {
+      if (!(surface.deviation > 0)) return nothing(load, NO_SUMMITS);
+      let low = film ? filmAlone(load) : 0;
+      const held = film && inputs.film_load === "total" && solids(low).load < load;
+      const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
+      if (!film && excess(0) < 0) {
+        return nothing(load, solids(0).bare <= EPSILON ? "coverage_exceeded" : "load_exceeded");
+      }
+      if (!twoBody && load > onlyOne) return solveSeveral(load, low, held);
+      if (held || excess(low) <= 0) return state(low, load); // a film that bears all but nothing
+      let high = far > low ? far : Math.max(2 * low, surface.deviation);
+      if (near > low && near < high && excess(near) > 0) low = near;
+      while (excess(high) > 0) {
+        low = high;
+        high *= 1.5;
+      }
+      return state(rootOf(excess, low, high), load);
+    }
+
+    // Where F_s may rise with d: all separations are searched for, from a dense row of them.
+    function solveSeveral(load, low, held) {
+      const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
+      let far = Math.max(low, reach, surface.offset) + 8 * surface.deviation;
+      while (excess(far) > 0) far *= 1.25;
+      const edges = [inputs.truncation, sizes.least, -3, -1.5, 0, 1.5]
+        .flatMap((alpha) => [alpha, alpha - side * depth])
+        .map((alpha) => plane + alpha * spread)
+        .concat([-4, -2, 0, 2, 4, 8].map((t) => surface.offset + t * surface.deviation))
+        .map((d) => Math.min(Math.max(d, low), far))
+        .concat([low, far])
+        .sort((a, b) => a - b);
+      const places = edges.slice(1).flatMap((edge, i) =>
+        Array.from({ length: 96 }, (_, n) => {
+          const share = Math.sin((Math.PI * (n + 1)) / 192) ** 2;
+          return edges[i] + (edge - edges[i]) * share * share * (3 - 2 * share);
+        }),
+      );
+      const values = places.map(excess);
+      const found = held ? [low] : [];
+      for (let i = 1; i < places.length; i++) {
+        if (values[i - 1] > 0 !== values[i] > 0) found.push(rootOf(excess, places[i - 1], places[i]));
+      }
+      if (!found.length) return nothing(load, "load_exceeded");
+      return state(found[found.length - 1], load, found.length);
+    }
+
+    return { at: state, loadAt, solids, solve, twoBody, surface };
+  }
+
+  return { inputs, contact, newtonsPerLoad: inputs.apparent_area * inputs.elastic_modulus_surfaces };
+}
+
+function nothing(load, status) {
+  const names = ["total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"];
+  names.push("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness");
+  return { ...Object.fromEntries(names.map((name) => [name, NaN])), load, regime: -1, mode: -1, status };
+}
+
+// Where a function changes its sign between two places: Chandrupatla (1997), Adv. Eng. Softw. 28:145.
+export function rootOf(f, low, high) {
+  let a = low;
+  let b = high;
+  let c = high;
+  let fa = f(a);
+  let fb = f(b);
+  let fc = fb;
+  let share = 0.5;
+  for (let step = 0; step < 200 && fa !== 0 && fb !== 0; step++) {
+    const trial = a + share * (b - a);
+    const value = f(trial);
+    const same = value > 0 === fa > 0;
+    c = same ? a : b;
+    fc = same ? fa : fb;
+    b = same ? b : a;
+    fb = same ? fb : fa;
+    a = trial;
+    fa = value;
+    const best = Math.abs(fa) < Math.abs(fb) ? a : b;
+    const least = (ROOT_TOLERANCE * Math.abs(best)) / Math.abs(b - a);
+    if (least > 0.5) return best;
+    const place = (a - b) / (c - b);
+    const level = (fa - fb) / (fc - fb);
+    const bends = level * level < place && (1 - level) ** 2 < 1 - place;
+    share = bends
+      ? (fa / (fb - fa)) * (fc / (fb - fc)) +
+        ((c - a) / (b - a)) * (fa / (fc - fa)) * (fb / (fc - fb))
+      : 0.5;
+    share = Math.min(Math.max(share, least), 1 - least);
+  }
+  return fa === 0 ? a : b;
+}

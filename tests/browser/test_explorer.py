@@ -1,0 +1,456 @@
+"""The explorer as a person uses it: opened from disk in headless Chromium."""
+
+import csv
+import io
+import re
+import time
+import xml.etree.ElementTree as ElementTree
+from urllib.parse import parse_qs
+
+import numpy as np
+import pytest
+
+from thirdbody import solve
+from thirdbody.data.conditions import Condition
+
+LARGEST = 3e6  # bytes of the page
+REDRAWN = 50.0  # milliseconds after a move, on a machine that takes
+REFERENCE = 100.0  # milliseconds for
+WORK = "let x = 0; for (let i = 0; i < 4e6; i++) x += Math.exp(-x); return x;"
+FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
+VIEWS = {
+    "figures": "",
+    "axes": "view=axes&x=viscosity",
+    "map": "view=map",
+    "section": "view=section",
+}
+FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
+
+
+def statements(explorer, kind="fails"):
+    """Texts of the statements in the list with a verdict."""
+    return [each.text for each in explorer.all(f"#claims button.{kind}")]
+
+
+def tooltip(explorer):
+    return explorer.run(
+        "const t = document.getElementById('tooltip'); return t.hidden ? '' : t.innerText"
+    )
+
+
+def downloaded(explorer, button):
+    """Text of the file that a button downloads."""
+    explorer.run(
+        """globalThis.saved = null;
+        URL.createObjectURL = (blob) => { blob.text().then((text) => { saved = text; }); return '#'; };
+        HTMLAnchorElement.prototype.click = () => {};"""
+    )
+    explorer.one(button).click()
+    explorer.wait("return globalThis.saved !== null")
+    return explorer.run("return saved")
+
+
+# --- from disk, with nothing else ---
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_it_opens_from_disk_without_an_error_and_without_the_network(explorer, page, view):
+    explorer.open(VIEWS[view])
+    assert explorer.all("#charts svg")
+    assert explorer.console() == []
+    asked = {url.split("#")[0] for url in explorer.requests()}
+    assert all(
+        url == page.as_uri() or url.startswith("data:") or url == "about:blank" for url in asked
+    )
+
+
+def test_it_is_one_small_file(page):
+    text = page.read_text(encoding="utf-8")
+    assert page.stat().st_size < LARGEST
+    assert re.findall(r"<(?:script|link|img|iframe)[^>]*(?:src|href)=[\"'](?!data:)", text) == []
+    assert [path.name for path in page.parent.iterdir() if not path.name.startswith(".")] == [
+        "index.html"
+    ]
+
+
+@pytest.mark.parametrize("figure", FIGURES)
+def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
+    explorer.open(f"figure={figure}")
+    assert explorer.console() == []
+    drawn = page.parents[1] / "figures" / f"{figure}.csv"
+    with open(drawn, encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    panels = sorted({row["panel"] for row in rows})
+    assert [each.text for each in explorer.all("#charts figcaption b")] == panels
+    for place, panel in enumerate(panels):
+        of_panel = [row for row in rows if row["panel"] == panel]
+        over_load = of_panel[0]["x_name"] != "diameter_ratio"
+        curves = {row["curve"] for row in of_panel if row["curve"].startswith("nu =")}
+        printed = [row for row in of_panel if row["curve"].startswith("printed; ")]
+        shown = explorer.all("#charts figure")[place]
+        assert not over_load or len(shown.find_elements("css selector", ".line")) == len(curves)
+        assert len(shown.find_elements("css selector", "rect.printed")) == len(printed)
+    assert explorer.one("#caption").text.startswith("(A)")
+
+
+def test_a_figure_has_the_curves_of_its_dataset(explorer, defaults):
+    explorer.open("figure=fig11")
+    rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
+    shown = [row for row in rows if row["panel"] == "A" and row["curve"] == "ν = 120 cSt"]
+    load, ratio = (np.array([float(row[key]) for row in shown]) for key in "xy")
+    again = solve(load=load, **FIGURE_11._replace(viscosity=120e-6)._asdict(), parameters=defaults)
+    np.testing.assert_allclose(ratio, again.particle_contact_area_ratio, rtol=1e-6)
+    assert load.size == 120
+
+
+# --- inputs ---
+
+
+def test_a_moved_slider_moves_the_curves_and_recolours_statements(explorer):
+    from selenium.webdriver.common.keys import Keys
+
+    explorer.open("figure=fig11")
+    before, failed = explorer.curve("dry"), statements(explorer)
+    slider = explorer.one("#input-spread_ratio ~ .slider input")
+    slider.send_keys(*[Keys.ARROW_RIGHT] * 40)
+    explorer.settle()
+    assert explorer.curve("dry") != before
+    assert statements(explorer) != failed
+    assert explorer.all("#claims .changed")
+    explorer.one(".control.changed .back").click()
+    explorer.settle()
+    assert (explorer.curve("dry"), statements(explorer)) == (before, failed)
+
+
+def test_the_paper_s_range_and_the_default_are_marked(explorer):
+    explorer.open()
+    control = explorer.one("#condition-roughness").find_element("xpath", "..")
+    assert "100 to 500 nm" in control.get_attribute("title")
+    assert control.find_element("css selector", ".range").size["width"] > 20
+    assert control.find_element("css selector", ".default").is_displayed()
+
+
+@pytest.mark.parametrize("wrong", ["-3", "0"])
+def test_a_wrong_number_is_refused_and_named(explorer, wrong):
+    explorer.open("figure=fig11")
+    before = explorer.curve("dry")
+    explorer.enter("#condition-roughness", wrong)
+    field = explorer.one("#condition-roughness")
+    assert "100 to 500 nm" in field.get_attribute("validationMessage")
+    assert explorer.curve("dry") == before
+    explorer.enter("#condition-roughness", "250")
+    assert explorer.curve("dry") != before
+
+
+def test_another_reading_is_another_model(explorer):
+    explorer.open("figure=fig04")
+    before = explorer.curve("ν = 90 cSt")
+    explorer.choose("#input-film_load", "total")
+    assert explorer.curve("ν = 90 cSt") != before
+    explorer.choose("#reading", "uncentred_summit_wide_full")
+    assert explorer.one("#input-particle_plane").get_attribute("value") == "summit"
+    explorer.one("#reset").click()
+    explorer.settle()
+    assert explorer.one("#figure").get_attribute("value") == "fig11"
+    explorer.choose("#figure", "fig04")
+    assert explorer.curve("ν = 90 cSt") == before
+
+
+def test_scales_and_areas_can_be_changed(explorer):
+    explorer.open("figure=fig04")
+    before = explorer.curve("dry", 1)
+    explorer.choose("#y_scale", "linear")
+    linear = explorer.curve("dry", 1)
+    explorer.choose("#y_scale", "auto")
+    explorer.choose("#area", "over_two_body")
+    assert len({before, linear, explorer.curve("dry", 1)}) == 3
+    assert "two-body" in explorer.all("#charts figcaption")[1].text
+
+
+# --- reading ---
+
+
+def test_hovering_reads_the_library_s_values(explorer, defaults):
+    from selenium.webdriver import ActionChains
+
+    explorer.open("figure=fig11")
+    place = explorer.run(
+        """const line = document.querySelector('.line[data-label="ν = 150 cSt"]');
+        const at = line.getPointAtLength(0.6 * line.getTotalLength());
+        const box = line.ownerSVGElement.getBoundingClientRect();
+        return [at.x - box.width / 2, at.y - box.height / 2]"""
+    )
+    svg = explorer.one("#charts svg")
+    ActionChains(explorer.driver).move_to_element_with_offset(svg, *map(round, place)).perform()
+    explorer.wait("return !document.getElementById('tooltip').hidden")
+    read = tooltip(explorer)
+    assert "ν = 150 cSt" in read
+    load, ratio = (number(read, symbol) for symbol in ("Fₜ* = ", "Asa,t* = "))
+    again = solve(load=load, **FIGURE_11._replace(viscosity=150e-6)._asdict(), parameters=defaults)
+    assert float(again.particle_contact_area_ratio) == pytest.approx(ratio, rel=5e-3, abs=1e-4)
+
+
+def number(text, symbol):
+    """The number behind a symbol in a text for readers."""
+    found = re.search(re.escape(symbol) + r"([\d.]+)(?:×10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?", text)
+    power = (found[2] or "⁰").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    return float(f"{found[1]}e{power}")
+
+
+def test_everything_can_be_reached_and_read_with_the_keyboard(explorer):
+    from selenium.webdriver.common.keys import Keys
+
+    explorer.open("figure=fig11")
+    for _ in range(400):
+        explorer.press(Keys.TAB)
+        focus = explorer.run("return document.activeElement.getAttribute('aria-roledescription')")
+        if focus:
+            break
+    explorer.press(Keys.HOME, *[Keys.ARROW_RIGHT] * 5)
+    first = explorer.run("return document.getElementById('live').textContent")
+    explorer.press(Keys.ARROW_DOWN)
+    second = explorer.run("return document.getElementById('live').textContent")
+    assert "Fₜ* = " in first and first != second
+    assert tooltip(explorer)
+    explorer.press(Keys.ESCAPE)
+    assert not tooltip(explorer)
+
+
+def test_controls_and_charts_have_names_for_screen_readers(explorer):
+    explorer.open()
+    tree = explorer.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
+    roles = {"slider", "spinbutton", "combobox", "button", "tab", "application", "link"}
+    nodes = [node for node in tree if not node["ignored"] and node["role"]["value"] in roles]
+    assert len(nodes) > 60
+    assert [node["role"]["value"] for node in nodes if not node["name"]["value"]] == []
+    told = explorer.run(
+        "return [...document.querySelectorAll('#charts desc')].map((d) => d.textContent)"
+    )
+    assert len(told) == 3 and all("runs from" in each for each in told)
+
+
+def test_states_are_told_by_more_than_colour(explorer):
+    explorer.open("figure=fig11")
+    assert {each.text for each in explorer.all("#claims .glyph")} >= {"✓", "✗"}
+    # a dash or a marker for each curve, and shades whose lightness differs in grey
+    lines = explorer.run(
+        """return [...document.querySelectorAll('#charts figure:first-child .line')].map((line) => {
+            const [r, g, b] = d3.rgb(line.getAttribute('stroke')).formatRgb().match(/\\d+/g).map(Number);
+            return [line.getAttribute('stroke-dasharray'), 0.3 * r + 0.59 * g + 0.11 * b]; })"""
+    )
+    grey = sorted(lightness for dash, lightness in lines if dash is None)
+    assert np.diff(grey).min() > 4.0
+    assert len(explorer.all("#charts figure:first-child g > path[transform]")) > 20
+
+
+# --- statements ---
+
+
+def test_a_chosen_statement_stands_out_in_its_figure(explorer):
+    explorer.open("figure=fig04&show=all")
+    explorer.one("[data-claim=fig11a-turning-point-load-at-120cst]").click()
+    explorer.settle()
+    assert explorer.one("#figure").get_attribute("value") == "fig11"
+    chosen = {
+        each.get_attribute("data-label") for each in explorer.all("#charts figure .line.chosen")
+    }
+    assert chosen == {"ν = 120 cSt"}
+    assert explorer.all("#charts figure .line.faded")
+    assert explorer.one("[data-claim=fig11a-turning-point-load-at-120cst][aria-pressed=true]")
+    assert "Measured" in explorer.one("#claims .more").text
+
+
+def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
+    explorer.open("figure=fig11&viscosity_cSt=100")
+    assert explorer.curve("ν = 100 cSt")
+    assert "added: curves at ν = 100 cSt" in explorer.one("#notes").text
+    at_100 = statements(explorer)
+    explorer.open("figure=fig11")
+    assert at_100 and at_100 != statements(explorer)
+
+
+# --- other views ---
+
+
+def test_the_size_at_which_a_mode_ends_is_told(explorer, defaults):
+    explorer.open("view=section&viscosity_cSt=0&load_N=2")
+    (row,) = [
+        each.text for each in explorer.all("#point tr") if each.text.startswith("Particle size")
+    ]
+    size = float(re.search(r"particle-surface from ([\d.]+) nm", row)[1])
+    load = 2.0 / defaults.newtons_per_load
+    for factor, above in ((0.999, False), (1.001, True)):
+        condition = FIGURE_11._replace(particle_diameter=factor * size * 1e-9)
+        ratio = solve(
+            load=load, **condition._asdict(), parameters=defaults
+        ).particle_contact_area_ratio
+        assert (ratio > 0.95) == above
+
+
+def test_any_variable_can_be_drawn_over_any_axis(explorer):
+    explorer.open("view=axes&y=total_contact_area")
+    drawn = set()
+    for x in (
+        "load",
+        "viscosity",
+        "particle_diameter",
+        "roughness",
+        "particle_density",
+        "separation",
+    ):
+        explorer.choose("#x", x)
+        drawn.add(explorer.all("#charts .line")[-1].get_attribute("d"))
+    assert len(drawn) == 6 and None not in drawn
+    assert explorer.console() == []
+
+
+def test_the_map_has_modes_regimes_and_turning_points(explorer):
+    from selenium.webdriver import ActionChains
+
+    explorer.open("view=map")
+    for part in ("path.regime", "path.turning"):
+        assert (
+            max(len(each.get_attribute("d") or "") for each in explorer.all(f"#charts {part}")) > 50
+        )
+    ActionChains(explorer.driver).move_to_element(explorer.one("#charts svg")).perform()
+    assert "Asa,t* = " in tooltip(explorer)
+    explorer.choose("#map_x", "viscosity")
+    assert "viscosity" in explorer.one("#charts figcaption").text
+    assert explorer.console() == []
+
+
+def test_the_cut_is_drawn_to_scale(explorer):
+    explorer.open("view=section&load_N=1&particle_diameter_nm=800")
+    heights = explorer.run(
+        """const lines = [...document.querySelectorAll('.section line')].map((l) => Number(l.getAttribute('y1')));
+        const bar = document.querySelector('.section g path').getAttribute('d').match(/H([\\d.]+)/)[1];
+        return [Math.abs(lines[1] - lines[0]) / bar]"""
+    )
+    (row,) = [each.text for each in explorer.all("#point tr") if each.text.startswith("Separation")]
+    assert heights[0] == pytest.approx(float(re.search(r"([\d.]+) nm", row)[1]) / 1000.0, rel=1e-3)
+
+
+# --- link, download, screens ---
+
+
+def test_the_link_restores_everything(explorer):
+    explorer.open("figure=fig11")
+    explorer.choose("#figure", "fig06")
+    explorer.enter("#condition-viscosity", "55")
+    explorer.enter("#input-spread_ratio", "0.4")
+    explorer.choose("#input-coverage_limits", "contacting")
+    explorer.choose("#y_scale", "log")
+    fragment = explorer.run("return location.hash.slice(1)")
+    assert parse_qs(fragment) == {
+        "figure": ["fig06"],
+        "viscosity_cSt": ["55"],
+        "spread_ratio": ["0.4"],
+        "coverage_limits": ["contacting"],
+        "y_scale": ["log"],
+    }
+    look = """return [
+        ...[...document.querySelectorAll('#charts .line, #charts .ghost')].map((line) => line.getAttribute('d')),
+        ...[...document.querySelectorAll('input, select')].map((field) => field.value),
+        document.getElementById('claims').innerText];"""
+    before = explorer.run(look)
+    assert explorer.open(fragment).run(look) == before
+
+
+@pytest.mark.parametrize(
+    "fragment", ["figure=fig99&view=x&y=1", "spread_ratio=abc&roughness_nm=-1", "%%%=1&&="]
+)
+def test_a_broken_link_opens_what_it_can(explorer, fragment):
+    explorer.open()
+    right = explorer.curve("dry")
+    explorer.driver.get("about:blank")
+    explorer.driver.get(f"{explorer.page.as_uri()}#{fragment}")
+    explorer.wait("return document.querySelector('#charts .line')")
+    assert explorer.curve("dry") == right
+    assert explorer.console() == []
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_what_is_shown_can_be_saved_as_a_drawing(explorer, view):
+    explorer.open(VIEWS[view])
+    root = ElementTree.fromstring(downloaded(explorer, "#save-svg"))
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    paths = root.iter("{http://www.w3.org/2000/svg}path")
+    assert any("stroke" in (path.get("style") or "") for path in paths)
+    assert "var(--" not in "".join(path.get("style") or "" for path in root.iter())
+
+
+@pytest.mark.parametrize("view", VIEWS)
+@pytest.mark.parametrize("width", [360, 768, 1280, 3840])
+def test_nothing_is_cut_off_on_any_screen(explorer, view, width):
+    explorer.open(VIEWS[view], width=width, height=800)
+    assert explorer.run("return document.documentElement.scrollWidth") <= width
+    for svg in explorer.all("#charts svg"):
+        assert svg.size["width"] > 250
+    if width == 360:
+        assert not explorer.one("#controls").is_displayed()
+        explorer.one("#inputs summary").click()
+        assert explorer.one("#controls").is_displayed()
+
+
+def contrast(explorer, front, back):
+    """Contrast of two colours of the style, as WCAG defines it."""
+    script = """const style = getComputedStyle(document.documentElement);
+        return arguments[0].map((name) => style.getPropertyValue(name).trim())"""
+    lights = []
+    for colour in explorer.run(script, [front, back]):
+        parts = np.array([int(colour[place : place + 2], 16) for place in (1, 3, 5)]) / 255.0
+        linear = np.where(parts <= 0.03928, parts / 12.92, ((parts + 0.055) / 1.055) ** 2.4)
+        lights.append(linear @ [0.2126, 0.7152, 0.0722] + 0.05)
+    return max(lights) / min(lights)
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_it_can_be_read_in_the_light_and_in_the_dark(explorer, scheme):
+    explorer.open(scheme=scheme)
+    assert explorer.run("return document.documentElement.dataset.theme") == scheme
+    for front in ("--ink", "--soft", "--accent", "--holds", "--fails"):
+        assert contrast(explorer, front, "--paper") >= 4.5, front
+    explorer.choose("#theme", "light" if scheme == "dark" else "dark")
+    assert explorer.run("return document.documentElement.dataset.theme") != scheme
+
+
+def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
+    explorer.open(media="print")
+    assert explorer.one("#charts svg").is_displayed()
+    assert explorer.one("#claims button").is_displayed()
+    for control in ("#inputs", "#toolbar", "#reset"):
+        assert not explorer.one(control).is_displayed()
+
+
+# --- speed ---
+
+
+@pytest.mark.parametrize("figure", ["fig06", "fig10", "fig11"])
+def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
+    """Of what the page itself takes: what else a machine does, or how slow it is, does not count."""
+    explorer.open(f"figure={figure}")
+    command = explorer.driver.execute_cdp_cmd
+    command("Performance.enable", {"timeDomain": "threadTicks"})
+
+    def spent():
+        found = command("Performance.getMetrics", {})["metrics"]
+        return 1e3 * next(each["value"] for each in found if each["name"] == "TaskDuration")
+
+    def least(script, values):
+        times = []
+        for value in values:
+            before = spent()
+            explorer.driver.execute_async_script(script, value)
+            times.append(spent() - before)
+            time.sleep(0.02)
+        return min(times)
+
+    move = """const slider = document.querySelector('#input-spread_ratio ~ .slider input');
+        slider.value = arguments[0];
+        slider.dispatchEvent(new Event('input', { bubbles: true }));
+        requestAnimationFrame(() => requestAnimationFrame(() => arguments[1]()));"""
+    work = f"arguments[1]((() => {{ {WORK} }})());"
+    slower = max(1.0, least(work, range(5)) / REFERENCE)
+    redrawn = least(move, range(500, 530))
+    tell(f"explorer: {figure} redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
+    assert redrawn <= REDRAWN * slower

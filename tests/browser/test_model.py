@@ -1,0 +1,231 @@
+"""The page's script gives the library's numbers: it is run in the browser at random points."""
+
+import itertools
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from thirdbody import load_parameters, solve
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
+from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.data.netcdf import read_dataset, shown_combinations
+from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.model.readings import KINDS
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solve import DEFAULT_RTOL
+from thirdbody.study.claims import load_claims
+from thirdbody.study.evidence import FULL_EFFORT
+from thirdbody.study.verdicts import Court, outcome
+
+POINTS = 2000
+RTOL = 1e-6
+TINY = 1e-300  # smaller numbers are no numbers in float64 any more
+NEWTONS = 0.04, 80.0
+FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
+VARIABLES = (
+    *("total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"),
+    *("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness"),
+)
+SOLVED_IN_THE_PAGE = """
+return arguments[0].map(([inputs, condition, load]) => {
+  const found = thirdbody.solve(inputs, condition, load);
+  return [found.status, found.regime, found.mode,
+    ...arguments[1].map((name) => Number.isNaN(found[name]) ? null : String(found[name]))];
+});
+"""
+
+
+def random_inputs(random, words, defaults):
+    """Inputs within the bounds of the search for them, with these words for the readings."""
+    unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
+    ends = {name: unknown["bounds"] for name, unknown in unknowns.items()}
+    drawn = {
+        name: float(np.exp(random.uniform(*np.log(bounds))))
+        if bounds[0] > 0.0
+        else random.uniform(*bounds)
+        for name, bounds in ends.items()
+    }
+    return replace(defaults, **drawn, **words)
+
+
+def random_conditions(random):
+    """Conditions over the paper's ranges; a third is dry, and some have no particles."""
+    return {
+        "viscosity": random.choice([0.0, 1.0, 1.0]) * random.uniform(0.0, 150e-6),
+        "particle_diameter": random.choice([0.0, *[1.0] * 9]) * random.uniform(0.0, 1000e-9),
+        "roughness": random.uniform(100e-9, 500e-9),
+        "particle_density": float(np.exp(random.uniform(*np.log([1e10, 5e12])))),
+    }
+
+
+def has_summits(inputs, roughness):
+    """Whether the inputs leave a variance to the summits; the library refuses others."""
+    try:
+        inputs.surface(roughness)
+    except ValueError:
+        return False
+    return True
+
+
+@pytest.fixture(scope="module")
+def points():
+    """Inputs, conditions and loads, every combination of readings in turn."""
+    random = np.random.default_rng(20240507)
+    defaults = load_parameters()
+    readings = itertools.cycle(itertools.product(*(list(kind.known) for kind in KINDS.values())))
+    found = []
+    while len(found) < POINTS:
+        words = dict(zip(KINDS, next(readings), strict=True))
+        inputs = random_inputs(random, words, defaults)
+        conditions = random_conditions(random)
+        load = float(np.exp(random.uniform(*np.log(NEWTONS)))) / inputs.newtons_per_load
+        if not has_summits(inputs, conditions["roughness"]):
+            continue
+        found.append((inputs, conditions, load))
+    return found
+
+
+@pytest.fixture(scope="module")
+def solved_by_the_library(points):
+    """Status, regime, mode and variables of each point."""
+    found = []
+    for inputs, conditions, load in points:
+        solution = solve(load=load, **conditions, parameters=inputs, rtol=DEFAULT_RTOL)
+        flags = solution.solution_status, solution.lubrication_regime, solution.contact_mode
+        values = [float(getattr(solution, name)) for name in VARIABLES]
+        found.append((SOLUTION_STATUSES[int(flags[0])], int(flags[1]), int(flags[2]), *values))
+    return found
+
+
+@pytest.fixture(scope="module")
+def solved_by_the_page(points, explorer):
+    """The same of the page's own script, in the browser."""
+    asked = [(inputs.as_dict(), conditions, load) for inputs, conditions, load in points]
+    rows = explorer.open().run(SOLVED_IN_THE_PAGE, asked, VARIABLES)
+    return [
+        (*row[:3], *(np.nan if value is None else float(value) for value in row[3:]))
+        for row in rows
+    ]
+
+
+def test_every_variable_is_the_librarys(points, solved_by_the_library, solved_by_the_page, tell):
+    """Relative 1e-6 at 2,000 points of all readings."""
+    library, page = (
+        np.array([row[3:] for row in rows]) for rows in (solved_by_the_library, solved_by_the_page)
+    )
+    assert library.shape == page.shape == (POINTS, len(VARIABLES))
+    assert (np.isnan(library) == np.isnan(page)).all()
+    error = np.abs(page - library) / np.maximum(np.abs(library), TINY)
+    tell(f"explorer: {POINTS} points, largest relative error {np.nanmax(error):.1e}")
+    worst = np.unravel_index(np.nanargmax(error), error.shape)
+    assert np.nanmax(error) <= RTOL, (VARIABLES[worst[1]], points[worst[0]])
+
+
+def test_status_regime_and_mode_are_the_librarys(solved_by_the_library, solved_by_the_page):
+    """Where a point has no solution, or one to be taken with care, both say so."""
+    library, page = (
+        [row[:3] for row in rows] for rows in (solved_by_the_library, solved_by_the_page)
+    )
+    assert [pair for pair in zip(library, page) if pair[0] != pair[1]] == []
+    assert len({status for status, *_ in library}) > 1
+
+
+def test_statuses_of_all_datasets_are_the_librarys(explorer, page, defaults, tell):
+    """At every point of the workflow's own: among them those that float64 does not promise."""
+    asked, expected = [], []
+    for figure in FIGURES:
+        data = read_dataset(page.parents[1] / "datasets" / f"{figure}.nc")
+        for curve in np.argwhere(shown_combinations(data)):
+            axes = [data[axis.name].values for axis in CONDITION_AXES]
+            values = [float(axis[place]) for axis, place in zip(axes, curve, strict=True)]
+            condition = {axis.name: value for axis, value in zip(CONDITION_AXES, values)}
+            asked.append((condition, data["load"].values.tolist()))
+            status = data["solution_status"].values[(slice(None), *curve)]
+            expected.append([SOLUTION_STATUSES[int(index)] for index in status])
+    script = """return arguments[1].map(([condition, loads]) =>
+        loads.map((load) => thirdbody.solve(arguments[0], condition, load).status));"""
+    assert explorer.open().run(script, defaults.as_dict(), asked) == expected
+    met = {status for each in expected for status in each}
+    tell(f"explorer: statuses of {sum(map(len, expected))} points agree: {', '.join(sorted(met))}")
+
+
+# inputs, conditions and loads at which each status is met beside others
+SOFT = {"hardness_surface_1": 1e6, "hardness_surface_2": 1e6}
+STRONG_WHILE_ELASTIC = {"elastic_modulus_particle": 5e9, "elastic_depth_ratio": 0.5}
+DRY = {"viscosity": 0.0}
+EXTREMES = {
+    "load_exceeded": ({}, DRY | {"particle_diameter": 0.0}, (1e-5, 1.0)),
+    "several_separations": (STRONG_WHILE_ELASTIC, DRY | {"roughness": 1e-7}, (1e-7, 1e-3)),
+    "outside_film_formula": ({}, {"viscosity": 1e-7}, (1e-8, 1e-4)),
+    "area_exceeded": (SOFT, DRY | {"particle_diameter": 0.0}, (1e-6, 1e-5)),
+    "coverage_exceeded": (
+        {},
+        DRY | {"particle_density": 1e14, "particle_diameter": 1e-6},
+        (1e-7, 1e-4),
+    ),
+}
+
+
+@pytest.mark.parametrize("status", EXTREMES)
+@pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
+def test_each_status_is_told_by_both(explorer, parameters, status):
+    changed, conditions, loads = EXTREMES[status]
+    inputs = replace(parameters, **changed)
+    usual = dict(viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, particle_density=1e11)
+    point = usual | conditions
+    loads = np.geomspace(*loads, 60)
+    library = solve(load=loads, **point, parameters=inputs)
+    expected = [SOLUTION_STATUSES[index] for index in library.solution_status]
+    assert status in expected
+    asked = [(inputs.as_dict(), point, load) for load in loads.tolist()]
+    found = explorer.open().run(SOLVED_IN_THE_PAGE, asked, ["separation"])
+    assert [row[0] for row in found] == expected
+    separation = [np.nan if value is None else float(value) for *_, value in found]
+    np.testing.assert_allclose(separation, library.separation, rtol=RTOL)
+
+
+def test_turning_points_are_the_librarys(explorer, page, defaults):
+    """Those of all figures, as the workflow's table has them; curves without one have none."""
+    rows = read_csv(page.parents[1] / "tables" / "tpca_loads.csv", TABLES["tpca_loads"])
+    conditions = [{axis.name: row[axis.column] for axis in CONDITION_AXES} for row in rows]
+    bare = dict(viscosity=0.0, particle_diameter=2e-7, roughness=3e-7, particle_density=1e11)
+    script = "return arguments[1].map((each) => thirdbody.turningPoint(arguments[0], each))"
+    *found, none = explorer.open().run(script, defaults.as_dict(), [*conditions, bare])
+    assert none is None and len(found) > 20
+    for name, key in (("load", "load"), ("peak_ratio", "particle_contact_area_ratio")):
+        mine, library = [point[key] for point in found], [row[name] for row in rows]
+        np.testing.assert_allclose(mine, library, rtol=RTOL)
+
+
+def test_verdicts_are_the_librarys(explorer, results_of_claims):
+    """On every statement under the default inputs, and under those of another reading."""
+    words, inputs = results_of_claims
+    explorer.open()
+    for name, expected in words.items():
+        judged = explorer.run("return thirdbody.judge(arguments[0])", inputs[name])
+        found = {claim: verdict["verdict"] for claim, verdict in judged.items()}
+        assert {
+            key: (found[key], word) for key, word in expected.items() if found[key] != word
+        } == {}
+
+
+@pytest.fixture(scope="module")
+def results_of_claims(page, defaults):
+    """Words of the library for each statement, and the inputs, by the name of a reading."""
+    written = json.loads((page.parents[1] / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    claims = load_claims(config_directory() / "claims.yaml")
+    other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[
+        "inputs"
+    ]
+    court = Court(claims, defaults, NEWTONS)
+    judged = court.judge("other", other, FULL_EFFORT).verdicts
+    words = {
+        "default": {row["id"]: row["verdict"] for row in written["statements"]},
+        "other": {
+            claim.id: outcome(claim, verdict) for claim, verdict in zip(claims, judged, strict=True)
+        },
+    }
+    return words, {"default": defaults.as_dict(), "other": replace(defaults, **other).as_dict()}

@@ -1,0 +1,115 @@
+"""What the explorer's page is built from: content out of products, one file out of several."""
+
+import hashlib
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from thirdbody.explorer import page as building
+from thirdbody.explorer.content import figure_content, thinned
+from thirdbody.explorer.page import one_script, page_text
+
+HERE = Path(building.__file__).parent
+CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"
+DRAWN = f"""panel,curve,x_name,x,y_name,y
+A,{CURVE},load,1e-6,separation,4e-7
+A,{CURVE},load,1e-5,separation,3e-7
+A,band; {CURVE},load,1e-6,separation,3e-7
+A,band; {CURVE},load,1e-5,separation,4e-7
+A,printed; fig99-value,load,1e-5,separation,3.123456e-7
+A,tolerance; fig99-value,load,1e-5,separation,2e-7
+A,tolerance; fig99-value,load,1e-5,separation,4e-7
+A,turning points,load,1e-5,separation,3e-7
+"""
+CAPTION = "**Figure 99. A title.** What it tells.\n\n**Alternative text.** What is seen.\n"
+
+
+@pytest.fixture
+def figure(tmp_path):
+    """The content of a small figure."""
+    (tmp_path / "fig99.csv").write_text(DRAWN, encoding="utf-8")
+    (tmp_path / "fig99.md").write_text(CAPTION, encoding="utf-8")
+    return figure_content(tmp_path / "fig99.csv", tmp_path / "fig99.md")
+
+
+def test_a_figure_is_told_by_its_conditions_marks_and_caption(figure):
+    assert (figure["name"], figure["title"]) == ("fig99", "Figure 99. A title")
+    assert (figure["caption"], figure["seen"]) == ("What it tells.", "What is seen.")
+    (condition,) = figure["curves"]
+    assert condition == {
+        "viscosity": 9e-5, "particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11,
+    }  # fmt: skip
+    (panel,) = figure["panels"]
+    assert panel["curves"] == [0] and panel["turning_points"] and not panel["locus"]
+    (mark,) = panel["printed"]
+    assert mark == {
+        "id": "fig99-value",
+        "at": [1e-5, 3.1235e-7],
+        "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
+    }
+    assert panel["bands"] == {0: [[1e-6, 3e-7], [1e-5, 4e-7]]}
+
+
+def test_an_outline_keeps_what_is_seen_of_it():
+    load = np.geomspace(1e-7, 1e-4, 400)
+    outline = np.column_stack([load, 1.0 / (1.0 + (load / 1e-5) ** 2)])
+    few = thinned(outline)
+    assert 10 < len(few) < 80
+    seen = np.interp(np.log(load), np.log(few[:, 0]), few[:, 1])
+    assert np.abs(seen - outline[:, 1]).max() < 2e-3
+
+
+def test_a_flat_outline_is_its_ends():
+    assert thinned([(1.0, 2.0), (2.0, 2.0), (3.0, 2.0)]).tolist() == [[1.0, 2.0], [3.0, 2.0]]
+
+
+def test_scripts_are_joined_once_each_behind_those_that_they_use():
+    text = one_script("main.js")
+    joined = re.findall(r'^modules\["(\w+\.js)"\] = \(\(\) => \{$', text, re.MULTILINE)
+    assert sorted(joined) == sorted(path.name for path in (HERE / "page").glob("*.js"))
+    for name in joined:
+        uses = re.findall(
+            r'from "\./(\w+\.js)"', (HERE / "page" / name).read_text(encoding="utf-8")
+        )
+        assert all(joined.index(used) < joined.index(name) for used in uses)
+    assert not re.search(r"^(import|export) ", text, re.MULTILINE)
+
+
+def test_content_cannot_end_its_script():
+    text = page_text({"figures": ["</script><b>"]})
+    given = re.search(r'id="content">(.*?)</script>', text, re.DOTALL)[1]
+    assert json.loads(given) == {"figures": ["</script><b>"]}
+
+
+def test_content_without_a_number_is_no_page():
+    with pytest.raises(ValueError, match="not JSON compliant"):
+        page_text({"value": float("nan")})
+
+
+def test_the_charting_library_is_the_one_that_is_named():
+    told = (HERE / "vendor" / "README.md").read_text(encoding="utf-8")
+    library = (HERE / "vendor" / "d3.min.js").read_bytes()
+    assert hashlib.sha256(library).hexdigest() in told
+    version = re.search(rb"d3js\.org v([\d.]+)", library)[1].decode()
+    makefile = (HERE.parents[2] / "Makefile").read_text(encoding="utf-8")
+    assert f"version {version}" in told and f"D3 := {version}\n" in makefile
+    assert f"D3 {version}" in (HERE / "page" / "index.html").read_text(encoding="utf-8")
+
+
+def test_equations_stand_in_one_script_alone():
+    """No other script knows a coefficient of Eqs. 4 to 8."""
+    model = (HERE / "page" / "model.js").read_text(encoding="utf-8")
+    coefficients = "3.672", "0.573", "0.502", "0.884", "0.977", "1.248", "0.045944", "3.717e-4"
+    assert all(each in model for each in coefficients)
+    for path in (HERE / "page").iterdir():
+        if path.name != "model.js":
+            text = path.read_text(encoding="utf-8")
+            assert [each for each in coefficients if each in text] == [], path.name
+    told = {
+        int(number)
+        for number in re.findall(r"\b(\d+)\b", " ".join(re.findall(r"Eqs?\. [\d, and-]+", model)))
+    }
+    assert told >= {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}

@@ -1,0 +1,179 @@
+"""Calls of the library that went wrong: refused in one line that names the argument, or answered."""
+
+import collections
+import fractions
+import warnings
+
+import numpy as np
+import pandas as pd
+import pint
+import pytest
+import xarray as xr
+from numpy.lib.stride_tricks import as_strided
+
+import thirdbody as tb
+from thirdbody.answers.bearing import MATERIALS, Material, derived
+from thirdbody.answers.ensemble import calibrated_ensemble
+
+UNIT = pint.UnitRegistry()
+# 10^12 numbers in 8 bytes: an array that may be counted, and not looked at
+ENDLESS = as_strided(np.ones(1), (10**6, 10**6), (0, 0))
+WRONG = (
+    None,
+    True,
+    "word",
+    b"bytes",
+    "",
+    "a\nb",
+    "a\0b",
+    float("nan"),
+    float("inf"),
+    -1.0,
+    -(10**400),
+    10**400,
+    [10**400, 1.0],
+    10**12,
+    1.5,
+    1j,
+    [],
+    [1.0, [2.0]],
+    [2.0, 1.0],
+    [None],
+    [["a"]],
+    {"a": 1},
+    {"separation"},
+    (1.0, 2.0, 3.0),
+    object,
+    range(3),
+    np.array([1.0, np.nan]),
+    np.array("2020-01-01", "datetime64[D]"),
+    np.ma.masked_array([1.0, 2.0], [False, True]),
+    np.float32(-3.0),
+    ENDLESS,
+    fractions.Fraction(-1, 3),
+    pd.Series([1.0, 2.0]),
+    xr.DataArray([-1.0], dims="x"),
+    3 * UNIT.kg,
+    np.array([3.0, 4.0]) * UNIT.mol,
+    [3 * UNIT.kg],
+)
+SI = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 300e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
+ENGINEERING = {
+    "load_N": 10.0,
+    "viscosity_cSt": 90.0,
+    "particle_diameter_nm": 500.0,
+    "roughness_nm": 300.0,
+    "particle_density_per_m2": 1e11,
+}
+WITHOUT_LOAD = {name: value for name, value in ENGINEERING.items() if name != "load_N"}
+LAYER = {"roughness_nm": 300.0, "particle_density_per_m2": 1e11}
+# what else a line may call an argument
+CALLED = {
+    "load_N": "load",
+    "viscosity_cSt": "viscosity",
+    "particle_diameter_nm": "particle_diameter",
+    "roughness_nm": "roughness",
+    "particle_density_per_m2": "particle_density",
+    "along": "axis",
+    "path": "inputs",
+    "oil_density_kg_per_m3": "the oil's density",
+    "hardness_surface_1": "load_parameters",
+}
+
+
+def generator():
+    yield 1.0
+
+
+def method(name):
+    """A question of an interface, with as few inputs as there are."""
+
+    def ask(parameters, **given):
+        interface = tb.Interface(**ENGINEERING, parameters=parameters)
+        object.__setattr__(interface, "members", ())
+        return getattr(interface, name)(**given)
+
+    return ask
+
+
+def calls(parameters):
+    """A call of each public function that works, by its name."""
+    inputs = {"parameters": parameters}
+    search = {"variable": "solid_load_fraction", "level": 0.9, "along": "load_N", "count": 4}
+    search |= {"between": (1.0, 50.0), "rtol": 1e-3}
+    choice = {"rtol": 1e-6, "variables": ["separation"]}
+    curve = {"along": "load", "low": 1.0, "high": 50.0, "count": 3}
+    bodies = dict.fromkeys(("ball", "flat", "particle"), MATERIALS["steel"])
+    bodies |= {"ball_radius_mm": 5.0, "speed_m_per_s": 2.0, "oil_density_kg_per_m3": 850.0}
+    return {
+        "solve": (tb.solve, SI | inputs | choice | {"way": "tables"}),
+        "grid": (tb.grid, SI | inputs | choice),
+        "stream": (tb.stream, SI | inputs | choice | {"path": "a.nc", "compression": 0}),
+        "find": (tb.find, search | WITHOUT_LOAD | inputs),
+        "transitions": (
+            tb.transitions,
+            {"along": "load_N", "between": (1.0, 50.0), "count": 4} | WITHOUT_LOAD | inputs,
+        ),
+        "turning_point": (
+            tb.turning_point,
+            {"between_N": (1.0, 50.0), "count": 4, "rtol": 1e-3} | WITHOUT_LOAD | inputs,
+        ),
+        "turning_window": (tb.turning_window, {"between_N": (1.0, 50.0)} | LAYER | inputs),
+        "bearing": (tb.bearing, inputs | bodies),
+        "Material": (Material, {"modulus": 2e11, "poisson_ratio": 0.3, "hardness": 5e9}),
+        "derived": (derived, inputs | {"viscosity_cSt": 90.0}),
+        "calibrated_ensemble": (calibrated_ensemble, inputs),
+        "Interface": (tb.Interface, ENGINEERING | inputs),
+        "curve": (method("curve"), curve | inputs),
+        "changes": (
+            method("transitions"),
+            {"along": "load", "flags": ["contact_mode"], "between": (1.0, 50.0)} | inputs,
+        ),
+        "turning": (method("turning_point"), {"between_N": (1.0, 50.0)} | inputs),
+        "compare": (method("compare"), {"other": tb.Interface(**ENGINEERING)} | inputs),
+        "load_parameters": (tb.load_parameters, {"path": None, "hardness_surface_1": 5e9}),
+    }
+
+
+def told(function, given):
+    """How a call ends: nothing where it is answered, the line of its refusal, or what else went up."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", tb.OutOfRangeWarning)
+            function(**given)
+    except (ValueError, OSError) as error:
+        return str(error)
+    except Exception as error:  # the fault that is looked for
+        return f"{type(error).__name__}\n{error}"
+    return ""
+
+
+NAMES = tuple(calls(tb.load_parameters()))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_each_call_is_answered_or_refused_in_one_line_that_names_the_argument(
+    name, parameters, tmp_path, monkeypatch, tell
+):
+    monkeypatch.chdir(tmp_path)
+    function, given = calls(parameters)[name]
+    count, faults = collections.Counter(), []
+    for argument in given:
+        for wrong in (*WRONG, generator()):
+            line = told(function, given | {argument: wrong})
+            count["refused" if line else "answered"] += 1
+            words = argument, CALLED.get(argument, argument), repr(wrong).strip("'")
+            named = any(word in line for word in words)
+            if line and (not named or "\n" in line or len(line) > 700):
+                faults.append(
+                    f"{argument} {type(wrong).__name__} {str(wrong)[:30]!r}: {line[:300]}"
+                )
+    assert not faults, "\n".join(faults)
+    tell(f"{name}: {dict(count)}")
+    assert count["refused"] >= 20

@@ -1,0 +1,112 @@
+"""Long calls say how far they have come, on a terminal and in a log; short ones nothing."""
+
+import io
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody import progress
+from thirdbody.progress import Progress
+
+AXES = {
+    "load": np.geomspace(1e-6, 1e-3, 30),
+    "viscosity": [0.0, 9e-5],
+    "particle_diameter": [0.0, 3e-7],
+    "roughness": [1e-7, 3e-7],
+    "particle_density": [1e11],
+}
+POINTS = 240
+
+
+class Terminal(io.StringIO):
+    def isatty(self):
+        return True
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """List of times, the last of which it is."""
+    times = [0.0]
+    monkeypatch.setattr(progress, "monotonic", lambda: times[-1])
+    return times
+
+
+@pytest.fixture(params=[Terminal, io.StringIO], ids=["terminal", "log"])
+def stream(request, monkeypatch):
+    """The standard error stream, for which every call is long."""
+    stream = request.param()
+    monkeypatch.setattr(
+        progress, "sys", SimpleNamespace(stderr=stream)
+    )  # pytest takes the true one
+    for name in ("FIRST_BAR", "NEXT_BAR", "FIRST_LINE", "NEXT_LINE"):
+        monkeypatch.setattr(progress, name, 0.0)
+    return stream
+
+
+def test_a_terminal_shows_one_bar_that_grows(clock, monkeypatch):
+    monkeypatch.setattr("sys.stderr", terminal := Terminal())
+    with Progress(2000, "points", True) as shown:
+        for seconds in (1.0, 4.0, 4.1, 8.0):
+            clock.append(seconds)
+            shown.add(500)
+    first, second, last = terminal.getvalue().split("\r")[1:]
+    assert first.startswith(f"[{'#' * 15}{' ' * 15}]  50% of 2,000 points, 4 s, about 4 s left")
+    assert second.startswith(f"[{'#' * 30}] 100% of 2,000 points, 8 s\x1b")
+    assert last == f"{second}\n"
+
+
+def test_a_log_gets_a_line_now_and_then(clock, monkeypatch):
+    monkeypatch.setattr("sys.stderr", log := io.StringIO())
+    with Progress(400, "points", True) as shown:
+        for seconds in (20.0, 40.0, 50.0, 80.0):
+            clock.append(seconds)
+            shown.add(100)
+    assert log.getvalue().splitlines() == [
+        " 50% of 400 points, 40 s, about 40 s left",
+        "100% of 400 points, 80 s",
+    ]
+
+
+def test_what_is_over_soon_or_not_to_be_shown_says_nothing(clock, monkeypatch):
+    monkeypatch.setattr("sys.stderr", terminal := Terminal())
+    for seconds, is_shown in ((1.0, True), (1000.0, False)):
+        with Progress(1, "points", is_shown) as shown:
+            clock.append(clock[-1] + seconds)
+            shown.add(1)
+    assert terminal.getvalue() == ""
+
+
+def test_a_stream_that_is_closed_stops_nothing(stream):
+    with Progress(1, "points", True) as shown:
+        stream.close()
+        shown.add(1)
+
+
+@pytest.mark.parametrize("way", ["quadrature", "tables", "compiled"])
+def test_every_point_is_counted_once(stream, parameters, way):
+    if way == "compiled":
+        pytest.importorskip("numba")
+    tb.solve(
+        **dict(zip(AXES, np.meshgrid(*AXES.values()), strict=True)), parameters=parameters, way=way
+    )
+    last = re.split("[\r\n]", stream.getvalue().rstrip())[-1]
+    assert re.search(f"100% of {POINTS} points", last)
+
+
+@pytest.mark.parametrize("call", ["grid", "stream", "find"])
+def test_long_calls_say_how_far_they_are_unless_told_not_to(stream, parameters, call, tmp_path):
+    given = {name: values for name, values in AXES.items() if name != "load"}
+    arguments = {
+        "grid": ((), AXES),
+        "stream": ((tmp_path / "grid.nc",), AXES),
+        "find": (("solid_load_fraction", 0.9, "load"), dict.fromkeys(given, 1e-7)),
+    }
+    place, axes = arguments[call]
+    for shown in (False, True):
+        getattr(tb, call)(*place, **axes, parameters=parameters, progress=shown)
+        assert ("100% of" in stream.getvalue()) == shown
+    with pytest.raises(ValueError, match="progress is 'no'; allowed: True or False"):
+        getattr(tb, call)(*place, **axes, parameters=parameters, progress="no")

@@ -1,0 +1,86 @@
+"""A run with a name keeps its files to itself, and others theirs."""
+
+import re
+
+import pytest
+from workspace import ROOT, Workspace
+
+from thirdbody.run.lock import hold_alone
+
+SOFT = "inputs: {hardness_surface_1: 3.0e+9}\nrun: soft\n"
+CHANGES = "--config", "changes=soft.yaml"
+MADE = (
+    "results/soft/tables/table1.md",
+    "results/soft/datasets/fig03.nc",
+    "results/soft/accuracy/solver_cost/fig03.csv",
+)
+LISTED = re.findall(
+    r'"<results>/(\w+)/', "".join(path.read_text() for path in ROOT.glob("workflow/rules/*.smk"))
+)
+
+
+@pytest.fixture(scope="module")
+def twofold(finished, tmp_path_factory):
+    """A finished run without a name, beside one of a few products with another input."""
+    workspace = finished.copied_to(tmp_path_factory.mktemp("twofold") / "thirdbody")
+    (workspace.root / "soft.yaml").write_text(SOFT)
+    with hold_alone(workspace.root / ".snakemake/thirdbody.lock"):  # of the run without a name
+        run = workspace.snakemake(*MADE, *CHANGES)
+    assert run.returncode == 0, run.stderr
+    return workspace
+
+
+def files(root, *folders):
+    """Times of all files in ``folders``, by name."""
+    paths = (path for folder in folders for path in (root / folder).rglob("*") if path.is_file())
+    return {str(path.relative_to(root)): path.stat().st_mtime_ns for path in paths}
+
+
+def test_all_of_a_named_run_is_in_its_folder(finished, twofold):
+    before, after = (files(each.root, "results", "logs") for each in (finished, twofold))
+    added = after.keys() - before.keys()
+    assert added >= {*MADE, "results/soft/logs/compute_dataset/fig03.log"}
+    assert added >= {"results/soft/.custody/datasets/fig03.nc.sha256"}
+    assert all(name.startswith("results/soft/") for name in added)
+    assert {name: after[name] for name in before} == before
+    datasets = (twofold.root / path / "datasets/fig03.nc" for path in ("results", "results/soft"))
+    assert len({path.read_bytes() for path in datasets}) == 2
+
+
+@pytest.mark.parametrize("arguments", [(), (*MADE, *CHANGES)], ids=["back", "and forth"])
+def test_switching_computes_nothing(twofold, arguments):
+    run = twofold.snakemake("--dry-run", *arguments)
+    assert run.returncode == 0, run.stderr
+    assert "Nothing to be done" in run.stdout + run.stderr
+
+
+def test_the_name_changes_no_byte(finished, twofold):
+    table = "tables/table1.md"
+    run = twofold.snakemake(f"results/same/{table}", "--config", "run=same")
+    assert run.returncode == 0, run.stderr
+    same = (twofold.root / "results/same" / table).read_bytes()
+    assert same == (finished.root / "results" / table).read_bytes()
+
+
+def test_a_run_learns_of_its_own_damaged_products_alone(twofold, tmp_path):
+    workspace = twofold.copied_to(tmp_path / "thirdbody")
+    damaged = "results/soft/datasets/fig03.nc"
+    (workspace.root / damaged).write_text("harmed")
+    line = f"{damaged} is not as it was made: to be made again"
+    assert line in workspace.snakemake("--dry-run", *MADE, *CHANGES).stderr
+    assert line not in workspace.snakemake("--dry-run").stderr
+    told = workspace.execute("make", "--no-print-directory", "sums")
+    assert told.stdout == f"{damaged}: FAILED\n"
+
+
+@pytest.mark.parametrize("name", sorted(set(LISTED)))
+def test_a_run_is_not_called_like_a_folder_of_products(name):
+    """Its files would mix with those of the run without a name."""
+    said = Workspace(ROOT).python(
+        "import sys\n"
+        "from thirdbody.configuration.schema import read_schema, validate\n"
+        "schema = read_schema('config')['properties']['run']\n"
+        "validate(sys.argv[1], schema, 'run')",
+        name,
+    )
+    assert "allowed: a plain word" in said.stderr

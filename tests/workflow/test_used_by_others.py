@@ -1,0 +1,204 @@
+"""The workflow as a part of other work: a module, a run in another folder, a deployed copy."""
+
+import shutil
+import subprocess
+import sys
+import venv
+import zipfile
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from workspace import MINIMAL, Workspace
+
+TABLE, DATASET = "results/tables/table2.csv", "results/datasets/fig03.nc"
+MODULE = """
+module paper:
+    snakefile: "{snakefile}"
+    {given}
+
+use rule * from paper as paper_*
+
+rule own:
+    default_target: True
+    input: {wanted}
+"""
+# what `snakedeploy deploy-workflow` writes
+DEPLOYED = """
+from snakemake.utils import min_version
+
+min_version("6.10.0")
+
+configfile: "config/config.yaml"
+
+module thirdbody:
+    snakefile:
+        github("thirdbody/thirdbody", path="workflow/Snakefile", tag="v1")
+    config:
+        config
+
+use rule * from thirdbody
+"""
+
+
+@pytest.fixture
+def elsewhere(sources, tmp_path):
+    """The folder of other work, where the library is that of ``sources``."""
+    return Workspace(tmp_path / "elsewhere", sources.packages)
+
+
+def write(workspace, path, text):
+    place = workspace.root / path
+    place.parent.mkdir(parents=True, exist_ok=True)
+    place.write_text(text, encoding="utf-8")
+
+
+def made(workspace, *names, arguments=()):
+    """Have ``names`` made, and return the bytes of each."""
+    run = workspace.snakemake(*names, *arguments, config=())
+    assert run.returncode == 0, run.stdout + run.stderr
+    return [(workspace.root / name).read_bytes() for name in names]
+
+
+def planned(workspace, *arguments):
+    """What a dry run says that is to be done."""
+    asked = workspace.snakemake("--dry-run", *arguments, config=())
+    assert asked.returncode == 0, asked.stdout + asked.stderr
+    return asked.stdout
+
+
+def test_a_module_without_configuration_computes_the_paper(sources, finished, elsewhere):
+    snakefile = sources.root / "workflow/Snakefile"
+    wanted = "rules.paper_all.input"
+    write(
+        elsewhere, "workflow/Snakefile", MODULE.format(snakefile=snakefile, given="", wanted=wanted)
+    )
+    plan = planned(elsewhere)
+    assert "paper_judge_claims" in plan
+    assert "Drawing fig13" in plan
+    (table,) = made(elsewhere, TABLE)
+    assert table == (finished.root / TABLE).read_bytes()
+    assert (elsewhere.root / "results/.custody/tables/table2.csv.sha256").exists()
+
+
+def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished, elsewhere):
+    snakefile = sources.root / "workflow/Snakefile"
+    given = 'config: {"load_axis": {"count": 24}}\n    prefix: "contact"'
+    product = f"contact/{DATASET}"
+    module = MODULE.format(snakefile=snakefile, given=given, wanted=f'"{product}"')
+    # a rule that is used once more reads the module once more
+    write(
+        elsewhere,
+        "workflow/Snakefile",
+        f"{module}\nuse rule find_windows from paper as paper_find_windows with:\n    threads: 2\n",
+    )
+    (dataset,) = made(elsewhere, product)
+    assert dataset == (finished.root / DATASET).read_bytes()
+    assert not (elsewhere.root / "results").exists()
+
+
+def test_a_mistake_in_the_configuration_of_a_module_is_one_line(sources, elsewhere):
+    snakefile = sources.root / "workflow/Snakefile"
+    module = MODULE.format(snakefile=snakefile, given='config: {"rtoll": 1}', wanted='"x"')
+    write(elsewhere, "workflow/Snakefile", module)
+    run = elsewhere.snakemake("--dry-run", config=())
+    assert run.returncode == 1
+    assert run.stderr.splitlines()[-1].startswith("configuration: unknown key 'rtoll'")
+
+
+def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhere):
+    minimal = sources.root / MINIMAL[1]
+    there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
+    elsewhere.root.mkdir()
+    assert "Judging every statement" in planned(elsewhere, *there)
+    before = {path for path in sources.root.rglob("*") if path.suffix != ".pyc"}
+    products = made(elsewhere, TABLE, DATASET, arguments=there)
+    assert products == [(finished.root / name).read_bytes() for name in (TABLE, DATASET)]
+    after = {path for path in sources.root.rglob("*") if path.suffix != ".pyc"}
+    assert {path for path in after - before if path.name != "__pycache__"} == set()
+
+
+@pytest.fixture(scope="module")
+def installed(sources, tmp_path_factory):
+    """A folder of packages with the wheel of the sources: no repository lies around it."""
+    folder = tmp_path_factory.mktemp("installed")
+    built = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
+    subprocess.run(built, cwd=sources.root, check=True, capture_output=True)
+    (wheel,) = folder.glob("*.whl")
+    zipfile.ZipFile(wheel).extractall(folder / "packages")
+    return folder / "packages"
+
+
+@pytest.fixture
+def published(sources, tmp_path, monkeypatch):
+    """A git repository of the sources with the tag v1, which git takes for one on GitHub."""
+    copy = sources.copied_to(tmp_path / "published")
+    person = ("-c", "user.name=tests", "-c", "user.email=tests@localhost")
+    for command in (("init", "--quiet"), ("add", "."), ("commit", "-qm", "all"), ("tag", "v1")):
+        done = copy.execute("git", *person, *command)
+        assert done.returncode == 0, done.stderr
+    monkeypatch.setenv("GIT_CONFIG_COUNT", "1")
+    monkeypatch.setenv("GIT_CONFIG_KEY_0", f"url.file://{copy.root}.insteadOf")
+    monkeypatch.setenv("GIT_CONFIG_VALUE_0", "https://github.com/thirdbody/thirdbody")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return copy
+
+
+def test_a_deployed_copy_follows_the_configuration_beside_it(
+    published, installed, finished, tmp_path
+):
+    deployed = Workspace(tmp_path / "deployed", (installed,))
+    write(deployed, "workflow/Snakefile", DEPLOYED)
+    shutil.copytree(published.root / "config", deployed.root / "config")
+    assert "Judging every statement" in planned(deployed)
+    deployed.put("config/scenes.yaml", "load_axis/count", 24)
+    assert made(deployed, DATASET) == [(finished.root / DATASET).read_bytes()]
+    deployed.rewrite("config/paper_tables.yaml", lambda text: text.replace("0.04, 80", "0.05, 80"))
+    (table,) = made(deployed, TABLE)
+    assert b",0.05,80," in table
+
+
+def test_the_installed_package_brings_the_workflow(installed, finished, tmp_path):
+    elsewhere = Workspace(tmp_path / "elsewhere", (installed,))
+    elsewhere.root.mkdir()
+    snakefile = installed / "thirdbody/workflow/Snakefile"
+    assert made(elsewhere, TABLE, arguments=("--snakefile", str(snakefile))) == [
+        (finished.root / TABLE).read_bytes()
+    ]
+
+
+@pytest.mark.parametrize("of", ["repository", "package"])
+def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_path, of):
+    """Conda itself is not asked, and of the locked packages none is installed."""
+    environment = tmp_path / "environment"
+    venv.create(environment, with_pip=True)
+    home = tmp_path / "packages/thirdbody"
+    if of == "repository":
+        home = sources.copied_to(tmp_path / "repository").root
+    else:
+        shutil.copytree(installed, home.parent)
+    (home / "locks/test.txt").write_text("")
+    builder = Path(find_spec("hatchling").origin).parents[1]
+    done = subprocess.run(
+        ["bash", str(sources.root / "workflow/envs/thirdbody.post-deploy.sh")],
+        cwd=tmp_path,
+        env={
+            "PATH": f"{environment / 'bin'}:/usr/bin:/bin",
+            "PYTHONPATH": str(builder),
+            "THIRDBODY_HOME": str(home),
+        },
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, done.stderr
+    asked = [
+        environment / "bin/python",
+        "-c",
+        "import thirdbody as t; print(t.__version__, t.__file__)",
+    ]
+    version, place = subprocess.run(
+        asked, env={}, capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert version == metadata.version("thirdbody")
+    assert Path(place).is_relative_to(home)

@@ -1,0 +1,43 @@
+# The explorer: one page for a browser that shows the figures and evaluates the equations.
+
+EXPLORER = sorted(str(path) for path in Path(place_of("src/thirdbody/explorer")).glob("*/*.*"))
+
+
+rule build_explorer:
+    input:
+        points=expand("<results>/figures/{figure}.csv", figure=CURVE_FIGURES),
+        captions=expand("<results>/figures/{figure}.md", figure=CURVE_FIGURES),
+        claims=f"{CONFIG}/claims.yaml",
+        schemas=[
+            place_of("config/claims.schema.yaml"),
+            place_of("config/conditions.schema.yaml"),
+            place_of("config/calibrated.schema.yaml"),
+            place_of("config/inputs.schema.yaml"),
+            f"{CONFIG}/inputs.yaml",
+        ],
+        tables=f"{CONFIG}/paper_tables.yaml",
+        verdicts="<results>/claims/verdicts.json",
+        calibrated=CALIBRATED,
+        page=EXPLORER,
+        modules=import_closure("workflow/scripts/build_explorer.py"),
+    output:
+        page=report(
+            "<results>/explorer/index.html",
+            caption="../report/explorer.rst",
+            category=part_of_report,
+            labels={"title": "The explorer: figures, statements and the model itself"},
+        ),
+    log:
+        "<logs>/build_explorer.log",
+    benchmark:
+        "<logs>/build_explorer.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        parameters=settings["parameters"],
+        calibration=CALIBRATION,
+    message:
+        "Building the explorer"
+    script:
+        "../scripts/build_explorer.py"

@@ -1,0 +1,51 @@
+"""Build the explorer: one page for a browser, from figures, statements and inputs of the run."""
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+from thirdbody.configuration.inputs import read_calibrated, read_entries
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.files import logged, whole
+from thirdbody.explorer.content import page_content
+from thirdbody.explorer.page import page_text
+from thirdbody.study.claims import load_claims
+
+
+def build(points, captions, claims, verdicts, calibrated, parameters, calibration, tables, page):
+    """Write the ``page`` from the ``points`` and ``captions`` of all figures of curves, the
+    ``claims`` with their ``verdicts``, and the inputs of the run beside the ``calibrated`` ones.
+
+    ``calibration`` are the settings of the search for inputs, ``tables`` the paper's as printed.
+    """
+    entries = {
+        name: entry | calibration["unknowns"].get(name, {}) | {"value": parameters[name]}
+        for name, entry in read_entries().items()
+    }
+    readings = [read_calibrated(path) for path in calibrated]
+    content = page_content(
+        zip(points, captions, strict=True),
+        [asdict(claim) for claim in load_claims(claims)],
+        json.loads(Path(verdicts).read_text(encoding="utf-8")),
+        entries,
+        {each["reading"]: each["inputs"] for each in readings},
+        {row["symbol"]: row["printed"] for row in read_yaml(tables)["table2"]},
+    )
+    with whole(page) as part:
+        part.write_text(page_text(content), encoding="utf-8")
+    print(f"{page}: {Path(page).stat().st_size} bytes")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        build(
+            snakemake.input.points,
+            snakemake.input.captions,
+            snakemake.input.claims,
+            snakemake.input.verdicts,
+            snakemake.input.calibrated,
+            snakemake.params.parameters,
+            snakemake.params.calibration,
+            snakemake.input.tables,
+            snakemake.output.page,
+        )
