@@ -1,5 +1,6 @@
 """Machine code that an earlier process left on disk is used if it is whole and up to date."""
 
+import os
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 
@@ -35,6 +36,22 @@ def kept_files(function, pattern):
 
 
 def test_it_is_kept_for_later_processes(twice):
+    assert called(twice) == 0
+    kept = sorted(path.name for path in Path(machine_code.KeptCode(twice).cache_path).iterdir())
+    assert called(twice) == 1, kept
+
+
+def test_it_is_up_to_date_whatever_the_clock_says(twice, tmp_path):
+    called(twice)
+    os.utime(tmp_path / "doubling.py", (0, 0))
+    assert called(twice) == 1
+
+
+def test_it_is_kept_where_numba_is_told_now(twice, tmp_path, monkeypatch):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "elsewhere"))
+    called(twice)
+    assert list((tmp_path / "elsewhere").rglob("doubling.*.nbi"))
+    monkeypatch.undo()
     assert called(twice) == 0
     assert called(twice) == 1
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from contextlib import suppress
 from functools import lru_cache
+from hashlib import sha256
 from pathlib import Path
 
-from numba import njit
+from numba import config, njit
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 # A quotient by zero is infinite or nan; a product and a sum may be rounded once instead of twice.
@@ -38,6 +39,7 @@ class KeptCode(FunctionCache):
     """
 
     def __init__(self, function: Callable):
+        config.reload_config()  # NUMBA_CACHE_DIR as it is now: numba looks when it compiles
         super().__init__(function)
         self._cache_file = IndexDataCacheFile(
             self._cache_path, self._impl.filename_base, _stamp(Path(function.__code__.co_filename))
@@ -61,4 +63,4 @@ class KeptCode(FunctionCache):
 def _stamp(path):
     """What changes whenever a file in the folder of ``path`` does."""
     files = sorted(path.parent.glob("*.py"))
-    return [(file.name, file.stat().st_mtime_ns, file.stat().st_size) for file in files]
+    return [(file.name, sha256(file.read_bytes()).hexdigest()) for file in files]
