@@ -12,6 +12,7 @@ rule compute_band:
         "<logs>/compute_band/{figure}.log",
     benchmark:
         "<logs>/compute_band/{figure}.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

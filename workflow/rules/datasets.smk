@@ -13,6 +13,7 @@ rule compute_dataset:
         "<logs>/compute_dataset/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["scenes"]),
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

@@ -1,4 +1,5 @@
-# The explorer: one page for a browser that shows the figures and evaluates the equations.
+# The explorer: one page for a browser that shows the figures and evaluates the equations.  It waits
+# for every figure: rules that it needs have priority, so that others run beside it at the end.
 
 EXPLORER = sorted(str(path) for path in Path(place_of("src/thirdbody/explorer")).glob("*/*.*"))
 

@@ -12,6 +12,7 @@ rule extract_curves:
         "<logs>/extract_curves/{figure}.log",
     benchmark:
         "<logs>/extract_curves/{figure}.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -32,6 +33,7 @@ rule find_windows:
         "<logs>/find_windows.log",
     benchmark:
         "<logs>/find_windows.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -56,6 +58,7 @@ rule gather_printed:
         "<logs>/gather_printed.log",
     benchmark:
         "<logs>/gather_printed.tsv"
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

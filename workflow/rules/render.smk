@@ -43,6 +43,7 @@ rule render_figure:
         "<logs>/render_figure/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["scenes"]),
+    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
