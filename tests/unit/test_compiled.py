@@ -14,6 +14,7 @@ from benchmarks.points import relative_errors
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.particles import Moment
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.compiled import machine_code
 from thirdbody.solver.compiled.layout import ROOT
 from thirdbody.solver.compiled.loop import solve_points
@@ -21,7 +22,7 @@ from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.points import Conditions
-from thirdbody.solver.solution import QUANTITIES, VARIABLES
+from thirdbody.solver.solution import FLAGS, QUANTITIES, VARIABLES
 from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
 
 pytestmark = pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
@@ -272,7 +273,6 @@ def test_points_beyond_the_tables_are_left(parameters):
     for given in (
         {"load": np.array([1e3]), "viscosity": 0.0},  # heavier than what the solids bear
         {"viscosity": np.array([1e9])},  # a film that no summit reaches through
-        {"particle_density": np.array([1e22])},  # no room between the particles
     ):
         point = {"load": 1e-5, "viscosity": 9e-5}
         point |= {"particle_diameter": 5e-7, "particle_density": 1e11}
@@ -292,6 +292,27 @@ def test_many_points_have_the_status_and_the_flags_of_few(parameters):
     for name in ("solution_status", "lubrication_regime", "contact_mode"):
         np.testing.assert_array_equal(getattr(many, name)[some], getattr(few, name))
     assert len(set(few.solution_status)) >= 3
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+def test_points_that_particles_cover_need_no_other_way(reading, viscosity):
+    given = conditions(MANY) | {"viscosity": np.full(MANY, viscosity)}
+    given["particle_density"] = np.geomspace(1e12, 1e15, MANY)
+    given["load"][::2] *= 5e3  # up to 1: more than is borne at any separation
+    found = compiled(reading, 1e-9, **given)
+    expected = tb.solve(**given, roughness=ROUGHNESS, parameters=reading, way="quadrature")
+    covers = expected.solution_status == SOLUTION_STATUSES.index("coverage_exceeded")
+    assert covers.any() or reading.readings.coverage_limits.contacting
+    promised = expected.solution_status != SOLUTION_STATUSES.index("not_converged")
+    kept = ~found.left & promised
+    for name in (*FLAGS, "separation_count"):
+        assert np.array_equal(getattr(found, name)[kept], getattr(expected, name)[kept]), name
+    for name in (*QUANTITIES, "error_bound"):
+        assert np.isnan(getattr(found, name)[covers & kept]).all(), name
+    if not reading.readings.coverage_limits.contacting:
+        assert found.left[covers & (given["load"] < 1e-3)].sum() == 0
+        beyond = expected.solution_status == SOLUTION_STATUSES.index("load_exceeded")
+        assert beyond.any() or viscosity > 0.0
 
 
 def test_areas_that_nobody_asks_for_change_nothing_else(parameters):

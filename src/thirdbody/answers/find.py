@@ -294,10 +294,10 @@ class _Search:
         """ln of each crossing and of its error as a ratio, and the status there."""
         if query.size == 0:
             return np.zeros(0), np.zeros(0), np.zeros(0, np.int8)
-        names = np.array([name for name, _ in self.limits])[limit]
+        names = [name for name, _ in self.limits]
         level = np.stack([levels for _, levels in self.limits])[limit, query]
         given = {name: column[query] for name, column in self.others.items()}
-        asked = names, level, given, self.parameters, self.rtol
+        asked = names, limit, level, given, self.parameters, self.rtol
         known = Known(*excess[:2], beyond, excess[2])
         root, width = level_roots(self.along, (near, far), *asked, known=known)
         return root, *self._certain(root, 2.0 * (width + self.rtol), asked)
@@ -305,7 +305,7 @@ class _Search:
     def _certain(self, root, error, asked):
         """How far from ``root`` it is certain that a variable is above the level on one side and
         below it on the other; begins with ``error``.  Also the status that far below ``root``."""
-        names, level, given, *how = asked
+        names, limit, level, given, *how = asked
         left, status = np.arange(root.size), np.zeros(root.size, np.int8)
         for _ in range(ATTEMPTS):
             here = {name: column[left] for name, column in given.items()}
@@ -314,7 +314,8 @@ class _Search:
                 value = np.exp(root[left] + sign * error[left])
                 point = here | {self.along: value}
                 asked_for = (
-                    names[left],
+                    names,
+                    limit[left],
                     level[left],
                     point,
                     *how,

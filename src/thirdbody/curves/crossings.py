@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,8 @@ from thirdbody.solver.solve import solve
 
 
 def excess_over(
-    quantity: NDArray,
+    quantities: Sequence[str],
+    chosen: NDArray,
     level: NDArray,
     given: Mapping[str, NDArray],
     parameters: Parameters,
@@ -25,8 +26,10 @@ def excess_over(
 
     Parameters
     ----------
-    quantity : array of str, shape (n,)
-        A variable of ``Solution`` for each point.
+    quantities : sequence of str
+        Variables of ``Solution``.
+    chosen : array of int, shape (n,)
+        Which of them is meant at each point.
     level : array, shape (n,)
         What it is compared with.
     given : mapping
@@ -43,17 +46,17 @@ def excess_over(
     others : dict
         The variables of ``also``.
     """
-    names = np.unique(quantity)
-    wanted = {*names.tolist(), *also}
+    wanted = {*quantities, *also}
     found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted, way=way)
-    values = np.choose(np.searchsorted(names, quantity), [getattr(found, name) for name in names])
+    values = np.choose(chosen, [getattr(found, name) for name in quantities])
     return values - level, {name: getattr(found, name) for name in also}
 
 
 def level_roots(
     along: str,
     ends: tuple[NDArray, NDArray],
-    quantity: NDArray,
+    quantities: Sequence[str],
+    chosen: NDArray,
     level: NDArray,
     given: Mapping[str, NDArray],
     parameters: Parameters,
@@ -69,7 +72,7 @@ def level_roots(
         Name of the condition.
     ends : pair of array, shape (n,)
         ln of the condition [SI] on both sides of the crossing.
-    quantity, level : array, shape (n,)
+    quantities, chosen, level
         As for ``excess_over``.
     given : mapping
         The other four conditions.
@@ -89,7 +92,7 @@ def level_roots(
         moved = np.flatnonzero(log_condition != place)  # a root that is found stays where it is
         some = {name: values[moved] for name, values in given.items()}
         some[along] = np.exp(log_condition[moved])
-        asked = quantity[moved], level[moved], some
+        asked = quantities, chosen[moved], level[moved], some
         place[moved] = log_condition[moved]
         value[moved] = excess_over(*asked, parameters, rtol, way=way)[0]
         return value.copy()

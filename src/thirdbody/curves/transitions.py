@@ -66,7 +66,7 @@ def transitions(
 
     names = "viscosity", "particle_diameter", "roughness", "particle_density"
     given = dict(zip(names, conditions[:, curve], strict=True))
-    passed = np.array(quantities)[limit], np.array(levels)[limit]
+    passed = quantities, limit, np.array(levels)[limit]
     ends = np.log(load[step]), np.log(load[step + 1])
     root, width = level_roots("load", ends, *passed, given, parameters, rtol, way=REPEATABLE)
     crossing = np.exp(root)

@@ -16,8 +16,14 @@ import numpy as np
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import ParticleLayer, has_particles
-from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
+from thirdbody.model.particles import FULL, ParticleLayer, has_particles
+from thirdbody.model.regimes import (
+    FILM_COUNTS,
+    NO_FLAG,
+    contact_mode,
+    gravest_status,
+    lubrication_regime,
+)
 from thirdbody.solver.compiled.layout import (
     BARE,
     BOUND,
@@ -47,7 +53,7 @@ from thirdbody.solver.compiled.layout import (
 )
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.machine_code import compiled
-from thirdbody.solver.compiled.tables import INTEGERS, prepare_model
+from thirdbody.solver.compiled.tables import DOUBLE, INTEGERS, prepare_model
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.surfaces import Sheet, log_yields, summits_of, summits_of_one
 
@@ -109,10 +115,15 @@ class CompiledPoints:
         columns = np.empty((GIVEN, load.size), real)
         columns[PER_LOAD] = 1.0 / load.astype(real)
         _fill_summits(columns, sheet, surface, summits)
+        self._covered = np.zeros(load.size, bool)
         if self._has_particles:
             sigma = roughness.astype(real) if sheet.is_cell else roughness
             sizes = diameter.astype(real), sigma, density.astype(real)
-            _fill_particles(columns, ParticleLayer.of(*sizes, parameters), sigma)
+            layer = ParticleLayer.of(*sizes, parameters)
+            _fill_particles(columns, layer, sigma)
+            if real is DOUBLE:
+                self._covered = _are_covered(layer, load)
+        self._has_values = not self._covered.any()
         film_is_known = self._has_film and not parameters.readings.film_load.depends_on_shares
         film_shares = self._has_film and not film_is_known
         if film_is_known:
@@ -129,6 +140,8 @@ class CompiledPoints:
             BLOCKS.of(real, INTEGERS[real], *kind),
             found,
         )
+        if not self._has_values:
+            found[:, self._covered] = np.nan
         self.total_contact_area = found[TOTAL_AREA]
         self.particle_contact_area_ratio = found[PARTICLE_SHARE]
         self.surface_contact_area_ratio = found[SURFACE_SHARE]
@@ -136,7 +149,7 @@ class CompiledPoints:
         self.fluid_load_fraction = found[FLUID_SHARE]
         self.separation = found[GAP] * roughness
         self.error_bound = found[BOUND]
-        self.left = ~(self.error_bound <= rtol)
+        self.left = ~(self.error_bound <= rtol) & ~self._covered
         if self._has_particles:
             self.left |= load > greatest_single_load(parameters)
         self.left |= load < LEAST_LOAD
@@ -150,23 +163,31 @@ class CompiledPoints:
 
     @property
     def lubrication_regime(self):
-        return lubrication_regime(self.solid_load_fraction)
+        return self._valid(lubrication_regime(self.solid_load_fraction), NO_FLAG)
 
     @property
     def contact_mode(self):
-        return contact_mode(self.particle_contact_area_ratio, self._has_particles)
+        mode = contact_mode(self.particle_contact_area_ratio, self._has_particles)
+        return self._valid(mode, NO_FLAG)
 
     @property
     def separation_count(self):
-        return np.ones(self.left.shape, np.int8)
+        return self._valid(np.ones(self.left.shape, np.int8), 0)
 
     @property
     def solution_status(self):
-        applies = {"area_exceeded": self.total_contact_area > 1.0}
+        applies = {
+            "area_exceeded": self.total_contact_area > 1.0,
+            "coverage_exceeded": self._covered,
+        }
         if self._has_film:
             outside = self._means_nothing | (self.film_thickness > THICKEST)
             applies["outside_film_formula"] = outside & (self.fluid_load_fraction > FILM_COUNTS)
         return gravest_status(**applies)
+
+    def _valid(self, values, otherwise):
+        """``values`` where there is a solution, else ``otherwise``."""
+        return values if self._has_values else np.where(self._covered, otherwise, values)
 
 
 class FilmScales(NamedTuple):
@@ -196,6 +217,17 @@ def _fill_particles(columns, layer, roughness):
     columns[ELASTIC_SHIFT] = parameters.readings.elastic_limits.side * layer.depth
     columns[PLASTIC_AREA] = layer.share * parameters.hardness_surface_2
     columns[BARE] = np.exp(layer.log_bare)
+
+
+def _are_covered(layer, load):
+    """Points without a solution because particles cover everything at any separation (Eq. 4), unless
+    their load F_t* might be more than the particles bear: then they have none for another reason."""
+    covered = layer.log_bare < FULL
+    places = np.flatnonzero(covered)
+    area, *_ = layer.take(places).contact(np.zeros(places.size))
+    pressure = layer.parameters.hardness_surface_1 / layer.parameters.elastic_modulus_surfaces
+    covered[places] = load[places] < 0.5 * area * pressure
+    return covered
 
 
 def _fill_film(columns, roughness, viscosity, parameters):
