@@ -18,8 +18,8 @@ from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
+import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import erfcx
 
 from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters, Surface
@@ -328,7 +328,7 @@ def _plastic_sums(t, start, quantities):
     """
     tail = t + start
     phi = _weight(t, start)
-    beyond = phi * np.sqrt(0.5 * np.pi) * erfcx(tail / np.sqrt(2.0))
+    beyond = phi * np.sqrt(0.5 * np.pi) * scipy.special.erfcx(tail / np.sqrt(2.0))
     for quantity in quantities:
         factor = quantity.plastic
         yield factor * (phi - t * beyond), -factor * (start * phi + beyond)

@@ -26,8 +26,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
+import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ndtr
 
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.computed_once import computed_once
@@ -288,7 +288,7 @@ class Moment:
         density = INV_SQRT_2PI * np.exp(-0.5 * alpha * alpha)  # phi(alpha)
         polynomial = self.constant + self.linear * alpha
         slope = -density * (1.0 - self.linear + polynomial * alpha)
-        return ndtr(-alpha) + polynomial * density, slope
+        return scipy.special.ndtr(-alpha) + polynomial * density, slope
 
 
 @lru_cache(maxsize=64)

@@ -17,8 +17,8 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar, get_type_hints
 
 import numpy as np
+import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ndtr, ndtri
 
 from thirdbody.model.bounds import LEAST_SPREAD
 
@@ -177,9 +177,9 @@ class SizeDistribution(Reading):
             Sizes [m], of the shape that the arguments broadcast to.
         """
         mean, spread = self.sizes(diameter, parameters)
-        above = ndtr(parameters.truncation)
-        below = np.minimum(ndtr((smallest - mean) / spread), above)
-        return mean + spread * ndtri(below + (above - below) * share)
+        above = scipy.special.ndtr(parameters.truncation)
+        below = np.minimum(scipy.special.ndtr((smallest - mean) / spread), above)
+        return mean + spread * scipy.special.ndtri(below + (above - below) * share)
 
 
 class Uncentred(SizeDistribution, word="uncentred"):
