@@ -94,6 +94,10 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
     parameters : Parameters
         Say how many newtons a load is.
     """
+    zero_allowed = name not in NEVER_ZERO
+    least = 0.0 if zero_allowed else LEAST
+    if type(values) is float and least <= values < np.inf:
+        return np.asarray(values)  # one number, for which the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         raise ValueError(
@@ -114,8 +118,6 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
         raise ValueError(f"{name} is of type {kind}; allowed: numbers")
     array = np.asarray(array, float)
-    zero_allowed = name not in NEVER_ZERO
-    least = 0.0 if zero_allowed else LEAST
     if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"

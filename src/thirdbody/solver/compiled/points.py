@@ -223,6 +223,8 @@ def _are_covered(layer, load):
     """Points without a solution because particles cover everything at any separation (Eq. 4), unless
     their load F_t* might be more than the particles bear: then they have none for another reason."""
     covered = layer.log_bare < FULL
+    if not covered.any():
+        return covered
     places = np.flatnonzero(covered)
     area, *_ = layer.take(places).contact(np.zeros(places.size))
     pressure = layer.parameters.hardness_surface_1 / layer.parameters.elastic_modulus_surfaces
