@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import glob
 import os
+import secrets
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -91,13 +92,13 @@ def _place(path: str | Path) -> Path:
 
 
 def _part_of(place: Path) -> Path:
-    """Name beside ``place`` for this process, after removal of what others left there.
+    """Name beside ``place`` for this process alone, after removal of what others left there.
 
-    Such a process was killed, or lives on without the run that started it.
+    Such a process was killed, or lives on without the run that started it, maybe on another host.
     """
     for left in place.parent.glob(f".{glob.escape(place.stem)}.partial*{place.suffix}"):
         left.unlink(missing_ok=True)
-    return place.with_name(f".{place.stem}.partial{os.getpid()}{place.suffix}")
+    return place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
 
 
 def _require_possible(place: Path, part: Path) -> None:
