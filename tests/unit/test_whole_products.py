@@ -9,7 +9,10 @@ ROOT = Path(__file__).resolve().parents[2]
 LIBRARY = sorted((ROOT / "src" / "thirdbody").rglob("*.py"))
 SCRIPTS = sorted((ROOT / "workflow" / "scripts").glob("*.py"))
 WHOLE = {"whole", "whole_folder"}
-NO_PRODUCTS = {"logged", "hold_alone", "_write_record"}  # write a log, a lock, a record
+NO_PRODUCTS = {  # write a log, a record of a product, the lock and the record of a run
+    *("logged", "_write_record"),
+    *("_lock", "_put_record", "_count_on"),
+}
 WRITERS = {
     *("write_text", "write_bytes", "savefig", "to_netcdf", "to_csv", "to_json", "to_zarr"),
     *("savetxt", "savez", "tofile", "imsave", "copyfile", "copy2", "copytree"),

@@ -5,7 +5,7 @@ import re
 import pytest
 from workspace import ROOT, Workspace
 
-from thirdbody.run.lock import hold_alone
+from thirdbody.run.lock import Hold
 
 SOFT = "inputs: {hardness_surface_1: 3.0e+9}\nrun: soft\n"
 CHANGES = "--config", "changes=soft.yaml"
@@ -24,7 +24,7 @@ def twofold(finished, tmp_path_factory):
     """A finished run without a name, beside one of a few products with another input."""
     workspace = finished.copied_to(tmp_path_factory.mktemp("twofold") / "thirdbody")
     (workspace.root / "soft.yaml").write_text(SOFT)
-    with hold_alone(workspace.root / ".snakemake/thirdbody.lock"):  # of the run without a name
+    with Hold(workspace.root / ".snakemake/thirdbody.lock"):  # of the run without a name
         run = workspace.snakemake(*MADE, *CHANGES)
     assert run.returncode == 0, run.stderr
     return workspace

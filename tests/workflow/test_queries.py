@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from thirdbody.run.lock import hold_alone
+from thirdbody.run.lock import Hold
 
 DAMAGED = "results/extracted/table1/all.csv"  # between a configuration and a table
 FOLLOWER = "results/tables/table1.md"
@@ -39,7 +39,7 @@ def harmed(finished, tmp_path_factory):
     workspace.execute(sys.executable, "-m", "compileall", "-q", "src")
     (bytecode,) = workspace.root.glob(BROKEN)
     bytecode.write_bytes(bytecode.read_bytes()[:100])
-    with hold_alone(workspace.root / ".snakemake/thirdbody.lock"):
+    with Hold(workspace.root / ".snakemake/thirdbody.lock"):
         yield workspace
 
 

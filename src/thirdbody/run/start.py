@@ -7,15 +7,16 @@ nothing and waits for nobody.
 from __future__ import annotations
 
 import os
+import shutil
 import stat
 import sys
 from collections.abc import Iterable
 from pathlib import Path
-from typing import IO
 
+from thirdbody.run import slurm
 from thirdbody.run.bytecode import Bytecode
 from thirdbody.run.custody import damaged_products
-from thirdbody.run.lock import hold_alone, require_writable
+from thirdbody.run.lock import Hold, require_writable
 from thirdbody.run.places import Places
 
 BOOKS = Path(".snakemake")  # which Snakemake keeps, for queries too
@@ -67,13 +68,16 @@ def look_before_planning(workflow, bytecode: Bytecode, places: Places) -> None:
     workflow._build_dag = look_and_plan
 
 
-def _take(places: Places) -> IO[str]:
-    """The lock of a run: its places are its own for as long as somebody keeps this file open."""
+def _take(places: Places) -> Hold:
+    """The hold of a run on its places, which no job of a run before it writes to any more."""
     try:
-        held = hold_alone(places.lock)
+        held = Hold(places.lock)
     except OSError as error:
         sys.exit(str(error))
     _require_writable(places.products, places.logs)
+    os.environ[slurm.RUN] = held.name
+    if held.before and shutil.which("scancel"):
+        slurm.cancel(held.before)
     return held
 
 

@@ -18,7 +18,7 @@ from harm import (
 )
 from workspace import MINIMAL
 
-from thirdbody.run.lock import hold_alone
+from thirdbody.run.lock import Hold
 
 GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
@@ -123,7 +123,7 @@ def test_of_two_runs_at_once_one_says_that_the_other_is_running(workspace, undis
 def test_while_a_run_holds_the_folder_a_dry_run_may_look_on_and_no_other_may_begin(workspace):
     """The test holds what a run holds: Snakemake cannot look on while files come and go."""
     (workspace.root / "results/tables/table1.md").unlink()
-    with hold_alone(workspace.root / ".snakemake/thirdbody.lock"):
+    with Hold(workspace.root / ".snakemake/thirdbody.lock"):
         looked = workspace.snakemake("--dry-run")
         code, said = ended(start(workspace))
     assert looked.returncode == 0, looked.stdout + looked.stderr
