@@ -138,6 +138,89 @@ def turning_points(
     return TurningPoints(**found)
 
 
+def film_turning_points(
+    separation: NDArray,
+    viscosity: NDArray,
+    particle_diameter: NDArray,
+    roughness: NDArray,
+    particle_density: NDArray,
+    parameters: Parameters,
+    rtol: float = DEFAULT_RTOL,
+    places: int = 60,
+) -> TurningPoints:
+    """Find the turning points of the same solids under every film: many curves in little time.
+
+    The maxima lie at the same separations d* whatever the film, and are searched once; their loads,
+    and how far they stand out within the loads, differ.
+
+    Parameters
+    ----------
+    separation : array, shape (loads, films, solids)
+        As in ``turning_points``; here they only tell the ends of the curves.
+    viscosity : array, shape (films,)
+        Of each film [m2/s]; 0 is dry.
+    particle_diameter, roughness, particle_density : array, shape (solids,)
+        Of each pair of surfaces with its particles [m, m, m-2].
+    parameters, rtol
+        As in ``turning_points``.
+    places : int
+        Number of separations between which maxima are looked for.
+
+    Returns
+    -------
+    TurningPoints
+        Arrays of shape (films, solids).  ``prominence`` is negative where the maximum lies beyond the
+        loads, as ``share_maxima`` says; all else is known of turning points alone.
+
+    Examples
+    --------
+    >>> import numpy, thirdbody
+    >>> inputs = thirdbody.load_parameters()
+    >>> solids = [numpy.array([value]) for value in (0.3e-6, 0.3e-6, 1e11)]
+    >>> loads, films = numpy.geomspace(1e-7, 1e-4, 30), numpy.array([0.0, 90e-6])
+    >>> separation = thirdbody.solve(
+    ...     load=loads[:, None, None],
+    ...     viscosity=films[:, None],
+    ...     particle_diameter=0.3e-6,
+    ...     roughness=0.3e-6,
+    ...     particle_density=1e11,
+    ...     parameters=inputs,
+    ... ).separation
+    >>> film_turning_points(separation, films, *solids, inputs).load.round(10)
+    array([[3.2194e-06],
+           [3.2856e-06]])
+    """
+    shape = separation.shape[1:]
+    found = {field.name: np.full(shape, np.nan) for field in fields(TurningPoints)}
+    ends = np.fmax.reduce(separation), np.fmin.reduce(separation)
+    three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
+    for _, table_rtol, chosen in search_ways(roughness[three_body], places, rtol):
+        columns = three_body[chosen]
+        solids = make_contact(
+            *(column[columns] for column in (particle_diameter, roughness, particle_density)),
+            parameters,
+            table_rtol,
+        )
+        reached = ends[0][:, columns], ends[1][:, columns]
+        across = np.linspace(np.fmax.reduce(reached[0]), np.fmin.reduce(reached[1]), places)
+        solid, peak, width, prominence = share_maxima(
+            solids, across, reached, SEPARATION_MARGIN * rtol
+        )
+        film, maximum = np.nonzero(np.isfinite(prominence))
+        standing = prominence[film, maximum]
+        best = _greatest(film * columns.size + solid[maximum], standing)
+        film, maximum, standing = film[best], maximum[best], standing[best]
+        found["prominence"][film, columns[solid[maximum]]] = standing
+        seen = standing >= PROMINENCE
+        film, maximum = film[seen], maximum[seen]
+        state = _state_at(
+            solids.take(solid[maximum]), viscosity[film], peak[maximum], width[maximum], rtol
+        )
+        for name, values in state.items():
+            found[name][film, columns[solid[maximum]]] = values
+    return TurningPoints(**found)
+
+
 def share_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -149,8 +232,8 @@ def share_maxima(
         Surfaces and particles of each curve.
     separation : array, shape (separations, curves)
         d [m], falling from row to row; nan where there is no solution.
-    ends : pair of array, shape (curves,)
-        d [m] at the first and at the last load of each curve.
+    ends : pair of array, shape (..., curves)
+        d [m] at the first and at the last load of each curve; of several if they have more axes.
     rtol : float
         How closely the maxima are found, relative to d.
 
@@ -162,7 +245,7 @@ def share_maxima(
         d* [m] of each maximum.
     width : array
         Bound on the error of d* [m].
-    prominence : array
+    prominence : array, shape (..., maxima)
         By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
         larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much
         it exceeds the end, negatively: so the prominence passes 0 where a maximum leaves the loads.
@@ -187,7 +270,7 @@ def share_maxima(
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     """Prominence of maxima, each a curve, d [m] and A_sa,t*, among minima and the ends [m]."""
     curve, place, share = maxima
-    first, last = ends[:, curve]
+    first, last = ends[..., curve]
     before, after = share - particle_share(solids.take(curve), np.stack([first, last]))
     before = np.where(place < first, before, -np.abs(before))
     after = np.where(place > last, after, -np.abs(after))

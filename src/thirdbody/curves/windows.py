@@ -119,6 +119,51 @@ def turning_point_windows(
     ]
 
 
+def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
+    """Find the windows of many sweeps at once, interpolated between the ratios of the sweep.
+
+    Parameters
+    ----------
+    ratios : array, shape (ratios,)
+        x_a/sigma [1], increasing.
+    prominence : array, shape (ratios, ...)
+        That of ``film_turning_points`` [1]; nan where no maximum is known.
+
+    Returns
+    -------
+    low, high : array, shape (...)
+        Ends of the longest run of ratios with a turning point [1]; nan where none has one.  A run
+        that reaches an end of the sweep ends there.
+
+    Examples
+    --------
+    >>> low, high = swept_windows(np.arange(1.0, 6.0), np.array([0.0, 0.02, 0.04, 0.02, np.nan]))
+    >>> print(f"{low:.2f} to {high:.2f}")
+    1.71 to 4.29
+    """
+    margin = _above_least(prominence)
+    inside = margin > 0.0
+    run, longest = np.zeros((2, *margin.shape[1:]), int)
+    last = np.zeros(margin.shape[1:], int)
+    for place, here in enumerate(inside):
+        run = (run + 1) * here
+        longer = run > longest
+        longest, last = np.where(longer, run, longest), np.where(longer, place, last)
+    ends = []
+    for inner, step in ((last - longest + 1, -1), (last, 1)):
+        inner = np.minimum(inner, ratios.size - 1)  # of no run
+        outer = np.clip(inner + step, 0, ratios.size - 1)
+        at_inner, at_outer = (
+            np.take_along_axis(margin, place[np.newaxis], 0)[0] for place in (inner, outer)
+        )
+        with np.errstate(
+            divide="ignore", invalid="ignore"
+        ):  # of no run, and of one that is not closed
+            share = np.where(inner == outer, 0.0, at_inner / (at_inner - at_outer))
+            ends.append(ratios[inner] + share * (ratios[outer] - ratios[inner]))
+    return tuple(np.where(longest > 0, end, np.nan) for end in ends)
+
+
 def _longest_run(inside):
     """Places of the first and last of the longest run of true values, and of those beyond; each
     empty if none is true."""
@@ -151,11 +196,7 @@ def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
 
 
 def _margin(search, load_range, diameter, roughness, density, parameters):
-    """By how much a turning point stands out more than it must; negative where there is none.
-
-    Roots are taken of both: the prominence of a maximum grows with the square of its distance from
-    the end of the loads, and the root, with the sign kept, changes about evenly with x_a/sigma.
-    """
+    """By how much a turning point stands out more than it must; negative where there is none."""
     margin = np.empty_like(diameter)
     density = np.full_like(diameter, density)
     for way, table_rtol, curves in search_ways(roughness, search.separations, search.rtol):
@@ -175,9 +216,18 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
         curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
         greatest = np.full_like(first, np.nan)
         np.fmax.at(greatest, curve, prominence)
-        greatest = np.where(np.isnan(greatest), 0.0, greatest)
-        margin[curves] = np.copysign(np.sqrt(np.abs(greatest)), greatest) - np.sqrt(PROMINENCE)
+        margin[curves] = _above_least(greatest)
     return margin
+
+
+def _above_least(prominence):
+    """By how much the root of a prominence, with its sign, exceeds that of the least; nan counts as 0.
+
+    Roots are taken of both: the prominence of a maximum grows with the square of its distance from
+    the end of the loads, and the root, with the sign kept, changes about evenly with x_a/sigma.
+    """
+    known = np.where(np.isnan(prominence), 0.0, prominence)
+    return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(PROMINENCE)
 
 
 def _between(first, last, roughness, count):
