@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -28,6 +28,7 @@ from thirdbody.solver.solution import Solution, type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
+EXACT: Mapping[str, int] = {}  # numbers are written with all digits
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
 
 
@@ -155,7 +156,7 @@ def write_blocks(
         empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
         described = described_grid(axes, empty, parameters, rtol)
         with netCDF4.Dataset(part, "w", format="NETCDF4") as file:
-            variables = _declare(file, described, lengths, compression)
+            variables = declare(file, described, dict(zip(DIMENSIONS, lengths)), compression)
             for block in blocks(shape, lengths):
                 solution = solved(sides(axes, block))
                 for name, variable in variables.items():
@@ -202,11 +203,36 @@ def sides(axes: Axes, block: tuple[slice, ...]) -> Axes:
     return {name: axis[side] for (name, axis), side in zip(axes.items(), block, strict=True)}
 
 
-def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths, compression):
-    """Dimensions, coordinates and attributes of ``described`` in ``file``; its variables, empty."""
+def declare(
+    file: netCDF4.Dataset,
+    described: xr.Dataset,
+    lengths: Mapping[str, int],
+    compression: int,
+    digits: Mapping[str, int] = EXACT,
+) -> dict[str, netCDF4.Variable]:
+    """Put all of a dataset into a file but the values of its variables.
+
+    Parameters
+    ----------
+    file : netCDF4.Dataset
+        A new file: it gets the dimensions, coordinates and attributes.
+    described : xarray.Dataset
+        What the file will hold.
+    lengths : mapping
+        Of the pieces in which variables are stored, by dimension.
+    compression : int
+        Level of zlib.
+    digits : mapping, optional
+        Significant digits that variables are rounded to, by name, which then take less room.
+
+    Returns
+    -------
+    dict
+        The variables by name, empty, which take values as they are stored.
+    """
     file.setncatts(described.attrs)
-    for name in DIMENSIONS:
-        file.createDimension(name, described.sizes[name])
+    for name, size in described.sizes.items():
+        file.createDimension(name, size)
     for name, coordinate in described.coords.items():
         variable = file.createVariable(name, coordinate.dtype, coordinate.dims)
         variable.setncatts(coordinate.attrs)
@@ -215,17 +241,21 @@ def _declare(file: netCDF4.Dataset, described: xr.Dataset, lengths, compression)
     for name, values in described.data_vars.items():
         attributes = dict(values.attrs)
         fill = attributes.pop("_FillValue", None)
-        attributes["coordinates"] = "normal_load"
+        if "load" in values.dims:
+            attributes["coordinates"] = "normal_load"
+        rounded = name in digits
         variables[name] = file.createVariable(
             name,
             values.dtype,
             values.dims,
             zlib=compression > 0,
             complevel=compression,
-            shuffle=False,
-            chunksizes=lengths,
+            shuffle=rounded,  # digits that are left out, which are zeros, come together
+            chunksizes=[lengths[each] for each in values.dims],
             chunk_cache=ONE_CHUNK,
             fill_value=fill,
+            significant_digits=digits.get(name),
+            quantize_mode="GranularBitRound",
         )
         variables[name].setncatts(attributes)
         variables[name].set_auto_maskandscale(False)
