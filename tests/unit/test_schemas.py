@@ -15,7 +15,9 @@ ALTERNATIVES = ("if", "then", "else", "allOf", "anyOf", "oneOf", "not")
 every_schema = pytest.mark.parametrize("kind", SCHEMAS)
 
 
-@pytest.mark.parametrize("kind", ["accuracy", "claims", "inputs", "paper_tables", "sensitivity"])
+@pytest.mark.parametrize(
+    "kind", ["accuracy", "atlas", "claims", "inputs", "paper_tables", "sensitivity"]
+)
 def test_each_shipped_file_keeps_to_the_schema_beside_it(kind):
     assert read_valid(CONFIG / f"{kind}.yaml", kind)
 
@@ -25,6 +27,7 @@ def test_each_shipped_file_has_a_schema():
         "scenes": "config",  # read as one with config.yaml
         "minimal": "config",
         "accuracy_minimal": "accuracy",
+        "atlas_minimal": "atlas",
     }
     for path in CONFIG.glob("*.yaml"):
         name = path.name.removesuffix(".yaml").removesuffix(".schema")
@@ -121,6 +124,7 @@ def refusal(schema, content):
     return str(refused.value)
 
 
+AXIS = {"from": 1, "to": 9, "count": 3, "scale": "linear", "also": []}
 BROKEN = {
     "first_below_last": ([2.0, 1.0], "range is [2.0, 1.0]; allowed: a first value below the last"),
     "particles_fit": (
@@ -147,6 +151,18 @@ BROKEN = {
     "unknowns_are_listed": (
         {"unknowns": {"a": 1}, "always": ["a"], "readings": {"r": {"unknowns": ["b"]}}},
         "range.readings.r.unknowns[0] is 'b'; allowed: a",
+    ),
+    "axis_goes_up": (
+        AXIS | {"also": [0, 5, 10]},
+        "range.also[2] is 10; allowed: 0, or from 1 to 9",
+    ),
+    "chunks_have_surfaces": (
+        {"axes": {"roughness_nm": AXIS}, "chunks": 4},
+        "range.chunks is 4; allowed: at most 3, the number of roughnesses",
+    ),
+    "charts_lie_on_axes": (
+        {"axes": {"load_N": AXIS}, "charts": {"load_N": [1, 5, 6]}},
+        "range.charts.load_N[2] is 6; allowed: a value of axes.load_N, to which also can add it",
     ),
 }
 

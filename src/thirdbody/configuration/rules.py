@@ -12,6 +12,8 @@ import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from thirdbody.configuration.axes import axis_values
+
 
 class Breach(NamedTuple):
     """A fault found by a rule.
@@ -108,6 +110,37 @@ def unknowns_are_listed(calibration: dict) -> Iterator[Breach]:
                 yield Breach(allowed, ("readings", reading, "unknowns", index))
 
 
+def axis_goes_up(axis: dict) -> Iterator[Breach]:
+    """An axis has a first value below the last, which its scale can hold, and all others between."""
+    first, last = axis["from"], axis["to"]
+    if not first < last:
+        yield Breach(f"less than {last:g}, the last value", ("from",))
+    elif axis["scale"] == "logarithmic" and first == 0:
+        yield Breach("above 0 on a logarithmic axis; 0 can stand in also", ("from",))
+    for place, value in enumerate(axis["also"]):
+        if value and not first <= value <= last:
+            yield Breach(f"0, or from {first:g} to {last:g}", ("also", place))
+
+
+def chunks_have_surfaces(atlas: dict) -> Iterator[Breach]:
+    """Each job of the atlas has one roughness or more."""
+    surfaces = len(axis_values(atlas["axes"]["roughness_nm"]))
+    if atlas["chunks"] > surfaces:
+        yield Breach(f"at most {surfaces}, the number of roughnesses", ("chunks",))
+
+
+def charts_lie_on_axes(atlas: dict) -> Iterator[Breach]:
+    """What charts show has been solved."""
+    axes = {name: axis_values(axis) for name, axis in atlas["axes"].items()}
+    for chart, content in atlas["charts"].items():
+        for place, shown in enumerate(content):
+            panel = shown if isinstance(shown, dict) else {chart: shown}
+            for key, value in panel.items():
+                if float(f"{value:.12g}") not in axes[key]:
+                    path = ("charts", chart, place, *((key,) if shown is panel else ()))
+                    yield Breach(f"a value of axes.{key}, to which also can add it", path)
+
+
 RULES = {
     rule.__name__: rule
     for rule in (
@@ -118,6 +151,9 @@ RULES = {
         contradictions_are_mutual,
         contradictions_are_settled,
         unknowns_are_listed,
+        axis_goes_up,
+        chunks_have_surfaces,
+        charts_lie_on_axes,
     )
 }
 

@@ -76,7 +76,7 @@ def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict
           without calibrated file and what is laid over it, SI;
         - ``calibrated``, the path of that file, ``inputs``, the values laid over it, and
           ``ensemble``, the members of its ensemble with these values;
-        - ``accuracy``, the path of the settings of the accuracy run;
+        - ``accuracy`` and ``atlas``, the paths of the settings of these runs;
         - ``software``, the versions of what computes.
 
     Raises
@@ -110,6 +110,7 @@ def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict
         "ensemble": chosen.ensemble,
         "uncalibrated": uncalibrated(entries),
         "accuracy": _found(config["accuracy"], directory),
+        "atlas": _found(config["atlas"], directory),
         "software": {name: version(name) for name in SOFTWARE},
     }
 

@@ -165,6 +165,18 @@ TABLES = {
         Column("seconds", "number", "s", "processor time of the solver, tables included"),
         Column("microseconds_per_point", "number", "us", "the same over the points"),
     ),
+    "atlas_cost": (
+        Column("chunk", "string", "", "file of the atlas"),
+        Column("conditions", "number", "1", "combinations of the five axes"),
+        Column("points", "number", "1", "these for each set of inputs that is solved"),
+        RTOL,
+        Column("solving_seconds", "number", "s", "processor time of the solver, tables included"),
+        Column("turning_seconds", "number", "s", "processor time of the search for turning points"),
+        Column("seconds", "number", "s", "processor time of the job"),
+        Column("clock_seconds", "number", "s", "time of the job on the clock, without its imports"),
+        Column("resident_memory_MB", "number", "MB", "most memory of the process"),
+        Column("file_MB", "number", "MB", "size of the file"),
+    ),
     "errors": (
         METHOD,
         RTOL,
