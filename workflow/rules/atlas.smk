@@ -8,6 +8,7 @@ try:
     ATLAS = read_valid(settings["atlas"], "atlas")
 except ValueError as error:
     sys.exit(f"{error}")
+CHARTS = ["largest_particle", "least_viscosity"]
 
 
 scattergather:
@@ -60,9 +61,82 @@ rule catalogue_atlas:
         "../scripts/catalogue_atlas.py"
 
 
+rule extract_chart:
+    input:
+        catalogue="<results>/atlas/catalogue.json",
+        chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
+        modules=import_closure("workflow/scripts/extract_chart.py"),
+    output:
+        rows="<results>/extracted/{chart}/all.csv",
+    log:
+        "<logs>/extract_chart/{chart}.log",
+    benchmark:
+        "<logs>/extract_chart/{chart}.tsv"
+    wildcard_constraints:
+        chart="|".join(CHARTS),
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        charts=ATLAS["charts"],
+    message:
+        "Reading {wildcards.chart} off the atlas"
+    script:
+        "../scripts/extract_chart.py"
+
+
+rule render_chart:
+    input:
+        catalogue="<results>/atlas/catalogue.json",
+        chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
+        style=place_of("src/thirdbody/figures/paper.mplstyle"),
+        modules=import_closure("workflow/scripts/render_chart.py"),
+    output:
+        multiext("<results>/figures/{chart}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        png=report("<results>/figures/{chart}.png", subcategory="Figures", **IN_REPORT),
+    log:
+        "<logs>/render_chart/{chart}.log",
+    benchmark:
+        "<logs>/render_chart/{chart}.tsv"
+    wildcard_constraints:
+        chart="|".join(CHARTS),
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 1
+    params:
+        charts=ATLAS["charts"],
+    message:
+        "Drawing {wildcards.chart}"
+    script:
+        "../scripts/render_chart.py"
+
+
+use rule write_table as write_chart_table with:
+    input:
+        parts=["<results>/extracted/{table}/all.csv"],
+        printed=[],
+        modules=import_closure("workflow/scripts/write_table.py"),
+    log:
+        "<logs>/write_chart_table/{table}.log",
+    benchmark:
+        "<logs>/write_chart_table/{table}.tsv"
+    wildcard_constraints:
+        table="|".join(CHARTS),
+
+
 rule atlas:
     input:
         "<results>/atlas/catalogue.json",
         "<results>/atlas/cost.csv",
+        expand(
+            "<results>/figures/{chart}{kind}",
+            chart=CHARTS,
+            kind=[".svg", ".pdf", ".png", ".csv", ".md"],
+        ),
+        expand(
+            "<results>/tables/{chart}{kind}",
+            chart=CHARTS,
+            kind=[".csv", ".json", ".md", ".html", ".tex"],
+        ),
     message:
         "All of the atlas is made"

@@ -281,6 +281,35 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     return sheets
 
 
+def _chart(title, note, limited, below, beyond) -> Callable[..., list[Sheet]]:
+    """How the table of a design chart is read: a column a load, the range of the ensemble in brackets.
+
+    ``limited`` is the axis that the limit is on; ``below`` and ``beyond`` stand for limits beyond
+    either end of it.
+    """
+
+    def told(value) -> str:
+        if math.isinf(value) or value == 0.0:
+            return beyond if value else below
+        return rounded(AXES[limited].from_si(value))
+
+    def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
+        held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
+        loads = list(dict.fromkeys(row["load_N"] for row in rows))
+        lines: dict[tuple, dict] = {}
+        for row in rows:
+            key = tuple(_shown(axis.name, row[axis.column]) for axis in held)
+            ends = [told(row[name]) for name in ("low", "high")]
+            span = f" ({ends[0]} to {ends[1]})" if ends[0] != ends[1] else f" ({ends[0]})"
+            lines.setdefault(key, {})[row["load_N"]] = told(row["limit"]) + span
+        headings = [f"{axis.sign} [{axis.unit}]" for axis in held]
+        headings += [f"{load:g} N" for load in loads]
+        cells = [[*key, *(line[load] for load in loads)] for key, line in lines.items()]
+        return [Sheet(title, note, headings, cells)]
+
+    return sheets
+
+
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "table1": _paper_table("Table 1. Properties of the materials, as printed and recomputed"),
     "table2": _paper_table("Table 2. Operating conditions, as printed and recomputed"),
@@ -288,6 +317,22 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
+    "largest_particle": _chart(
+        "Largest particles that stay out of the particle-surface mode [nm]",
+        "At the load of each column; in brackets between which values nine in ten members of the "
+        "calibrated ensemble lie. none, all: of the diameters in the atlas.",
+        "particle_diameter",
+        "none",
+        "all",
+    ),
+    "least_viscosity": _chart(
+        "Least viscosity that leaves boundary lubrication [cSt]",
+        "At the load of each column; in brackets between which values nine in ten members of the "
+        "calibrated ensemble lie. none, all: of the viscosities in the atlas.",
+        "viscosity",
+        "all",
+        "none",
+    ),
 }
 CURVE_HEADINGS = [FIGURES, *(f"{axis.sign} [{axis.unit}]" for axis in CONDITION_AXES)]
 

@@ -70,7 +70,23 @@ POINT_CLASS = (
 METHOD = Column("method", "string", "", "library, or the baseline that it is measured against")
 RTOL = Column("rtol", "number", "1", "relative error asked for; empty: a method that is not asked")
 POINT_COST = Column("microseconds_per_point", "number", "us", "time over the number of points")
+LIMIT = (  # of a design chart
+    Column("load_N", "number", "N", "normal load F_t"),
+    Column("load", "number", "1", "F_t* of the default inputs"),
+    Column("limit", "number", "SI", "the limit under the default inputs; 0, inf: beyond the atlas"),
+    Column("low", "number", "SI", "quantile of 5 % of the calibrated ensemble"),
+    Column("median", "number", "SI", "its median"),
+    Column("high", "number", "SI", "its quantile of 95 %"),
+)
 TABLES = {
+    "largest_particle": (
+        *(CONDITIONS[name] for name in ("viscosity", "roughness", "particle_density")),
+        *LIMIT,
+    ),
+    "least_viscosity": (
+        *(CONDITIONS[name] for name in ("particle_diameter", "roughness", "particle_density")),
+        *LIMIT,
+    ),
     "tpca_loads": (
         *CURVE,
         Column("load", "number", "1", "F_TPCA*, load of the turning point over A_n E_ss"),

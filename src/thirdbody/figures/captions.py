@@ -136,6 +136,24 @@ CAPTIONS = {
         "input has a part in.",
         "Two heat maps, one above the other, with a number in each cell that counts.",
     ),
+    "largest_particle": Caption(
+        "The largest particles that stay out of the particle-surface mode",
+        "Smaller particles than the curve leave at least 5 % of the contact area to the summits "
+        "(A_sa,t* = 0.95 on the curve). Shaded: between which values nine in ten members of the "
+        "calibrated ensemble lie, at the same normal load; where a curve or its shade ends, the limit "
+        "is beyond the sizes of the atlas.",
+        "A panel for each viscosity and particle density: a diameter over the normal load, a curve with "
+        "a shade around it for each roughness.",
+    ),
+    "least_viscosity": Caption(
+        "The least viscosity that leaves boundary lubrication",
+        "With a thicker oil than the curve the film bears more than a tenth of the load (L_s = 0.90 on "
+        "the curve). Shaded: between which values nine in ten members of the calibrated ensemble lie, "
+        "at the same normal load; where a curve or its shade ends, the limit is beyond the viscosities "
+        "of the atlas.",
+        "A panel for each particle diameter and density: a viscosity over the normal load, a curve with "
+        "a shade around it for each roughness.",
+    ),
     "accuracy": Caption(
         "Errors of the solver against the time that it takes",
         "Down and to the left is better. Lines join the relative errors that can be asked for.",

@@ -20,8 +20,9 @@ PARTS = {  # what all of it can be seen with; as in the paper; what it does not 
     "4 Statements of the paper": ("claims", "fronts"),
     "5 Inputs that are not printed": ("sensitivity",),
     "6 Solver": ("accuracy",),
+    "7 Atlas": ("largest_particle", "least_viscosity"),
 }
-OWN = "7 Scenes of one's own"
+OWN = "8 Scenes of one's own"
 FIGURE_SPACE = "\N{FIGURE SPACE}"  # as wide as a digit, and sorted before all digits
 
 
@@ -33,7 +34,7 @@ def part_of_report(_wildcards, output) -> str:
     >>> part_of_report({}, ["results/figures/fig09.png", "results/figures/fig09.md"])
     '3 Turning point'
     >>> part_of_report({}, ["results/figures/mine.png"])
-    "7 Scenes of one's own"
+    "8 Scenes of one's own"
     """
     name = Path(output[0]).stem
     return next((part for part, names in PARTS.items() if name in names), OWN)

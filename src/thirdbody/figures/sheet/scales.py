@@ -80,12 +80,17 @@ class Scale:
         return self._decades(low, high) if self.logarithmic else self._steps(low, high)
 
     def _decades(self, low, high):
+        low, high = low / self.unit, high / self.unit
         first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
-        major = 10.0 ** np.arange(first, last + 1)
-        minor = np.outer(10.0 ** np.arange(first - 1, last + 1), np.arange(2, 10)).ravel()
+        decades = 10.0 ** np.arange(first - 1, last + 1)
+        major, minor = 10.0 * decades[:-1], np.outer(decades, np.arange(2, 10)).ravel()
+        if self.unit != 1.0:  # numbers of a few decades, which need more of them
+            major = np.outer(decades, [1, 2, 5]).ravel()
+            major = major[(major >= low) & (major <= high)]
         minor = minor[(minor > low) & (minor < high)]
         text = f"{{:g}} {self.unit_text}".format if self.plain else power_text
-        return major, [text(place) for place in major], minor
+        text = text if self.unit == 1.0 else "{:g}".format
+        return major * self.unit, [text(place) for place in major], minor * self.unit
 
     def _steps(self, low, high):
         places = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
@@ -122,6 +127,22 @@ SCALES = {
             "Area over that of dry two-body contact",
             sign="A_t*",
             unit_text="over dry two-body",
+        ),
+        Scale(
+            "largest_particle_diameter",
+            "Largest particle out of the p-s mode",
+            sign="x_a",
+            unit=1e-9,
+            unit_text="nm",
+            logarithmic=True,
+        ),
+        Scale(
+            "least_viscosity",
+            "Least viscosity out of boundary lubrication",
+            sign="ν",
+            unit=1e-6,
+            unit_text="cSt",
+            logarithmic=True,
         ),
         Scale("diameter_ratio", "Particle diameter over roughness", sign="xₐ/σ"),
         Scale(

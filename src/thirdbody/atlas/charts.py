@@ -1,0 +1,68 @@
+"""Design charts: limits over the load, a curve a roughness, with the range of the ensemble.
+
+Nothing is solved for a chart: its limits were found where the points of the atlas were solved.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+import xarray as xr
+
+from thirdbody.data.conditions import AXES, CONDITION_AXES
+
+CHARTS = {  # the variable of the atlas that each shows
+    "largest_particle": "largest_particle_diameter",
+    "least_viscosity": "least_viscosity",
+}
+
+
+def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:
+    """What the panels of a chart show.
+
+    Parameters
+    ----------
+    atlas : xarray.Dataset
+        The atlas.
+    name : str
+        One of ``CHARTS``.
+    charts : mapping
+        ``charts`` of ``config/atlas.yaml``.
+
+    Returns
+    -------
+    list of xarray.Dataset
+        In memory, for each panel: ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over
+        ``quantile`` besides; the conditions of the panel are coordinates.
+    """
+    variable = CHARTS[name]
+    curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
+    panels = []
+    for given in charts[name]:
+        held = {
+            axis.name: axis.to_si(given[axis.key]) for axis in CONDITION_AXES if axis.key in given
+        }
+        found = {"limit": atlas[variable], "range": atlas[f"{variable}_range"]}
+        panels.append(xr.Dataset(found).sel(held, method="nearest").sel(roughness=curves).load())
+    return panels
+
+
+def chart_rows(panels: Sequence[xr.Dataset], newtons: Sequence[float]) -> Iterator[dict]:
+    """Rows of the table of a chart: one for each panel, roughness and load of ``newtons`` [N]."""
+    for panel in panels:
+        held = [axis for axis in CONDITION_AXES if axis.name in panel.coords]
+        for surface in panel["roughness"].values:
+            for load in newtons:
+                place = int(np.abs(panel["normal_load"].values - load).argmin())
+                point = panel.isel(load=place).sel(roughness=surface)
+                low, median, high = point["range"].values.tolist()
+                yield {
+                    **{axis.column: float(point[axis.name]) for axis in held},
+                    "load_N": load,
+                    "load": float(point["load"]),
+                    "limit": float(point["limit"]),
+                    "low": low,
+                    "median": median,
+                    "high": high,
+                }

@@ -1,0 +1,34 @@
+"""Draw a design chart from the atlas; nothing is solved here."""
+
+import gc
+
+import matplotlib.style
+
+from thirdbody.atlas.catalogue import open_atlas
+from thirdbody.atlas.charts import CHARTS, chart_panels
+from thirdbody.data.files import logged
+from thirdbody.figures.captions import caption_text
+from thirdbody.figures.charts import plot
+from thirdbody.figures.sheet.saving import save
+
+
+def render(chart, catalogue, charts, style, stem):
+    """Draw ``chart`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
+    with open_atlas(catalogue) as atlas:
+        panels = chart_panels(atlas, chart, charts)
+    with matplotlib.style.context(style, after_reset=True):
+        drawn = plot(CHARTS[chart], panels)
+        save(drawn, stem, caption_text(chart, drawn))
+    print(f"{chart}: {len(panels)} panels drawn")
+
+
+if __name__ == "__main__":
+    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
+    with logged(snakemake.log[0]):
+        render(
+            snakemake.wildcards.chart,
+            snakemake.input.catalogue,
+            snakemake.params.charts,
+            snakemake.input.style,
+            snakemake.output.png.removesuffix(".png"),
+        )
