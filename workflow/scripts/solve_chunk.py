@@ -25,7 +25,7 @@ def solve(item, axes, variables, rtol, parameters, ensemble, chunk, cost):
             "points": conditions * clock.sets,
             "rtol": rtol,
             "solving_seconds": clock.solving,
-            "turning_seconds": clock.searching,
+            "searching_seconds": clock.searching,
             "seconds": time.process_time() - started,
             "clock_seconds": time.perf_counter() - begun,
             "resident_memory_MB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1e3,

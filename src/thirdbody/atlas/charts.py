@@ -34,17 +34,23 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
     -------
     list of xarray.Dataset
         In memory, for each panel: ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over
-        ``quantile`` besides; the conditions of the panel are coordinates.
+        ``quantile`` besides; the conditions of the panel are coordinates, and the attribute ``ends``
+        is what the atlas spans of the limit.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
+    along = atlas["viscosity" if name == "least_viscosity" else "particle_diameter"].values
+    ends = along[along > 0.0][[0, -1]]
     panels = []
     for given in charts[name]:
         held = {
             axis.name: axis.to_si(given[axis.key]) for axis in CONDITION_AXES if axis.key in given
         }
         found = {"limit": atlas[variable], "range": atlas[f"{variable}_range"]}
-        panels.append(xr.Dataset(found).sel(held, method="nearest").sel(roughness=curves).load())
+        shown = (
+            xr.Dataset(found).sel(held, method="nearest").sel(roughness=curves, method="nearest")
+        )
+        panels.append(shown.load().assign_attrs(ends=ends))
     return panels
 
 

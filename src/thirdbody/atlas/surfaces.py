@@ -16,9 +16,10 @@ from scipy.special import logit
 
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.atlas.spread import quantiles
+from thirdbody.curves.crossings import level_roots
 from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
-from thirdbody.data.dataset import crossed
+from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import FLAGS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
@@ -28,7 +29,9 @@ from thirdbody.model.regimes import (
     PARTICLE_LIMIT,
 )
 from thirdbody.solver import availability
-from thirdbody.solver.plan import COMPILED, REPEATABLE
+from thirdbody.solver.bracketing import Known
+from thirdbody.solver.plan import COMPILED, COMPILING_WORTH, REPEATABLE
+from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
 
 SOLVED = (
@@ -43,8 +46,8 @@ TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_wind
 
 @dataclass
 class Clock:
-    """For how many sets of inputs points were solved, and the processor time that they and their
-    turning points took [s]."""
+    """For how many sets of inputs points were solved, and the processor time that they took, and the
+    search for limits and turning points between them [s]."""
 
     sets: int
     solving: float = 0.0
@@ -57,6 +60,7 @@ def solve_surface(
     weights: Sequence[int],
     kept: Collection[str],
     rtol: float,
+    way: str,
     clock: Clock,
 ) -> dict[str, NDArray]:
     """All that the atlas holds of a few particle densities on one surface.
@@ -73,6 +77,8 @@ def solve_surface(
         Quantities kept of each point under the default inputs.
     rtol : float
         Relative error asked for.
+    way : str
+        How points are solved.
     clock : Clock
         Takes the time.
 
@@ -92,7 +98,7 @@ def solve_surface(
         names = SOLVED if values else dict.fromkeys((*SOLVED, *kept, *FLAGS))
         axes = grid.axes(parameters)
         solution = _timed(
-            clock, "solving", solve_arrays, crossed(axes), parameters, rtol, names, way()
+            clock, "solving", solve_arrays, crossed(axes), parameters, rtol, names, way
         )
         values = values or {name: getattr(solution, name) for name in (*kept, *FLAGS)}
         if weight:
@@ -100,16 +106,17 @@ def solve_surface(
                 for index, state in enumerate(states):
                     counts[f"{state}_probability"] += weight * (getattr(solution, flag) == index)
         for name, each in (
-            _limits(axes, solution)
+            _timed(clock, "searching", _limits, axes, solution, parameters, rtol, way)
             | _timed(clock, "searching", _turning, axes, solution.separation, parameters, rtol)
         ).items():
             found[name].append(each)
     return values | counts | _summed_up(found, weights)
 
 
-def way() -> str:
-    """How points are solved: as fast as can be, but by the same way in every job."""
-    return COMPILED if availability.is_installed() else REPEATABLE
+def way_of(points: int) -> str:
+    """How so many points are solved: as fast as can be, but whatever else a process has solved."""
+    worth = points >= COMPILING_WORTH and availability.is_installed()
+    return COMPILED if worth else REPEATABLE
 
 
 def _timed(clock, what, function, *given):
@@ -119,63 +126,98 @@ def _timed(clock, what, function, *given):
     return result
 
 
-def _limits(axes, solution) -> dict[str, NDArray]:
+LIMITED = {  # axis of a limit, the variable that passes a level along it, the level, upwards or down
+    "largest_particle_diameter": (
+        *("particle_diameter", "particle_contact_area_ratio"),
+        *(PARTICLE_LIMIT, 1.0),
+    ),
+    "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
+}
+
+
+def _limits(axes, solution, parameters, rtol, way) -> dict[str, NDArray]:
     """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
     on lubrication is no longer boundary lubrication."""
-    ratio, fraction = solution.particle_contact_area_ratio, solution.solid_load_fraction
     return {
-        "largest_particle_diameter": first_passed(
-            axes["particle_diameter"], np.moveaxis(ratio, 2, 0), PARTICLE_LIMIT, 1.0
-        ),
-        "least_viscosity": first_passed(
-            axes["viscosity"], np.moveaxis(fraction, 1, 0), BOUNDARY_LIMIT, -1.0
-        ),
+        name: first_passed(along, variable, level, direction, axes, solution, parameters, rtol, way)
+        for name, (along, variable, level, direction) in LIMITED.items()
     }
 
 
-def first_passed(axis: NDArray, share: NDArray, level: float, direction: float) -> NDArray:
-    """Where a share between 0 and 1 first passes a level along an axis.
+def first_passed(
+    along: str,
+    variable: str,
+    level: float,
+    direction: float,
+    axes: Axes,
+    solution: Solution,
+    parameters: Parameters,
+    rtol: float,
+    way: str,
+) -> NDArray:
+    """Where a variable first passes a level along one axis of a solved grid.
 
-    Between neighbours the logarithm of its odds is interpolated over that of the axis.
+    Between neighbours ln of the odds is interpolated over ln of the axis; where it leaps, as it does
+    where the first particle touches, points between them are solved.
 
     Parameters
     ----------
-    axis : array, shape (n,)
-        Increasing values; a first one of 0 is left out.
-    share : array, shape (n, ...)
-        The share at each of them; nan where there is no solution.
-    level : float
-        What is passed.
-    direction : float
-        1 upwards, -1 downwards.
+    along : str
+        The axis, whose value 0 is left out.
+    variable : str
+        One of ``solution``.
+    level, direction : float
+        What is passed, and whether upwards, 1, or downwards, -1.
+    axes : mapping
+        The five axes.
+    solution : Solution
+        That of the grid.
+    parameters, rtol, way
+        Of the solution; the place of a leap is found as closely.
 
     Returns
     -------
-    array, shape (...)
-        0 where it is passed at the first value already, infinite where it never is, nan where points
-        without solution leave that open.
-
-    Examples
-    --------
-    >>> axis, share = np.array([0.0, 1.0, 2.0, 4.0]), np.array([0.0, 0.2, 0.5, 0.8])
-    >>> first_passed(axis, share, 0.5, 1.0).round(3), first_passed(axis, share, 0.9, 1.0)
-    (array(2.), array(inf))
+    array
+        Of the shape of the grid without the axis, SI: 0 where the level is passed at the first value
+        already, infinite where it never is, nan where points without solution leave that open.
     """
-    positive = axis > 0.0
-    log_axis, share = np.log(axis[positive]), share[positive]
-    passed = direction * (share - level) > 0.0
-    last = passed.argmax(axis=0)
-    first = np.maximum(last - 1, 0)
-    ends = [np.take_along_axis(share, place[np.newaxis], 0)[0] for place in (first, last)]
+    axis = list(axes).index(along)
+    positive = axes[along] > 0.0
+    values = np.moveaxis(getattr(solution, variable), axis, 0)[positive]
+    nodes = axes[along][positive]
+    beyond = direction * (values - level) > 0.0
+    passed, last = beyond.any(axis=0), beyond.argmax(axis=0)
+    never = np.where(np.isnan(values).any(axis=0), np.nan, np.inf)
+    found = np.where(passed, 0.0, never)
+    others = np.nonzero(passed & (last > 0))
+    high = last[others]
+    ends = [np.log(nodes[place]) for place in (high - 1, high)]
+    shares = [values[(place, *others)] for place in (high - 1, high)]
     with np.errstate(divide="ignore", invalid="ignore"):
-        low, high = (np.clip(logit(end) - logit(level), -ODDS, ODDS) for end in ends)
-        place = log_axis[first] + low / (low - high) * (log_axis[last] - log_axis[first])
-    found = np.where(last == 0, 0.0, np.exp(place))
-    never = np.where(np.isnan(share).any(axis=0), np.nan, np.inf)
-    return np.where(passed.any(axis=0), found, never)
+        below, above = (logit(share) - logit(level) for share in shares)
+        root = ends[0] + below / (below - above) * (ends[1] - ends[0])
+    leap = np.flatnonzero(np.isfinite(shares[0]) & ~(np.abs(above - below) < EVEN))
+    unknown = np.full(leap.size, np.nan)
+    root[leap], _ = level_roots(
+        along,
+        tuple(end[leap] for end in ends),
+        np.full(leap.size, variable),
+        np.full(leap.size, level),
+        {
+            name: axes[name][places[leap]]
+            for name, places in zip((name for name in axes if name != along), others, strict=True)
+        },
+        parameters,
+        min(LEAP_RTOL * rtol, 1e-2),
+        way,
+        Known(*(share[leap] - level for share in shares), unknown, unknown),
+    )
+    found[others] = np.exp(root)
+    return found
 
 
-ODDS = 30.0  # logarithm of odds beyond which shares are 0 or 1
+LEAP_RTOL = 10.0  # what a leap is solved with, which leaves its place as close as rtol
+EVEN = 4.0  # step of the logarithm of odds up to which it is interpolated
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:

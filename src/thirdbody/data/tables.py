@@ -187,7 +187,12 @@ TABLES = {
         Column("points", "number", "1", "these for each set of inputs that is solved"),
         RTOL,
         Column("solving_seconds", "number", "s", "processor time of the solver, tables included"),
-        Column("turning_seconds", "number", "s", "processor time of the search for turning points"),
+        Column(
+            "searching_seconds",
+            "number",
+            "s",
+            "processor time of the search for limits and turning points",
+        ),
         Column("seconds", "number", "s", "processor time of the job"),
         Column("clock_seconds", "number", "s", "time of the job on the clock, without its imports"),
         Column("resident_memory_MB", "number", "MB", "most memory of the process"),

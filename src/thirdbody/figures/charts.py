@@ -40,10 +40,7 @@ def plot(name: str, panels: Sequence[xr.Dataset]) -> Figure:
         for index, shade in enumerate(shades.tolist())
     ]
     for panel, shown in zip(figure.axes, panels, strict=True):
-        held = [
-            axis.name for axis in CONDITION_AXES if axis.name in shown.coords.keys() - shown.dims
-        ]
-        panel.add_title(", ".join(note(each, float(shown[each])) for each in held))
+        panel.add_title(", ".join(_notes(shown)))
         _draw(panel, shown, looks)
         newtons = shown["normal_load"].values / shown["load"].values
         panel.frame(float(newtons[-1]))
@@ -55,15 +52,24 @@ def plot(name: str, panels: Sequence[xr.Dataset]) -> Figure:
     return figure
 
 
+def _notes(shown) -> list[str]:
+    """The conditions of a panel."""
+    held = [axis.name for axis in CONDITION_AXES if axis.name in shown.coords.keys() - shown.dims]
+    values = {name: float(shown[name]) for name in held}
+    if 0.0 in (values.get("particle_diameter"), values.get("particle_density")):
+        return ["without particles"]
+    return [note(name, value) for name, value in values.items()]
+
+
 def _draw(panel, shown, looks):
-    """Bands, then curves: what is beyond the atlas is left out."""
+    """Bands and curves: what is beyond the atlas is left out."""
     load = shown["load"].values
     bands, names, tints = [], [], []
     for index, look in enumerate(looks):
         some = shown.isel(roughness=index)
         label = f"sigma = {value_text('roughness', float(some['roughness']))} nm"
-        low, high = some["range"].values[0], some["range"].values[-1]
-        known = np.flatnonzero(np.isfinite(low) & np.isfinite(high) & (low > 0.0))
+        low, high = np.clip(some["range"].values[[0, -1]], *shown.attrs["ends"])
+        known = np.flatnonzero(low < high)
         for run in np.split(known, np.flatnonzero(np.diff(known) > 1) + 1):
             if run.size > 1:
                 x, ends = load[run], (low[run], high[run])
@@ -76,4 +82,4 @@ def _draw(panel, shown, looks):
         panel.add_line(Line2D(load, value, label=label, markevery=(start, MARK_EVERY), **look))
     if bands:
         panel.add_outlines(bands, names, facecolors=tints, edgecolors="none", alpha=0.6, zorder=1.2)
-    panel.update_datalim(np.transpose([load, np.full_like(load, np.nan)]))
+    panel.update_datalim([(load[0], panel.dataLim.y1), (load[-1], panel.dataLim.y1)])
