@@ -296,8 +296,8 @@ def test_many_points_have_the_status_and_the_flags_of_few(parameters):
 
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6])
 def test_points_that_particles_cover_need_no_other_way(reading, viscosity):
-    given = conditions(MANY) | {"viscosity": np.full(MANY, viscosity)}
-    given["particle_density"] = np.geomspace(1e12, 1e15, MANY)
+    given = conditions(1500) | {"viscosity": np.full(1500, viscosity)}
+    given["particle_density"] = np.geomspace(1e12, 1e15, 1500)
     given["load"][::2] *= 5e3  # up to 1: more than is borne at any separation
     found = compiled(reading, 1e-9, **given)
     expected = tb.solve(**given, roughness=ROUGHNESS, parameters=reading, way="quadrature")
