@@ -32,6 +32,19 @@ def test_film_thickness_to_the_printed_digits(parameters, load_parameter, viscos
     assert float(f"{value:.3e}") == printed
 
 
+def test_the_ranges_of_figure_11c_end_at_one_load(parameters):
+    oils = film(parameters, np.array([70.0, 120.0]) * CENTISTOKES)
+    rounded = 0.5e-6  # half a unit of the last digit that is printed
+
+    def newtons(thickness):
+        stiffness = parameters.elastic_modulus_surfaces * parameters.ball_radius**2
+        return stiffness * np.exp(oils.load_parameter(thickness))
+
+    printed = np.array([1.15e-4, 1.63e-4])
+    least, most = newtons(printed + rounded), newtons(printed - rounded)
+    assert_allclose([least[0], most[1]], 30.0, rtol=0.02)  # N: where they meet but for rounding
+
+
 @pytest.mark.parametrize("kappa", [0.1, 1.0, 10.0])
 def test_film_thickness_is_eq_7(parameters, equations, kappa):
     inputs = replace(parameters, ellipticity=kappa)
