@@ -5,14 +5,14 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 >>> import thirdbody as tb
 >>> point = tb.solve(
 ...     load=1e-5,
-...     viscosity=90e-6,
+...     viscosity=120e-6,
 ...     particle_diameter=300e-9,
 ...     roughness=300e-9,
 ...     particle_density=1e11,
 ...     parameters=tb.load_parameters(),
 ... )
 >>> print(f"{point.solid_load_fraction:.3f} of the load is borne by solids")
-0.954 of the load is borne by solids
+0.242 of the load is borne by solids
 
 ``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
 ``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in

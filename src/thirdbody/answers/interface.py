@@ -324,9 +324,9 @@ class Interface:
         Examples
         --------
         >>> import thirdbody as tb
-        >>> curve = tb.Interface(10, 90, 500, 300, 1e11).curve("viscosity", 50, 150, count=3)
+        >>> curve = tb.Interface(10, 90, 500, 300, 1e11).curve("viscosity", 90, 150, count=3)
         >>> curve.points.round(1)
-        array([ 50. ,  86.6, 150. ])
+        array([ 90. , 116.2, 150. ])
         >>> bool((np.diff(curve.values["solid_load_fraction"]) < 0.0).all())
         True
         """

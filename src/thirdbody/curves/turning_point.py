@@ -109,7 +109,7 @@ def turning_points(
     >>> separation = thirdbody.solve(load=loads, **condition, parameters=inputs).separation
     >>> columns = [numpy.array([value]) for value in condition.values()]
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
-    array([1.6028e-06])
+    array([1.122e-06])
     """
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
     three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))

@@ -98,25 +98,25 @@ def solve(
 
     Examples
     --------
-    Two rough surfaces with particles of 0.5 um, dry and in an oil of 90 mm2/s:
+    Two rough surfaces with particles of 0.5 um, dry and in an oil of 120 mm2/s:
 
     >>> import thirdbody as tb
     >>> given = dict(particle_diameter=0.5e-6, roughness=0.3e-6, particle_density=1e11)
     >>> given["parameters"] = tb.load_parameters()
-    >>> found = tb.solve(load=1e-5, viscosity=[0.0, 90e-6], **given)
+    >>> found = tb.solve(load=1e-5, viscosity=[0.0, 120e-6], **given)
     >>> found.solid_load_fraction.round(4)
-    array([1.    , 0.9903])
+    array([1.    , 0.8803])
     >>> found.separation.round(10)  # [m]
-    array([1.2138e-06, 1.2175e-06])
+    array([1.0872e-06, 1.1335e-06])
 
     Loads and viscosities with names make a table of both:
 
     >>> import xarray as xr
     >>> loads = xr.DataArray([1e-6, 1e-5], dims="load")
-    >>> oils = xr.DataArray([0.0, 90e-6], dims="oil", coords={"oil": ["none", "VG 90"]})
+    >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> found = tb.solve(load=loads, viscosity=oils, **given)
-    >>> found.solid_load_fraction.sel(oil="VG 90").round(4).values
-    array([1.    , 0.9903])
+    >>> found.solid_load_fraction.sel(oil="thick").round(4).values
+    array([1.    , 0.8803])
     """
     check_parameters(parameters)
     check_rtol(rtol)
