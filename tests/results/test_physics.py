@@ -99,29 +99,36 @@ def test_the_solids_bear_their_share(dataset, on_surfaces):
         assert (error <= allowed(again.solid_load, d, rtol))[share > LOADED].all()
 
 
-def test_the_film_bears_its_share(dataset, on_surfaces):
+def test_the_film_is_that_of_its_load(dataset, on_surfaces):
     rtol = dataset.attrs["rtol"]
     for load, (viscosity, *_), values, again in on_surfaces:
-        wet = viscosity > 0.0
-        share = values["fluid_load_fraction"][wet] * load[wet]
-        thickness, _ = again.film(share, viscosity[wet])
+        share = values["fluid_load_fraction"]
+        wet = (viscosity > 0.0) & (share > 0.0)
+        in_film = load if again.model["film_load"] == "total" else share * load
+        thickness, _ = again.film(in_film[wet], viscosity[wet])
         # the load enters H_c with a power of at most 0.2
         assert_allclose(values["film_thickness"][wet], thickness, rtol=1.2 * rtol)
+        # solids that bear all keep the surfaces apart by more than a film
+        alone = (viscosity > 0.0) & (share == 0.0)
+        thinner, _ = again.film(in_film[alone], viscosity[alone])
+        assert (thinner <= values["film_thickness"][alone] * (1.0 + rtol)).all()
 
 
-def test_solid_and_fluid_load_add_up_to_the_load(dataset, on_surfaces):
+def test_the_load_is_the_one_that_holds_the_surfaces_there(dataset, on_surfaces):
     rtol = dataset.attrs["rtol"]
     for load, (viscosity, *_), values, again in on_surfaces:
+        # a film of the total load is as thick as it is, or solids bear everything
+        together = np.maximum if again.model["film_load"] == "total" else np.add
 
-        def total(d, again=again, viscosity=viscosity):
-            return again.solid_load(d) + fluid_load(d, again, viscosity)
+        def total(d, again=again, viscosity=viscosity, together=together):
+            return together(again.solid_load(d), film_load(d, again, viscosity))
 
         d = values["separation"]
         assert (np.abs(total(d) - load) <= allowed(total, d, rtol)).all()
 
 
-def fluid_load(d, again, viscosity):
-    """F_f* of films ``d`` [m] thick, by halving: H_c falls with it."""
+def film_load(d, again, viscosity):
+    """The load F* in W of films ``d`` [m] thick, by halving: H_c falls with it."""
     wet = viscosity > 0.0
     low, high = np.full(d.shape, -700.0), np.zeros(d.shape)
     for _ in range(60):
