@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.curves.turning_point import PROMINENCE, turning_points
+from thirdbody.curves.turning_point import PROMINENCE, film_turning_points, turning_points
 from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -224,3 +224,29 @@ def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
 
 
 # ---- windows
+
+
+def test_films_together_have_the_turning_points_that_their_curves_have(reading, loads):
+    diameters = np.append(np.geomspace(60.0, 1200.0, 25), 0.0) * NANOMETRE
+    solids = curves(0.0, diameters)[1:]
+    separation = tb.solve(
+        load=loads[:, None, None],
+        viscosity=VISCOSITIES[:, None],
+        particle_diameter=diameters,
+        roughness=300e-9,
+        particle_density=DENSITY,
+        parameters=reading,
+        rtol=1e-6,
+        variables=["separation"],
+    ).separation
+    together = film_turning_points(separation, VISCOSITIES, *solids, reading, 1e-6)
+    assert together.exists.any() and not together.exists[:, -1].any()
+    for film, viscosity in enumerate(VISCOSITIES):
+        conditions = curves(viscosity, diameters)
+        alone = turning_points(separation[:, film], *conditions, reading, 1e-6)
+        there = together.exists[film]
+        assert np.array_equal(there, alone.exists)
+        for name in ("load", "peak_ratio", "solid_load_fraction", "separation", "prominence"):
+            one, other = (getattr(each, name) for each in (together, alone))
+            assert_allclose(one[film][there], other[there], rtol=1e-4, err_msg=name)
+        assert np.isnan(together.load[film][~there]).all()

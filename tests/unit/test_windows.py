@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.curves.windows import WindowSearch, swept_windows, turning_point_windows
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -93,3 +93,17 @@ def test_windows_found_together_are_those_found_alone(parameters, loads, toleran
             list(vars(window).values()), list(vars(alone).values()), equal_nan=True
         )
     assert np.isnan(found[1].low) and np.isfinite([found[0].low, found[2].low]).all()
+
+
+def test_of_many_sweeps_the_longest_runs_are_the_windows():
+    high, low, none = 0.04, 0.0, np.nan
+    sweeps = [
+        [low, high, high, low, high, low],  # two runs
+        [high, high, low, high, low, low],  # one that begins beyond the sweep
+        [low, low, none, low, none, low],  # none
+        [low, none, high, high, high, high],  # one that ends beyond it
+        [-high, high, high, high, -high, low],  # beside maxima beyond the loads
+    ]
+    starts, ends = swept_windows(np.arange(1.0, 7.0), np.transpose(sweeps))
+    assert np.allclose(starts, [1.5, 1.0, np.nan, 2.5, 1.75], equal_nan=True)
+    assert np.allclose(ends, [3.5, 2.5, np.nan, 6.0, 4.25], equal_nan=True)

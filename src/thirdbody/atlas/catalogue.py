@@ -153,7 +153,7 @@ class _Joined(BackendArray):
         asked = np.atleast_1d(places)
         owners = np.searchsorted(self.ends, asked, side="right")
         pieces = []
-        for owner in np.unique(owners):
+        for owner in np.unique(owners) if owners.size else [0]:
             own = asked[owners == owner] - (self.ends[owner - 1] if owner else 0)
             within = (*key[: self.axis], own, *key[self.axis + 1 :])
             picked = dict(zip(self.parts[owner].dims, within, strict=True))

@@ -32,7 +32,6 @@ from thirdbody.data.netcdf import load
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer
-from thirdbody.model.readings import GapConvolved, LoadOfTheFluid
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
@@ -78,6 +77,12 @@ UNITS = {
     "log_viscosity": "ln(nu/(m2 s-1))",
     "log_film_roughness": "ln(sigma/m)",
     "log_relative_thickness": "ln H_c over that of the crossing",
+}
+# readings in which particles scale with their diameter, and the loads of solids and film add
+ALLOWED = {
+    "size_distribution": ("uncentred", "centred"),
+    "particle_plane": ("surface",),
+    "film_load": ("fluid",),
 }
 LEAST = Counts(4, 2, 4, 4)
 
@@ -142,12 +147,11 @@ class Lookup:
         ValueError
             For readings in which particles do not scale with their diameter, or loads do not add.
         """
-        readings = parameters.readings
-        if isinstance(readings.size_distribution, GapConvolved):
-            told = "allowed for a lookup table: uncentred, centred"
-            raise ValueError(f"size_distribution is gap_convolved; {told}")
-        if not isinstance(readings.film_load, LoadOfTheFluid):
-            raise ValueError("film_load is total; allowed for a lookup table: fluid")
+        for name, allowed in ALLOWED.items():
+            given = getattr(parameters, name)
+            if given not in allowed:
+                told = f"allowed for a lookup table: {', '.join(allowed)}"
+                raise ValueError(f"{name} is {given}; {told}")
         surfaces = np.linspace(*np.log(ranges.roughness), counts.surface)
         squares = np.linspace(*np.square(ranges.gap), counts.gap)
         shares, particles = _particles(parameters, ranges, counts.share)
@@ -218,7 +222,8 @@ class Lookup:
         bracket, _ = self._bracket(load, across, layer)
         inner = np.linspace(*bracket, SECOND)
         _, (solid, total, odds) = self._bracket(load, inner, layer)
-        share = np.clip((load - total[0]) / (total[1] - total[0]), 0.0, 1.0)
+        with np.errstate(divide="ignore", invalid="ignore"):  # where the table says nothing
+            share = np.clip((load - total[0]) / (total[1] - total[0]), 0.0, 1.0)
         solid, total, odds = (low + share * (high - low) for low, high in (solid, total, odds))
         spanned = self._spans(load, *layer)
         return tuple(

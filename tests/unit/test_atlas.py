@@ -1,0 +1,239 @@
+"""The atlas holds what the library gives point by point, for the default and for each member."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import thirdbody as tb
+from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.atlas import chunk
+from thirdbody.atlas.catalogue import open_atlas, write_catalogue
+from thirdbody.atlas.charts import chart_panels, chart_rows
+from thirdbody.atlas.chunk import FINDINGS, write_chunk
+from thirdbody.atlas.grid import AtlasGrid
+from thirdbody.atlas.spread import QUANTILES, quantiles
+from thirdbody.atlas.surfaces import way_of
+from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
+from thirdbody.solver.plan import COMPILED, REPEATABLE
+
+RTOL = 1e-3
+AXES = {
+    "load_N": {"from": 0.04, "to": 80, "count": 12, "scale": "logarithmic", "also": []},
+    "viscosity_cSt": {"from": 5, "to": 150, "count": 12, "scale": "logarithmic", "also": [0]},
+    "particle_diameter_nm": {
+        **{"from": 50, "to": 1000, "count": 24, "scale": "logarithmic"},
+        "also": [0],
+    },
+    "roughness_nm": {"from": 100, "to": 300, "count": 3, "scale": "linear", "also": []},
+    "particle_density_per_m2": {
+        **{"from": 1e10, "to": 1e12, "count": 3, "scale": "logarithmic"},
+        "also": [],
+    },
+}
+VARIED = ("apparent_area", "summit_radius", "spread_ratio", "elastic_depth_ratio")
+
+
+@pytest.fixture(scope="module")
+def members(defaults):
+    """The first of the ensemble, which is the default, and two others."""
+    return calibrated_ensemble(defaults)[:3]
+
+
+@pytest.fixture(scope="module")
+def written(defaults, members, tmp_path_factory):
+    """Two chunks and their catalogue."""
+    folder = tmp_path_factory.mktemp("atlas")
+    (folder / "chunks").mkdir()
+    grid, files = AtlasGrid.of(AXES), []
+    changes = [
+        {name: value for name, value in each.as_dict().items() if value != defaults.as_dict()[name]}
+        for each in members
+    ]
+    for number in (2, 1):
+        files.append(folder / "chunks" / f"{number}-of-2.nc")
+        kept = ["particle_contact_area_ratio", "solid_load_fraction"]
+        clock = write_chunk(files[-1], grid.chunk(number, 2), defaults, changes, kept, RTOL)
+        assert clock.sets == len(members)  # the default is solved once, and counts as a member
+    write_catalogue(folder / "catalogue.json", files)
+    return folder / "catalogue.json"
+
+
+@pytest.fixture
+def atlas(written):
+    with open_atlas(written) as dataset:
+        yield dataset
+
+
+def solved(parameters, newtons, atlas):
+    axes = {name: atlas[name].values for name in DIMENSIONS[1:]}
+    return tb.grid(load=newtons / parameters.newtons_per_load, **axes, parameters=parameters)
+
+
+def test_it_is_the_grid_of_the_default(atlas, defaults):
+    expected = solved(defaults, atlas["normal_load"].values, atlas)
+    assert dict(expected.sizes).items() <= dict(atlas.sizes).items()
+    for name in ("particle_contact_area_ratio", "solid_load_fraction"):
+        np.testing.assert_allclose(atlas[name], expected[name], rtol=2 * RTOL, err_msg=name)
+        assert atlas[name].attrs["symbol"] == expected[name].attrs["symbol"]
+    differs = (atlas["contact_mode"] != expected["contact_mode"]).values
+    assert differs.mean() < 1e-3  # those next to a limit
+    assert atlas.attrs["model_parameters"] == expected.attrs["model_parameters"]
+
+
+def test_probabilities_are_shares_of_the_members_at_the_same_normal_load(atlas, members):
+    newtons = atlas["normal_load"].values
+    grids = [solved(each, newtons, atlas) for each in members]
+    for flag, states in (
+        ("lubrication_regime", LUBRICATION_REGIMES),
+        ("contact_mode", CONTACT_MODES),
+    ):
+        total = sum(atlas[f"{state}_probability"] for state in states)
+        np.testing.assert_allclose(total, 1.0)
+        for index, state in enumerate(states):
+            share = np.mean([each[flag].values == index for each in grids], axis=0)
+            found = atlas[f"{state}_probability"].values
+            assert (np.abs(found - share) > 1e-9).mean() < 2e-3, state
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 5e-6])
+def test_turning_points_are_those_of_the_library(atlas, members, viscosity):
+    at = dict(viscosity=viscosity, roughness=2e-7, particle_density=1e11)
+    sizes = atlas["particle_diameter"].values[1:]
+    each = [tb.turning_point(parameters=one, particle_diameter=sizes, **at) for one in members]
+    loads = np.array([np.where(one.exists, one.load, np.nan) for one in each])
+    found = atlas.sel(at, method="nearest").isel(particle_diameter=slice(1, None))
+    np.testing.assert_allclose(found["turning_point_load"], loads[0], rtol=2 * RTOL)
+    share = np.isfinite(loads).mean(axis=0)
+    assert 0.0 < share.mean() < 1.0
+    np.testing.assert_allclose(found["turning_point_probability"], share)
+    expected = quantiles(loads)
+    np.testing.assert_allclose(found["turning_point_load_range"], expected, rtol=2 * RTOL)
+
+
+def test_windows_are_those_of_the_library_between_the_sizes(atlas, defaults):
+    at = dict(viscosity=0.0, roughness=3e-7, particle_density=1e11)
+    found = atlas.sel(at, method="nearest")
+    window = tb.turning_window(parameters=defaults, roughness=3e-7, particle_density_per_m2=1e11)
+    assert float(found["turning_point_window_low"]) == pytest.approx(window.low, rel=0.03)
+    assert float(found["turning_point_window_high"]) == pytest.approx(window.high, rel=0.03)
+
+
+LIMITS = {
+    "largest_particle_diameter": (
+        *("particle_contact_area_ratio", 0.95, "particle_diameter"),
+        *(50e-9, 1000e-9),
+    ),
+    "least_viscosity": ("solid_load_fraction", 0.9, "viscosity", 5e-6, 150e-6),
+}
+
+
+@pytest.mark.parametrize("name", LIMITS)
+def test_limits_are_the_first_crossings(atlas, defaults, name):
+    variable, level, along, *between = LIMITS[name]
+    found = atlas[name].sel(roughness=2e-7).load()
+    others = [each for each in found.dims if each != "load"]
+    points = found.stack(point=found.dims).isel(point=slice(None, None, 7))
+    given = {each: points[each].values for each in others}
+    first = tb.find(
+        variable,
+        level,
+        along,
+        between=tuple(between),
+        load_N=points["load"].values * defaults.newtons_per_load,
+        roughness=2e-7,
+        parameters=defaults,
+        **given,
+    ).first
+    known = np.isfinite(points.values) & (points.values > 0.0) & np.isfinite(first)
+    assert known.sum() > 20
+    np.testing.assert_allclose(points.values[known], first[known], rtol=0.05)
+    # beyond the axis nothing is crossed: at its first value it is passed already, or it never is
+    assert np.isnan(first[np.isinf(points.values) | (points.values == 0.0)]).mean() > 0.95
+
+
+def test_charts_read_the_atlas(atlas):
+    charts = {
+        "load_N": [0.04, 80],
+        "roughness_nm": [100, 300],
+        "largest_particle": [{"viscosity_cSt": 0, "particle_density_per_m2": 1e11}],
+    }
+    (panel,) = chart_panels(atlas, "largest_particle", charts)
+    assert panel["limit"].dims == ("load", "roughness")
+    rows = list(chart_rows([panel], charts["load_N"]))
+    assert len(rows) == 4
+    at = atlas.isel(load=-1, viscosity=0, particle_density=1).sel(roughness=3e-7)
+    assert rows[-1]["limit"] == float(at["largest_particle_diameter"])
+    assert rows[-1]["high"] == float(at["largest_particle_diameter_range"][-1])
+    assert rows[-1]["roughness_m"] == 3e-7 and rows[-1]["load_N"] == 80
+
+
+PICKED = (
+    {"roughness": 2},
+    {"roughness": [2, 0, 1, 0], "load": 3},
+    {"roughness": slice(None, None, -1), "viscosity": [1, 0]},
+    {"roughness": slice(1, 3), "particle_density": -1},
+    {"roughness": []},
+)
+
+
+@pytest.mark.parametrize("picked", PICKED, ids=str)
+def test_what_is_picked_is_what_all_of_it_holds(atlas, picked):
+    whole = atlas.compute()
+    for name in ("solid_load_fraction", "least_viscosity_range", "contact_mode"):
+        dims = atlas[name].dims
+        some = {key: value for key, value in picked.items() if key in dims}
+        xr.testing.assert_identical(atlas[name].isel(some).load(), whole[name].isel(some))
+
+
+def test_nothing_is_read_before_it_is_used(written, monkeypatch):
+    read = []
+    monkeypatch.setattr(
+        "thirdbody.atlas.catalogue._Joined._read", lambda self, key: read.append(key)
+    )
+    with open_atlas(written) as atlas:
+        assert atlas["solid_load_fraction"].isel(load=0).sel(roughness=3e-7).size
+        assert read == []
+
+
+def test_a_damaged_chunk_is_named(written, tmp_path):
+    (tmp_path / "chunks").mkdir()
+    for file in (written.parent / "chunks").iterdir():
+        (tmp_path / "chunks" / file.name).write_bytes(file.read_bytes()[:1000])
+    (tmp_path / "catalogue.json").write_bytes(written.read_bytes())
+    with pytest.raises(OSError, match=r"1-of-2\.nc cannot be read .*; remake it: "):
+        open_atlas(tmp_path / "catalogue.json")
+
+
+@pytest.mark.parametrize("text", ["", "[]", '{"chunks": 3}', '{"other": []}'])
+def test_a_damaged_catalogue_is_named(tmp_path, text):
+    (tmp_path / "catalogue.json").write_text(text)
+    with pytest.raises(OSError, match=r"catalogue\.json cannot be read"):
+        open_atlas(tmp_path / "catalogue.json")
+
+
+def test_blocks_of_any_size_give_the_same(defaults, members, tmp_path, monkeypatch):
+    grid = AtlasGrid.of({name: axis | {"count": 2} for name, axis in AXES.items()})
+    for name, points in (("one", 2**30), ("many", 1)):
+        monkeypatch.setattr(chunk, "POINTS_TOGETHER", points)
+        write_chunk(tmp_path / name, grid, defaults, [{}], ["separation"], RTOL)
+    with xr.open_dataset(tmp_path / "one") as one, xr.open_dataset(tmp_path / "many") as many:
+        for name in (*FINDINGS, "separation"):
+            np.testing.assert_allclose(one[name], many[name], rtol=1e-4, err_msg=name)
+
+
+def test_the_way_depends_on_the_number_of_points_alone(monkeypatch):
+    monkeypatch.setattr("thirdbody.solver.availability.is_installed", lambda: True)
+    assert [way_of(10**5), way_of(10**7)] == [REPEATABLE, COMPILED]
+    monkeypatch.setattr("thirdbody.solver.availability.is_installed", lambda: False)
+    assert way_of(10**7) == REPEATABLE
+
+
+def test_quantiles_are_those_of_numpy():
+    values = np.random.default_rng(1).random((16, 5, 4))
+    np.testing.assert_allclose(quantiles(values), np.quantile(values, QUANTILES, axis=0))
+    values[::3, 0] = np.nan
+    expected = np.nanquantile(values, QUANTILES, axis=0)
+    np.testing.assert_allclose(quantiles(values), expected)
+    assert np.isnan(quantiles(np.full((4, 2), np.nan))).all()
+    assert (quantiles(np.array([1.0, np.inf, np.inf])) == [np.inf, np.inf, np.inf]).all()

@@ -1,0 +1,113 @@
+"""`snakemake atlas` on few points: its products, and a run that is killed and goes on."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+import xarray as xr
+import yaml
+from workspace import MINIMAL, ROOT
+
+import thirdbody as tb
+from thirdbody.atlas.lookup import Lookup
+from thirdbody.data.tables import TABLES, read_csv
+
+SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
+CHARTS = "largest_particle", "least_viscosity"
+CHUNKS = [f"{number}-of-{SETTINGS['chunks']}" for number in range(1, SETTINGS["chunks"] + 1)]
+PRODUCTS = {
+    "atlas/catalogue.json",
+    "atlas/cost.csv",
+    "atlas/lookup.nc",
+    *(f"atlas/chunks/{chunk}.nc" for chunk in CHUNKS),
+    *(f"atlas/cost/{chunk}.csv" for chunk in CHUNKS),
+    *(f"extracted/{chart}/all.csv" for chart in CHARTS),
+    *(f"figures/{chart}.{kind}" for chart in CHARTS for kind in ("svg", "pdf", "png", "csv", "md")),
+    *(
+        f"tables/{chart}.{kind}"
+        for chart in CHARTS
+        for kind in ("csv", "json", "md", "html", "tex")
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def charted(sources, tmp_path_factory):
+    """The repository after a run of the atlas that was killed when the first chunk was there, and went
+    on; and when the products were written that the kill left."""
+    workspace = sources.copied_to(tmp_path_factory.mktemp("charted") / "thirdbody")
+    first = subprocess.Popen(
+        [Path(sys.executable).with_name("snakemake"), "-c1", "atlas", *MINIMAL],
+        cwd=workspace.root,
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, workspace.packages))},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    chunks = workspace.root / "results" / "atlas" / "chunks"
+    while not list(chunks.glob("[0-9]*.nc")):
+        assert first.poll() is None, "it ended before"
+        time.sleep(0.05)
+    os.killpg(first.pid, signal.SIGKILL)
+    first.wait()
+    kept = workspace.stamps()
+    run = workspace.snakemake("atlas")
+    assert run.returncode == 0, run.stdout + run.stderr
+    return workspace, kept
+
+
+def test_what_was_solved_before_the_kill_is_not_solved_again(charted):
+    workspace, kept = charted
+    chunks = {file: stamp for file, stamp in kept.items() if file in PRODUCTS and "chunks" in file}
+    assert chunks and "atlas/catalogue.json" not in kept
+    assert chunks.items() <= workspace.stamps().items()
+
+
+def test_it_makes_its_products_and_no_others(charted):
+    assert set(charted[0].stamps()) == PRODUCTS
+
+
+def test_the_default_run_makes_none_of_them(sources):
+    listed = (sources.root / "workflow/Snakefile").read_text(encoding="utf-8")
+    assert not [name for name in PRODUCTS if f"results/{name}" in listed]
+
+
+def test_the_chunks_are_one_dataset(charted):
+    results = charted[0].root / "results"
+    with tb.open_atlas(results / "atlas" / "catalogue.json") as atlas:
+        counts = [SETTINGS["axes"][key]["count"] for key in ("load_N", "roughness_nm")]
+        assert [atlas.sizes["load"], atlas.sizes["roughness"]] == [counts[0] + 1, counts[1]]
+        last = atlas["solid_load_fraction"].isel(roughness=-1).load()
+    with xr.open_dataset(results / "atlas" / "chunks" / f"{CHUNKS[-1]}.nc") as chunk:
+        xr.testing.assert_equal(last, chunk["solid_load_fraction"].isel(roughness=-1))
+
+
+def test_every_point_of_every_member_is_counted(charted):
+    rows = read_csv(charted[0].root / "results" / "atlas" / "cost.csv", TABLES["atlas_cost"])
+    assert [row["chunk"] for row in rows] == CHUNKS
+    assert sum(row["conditions"] for row in rows) == 9 * 4 * 6 * 3 * 2
+    assert all(row["points"] == 16 * row["conditions"] for row in rows)
+    assert all(row["resident_memory_MB"] < 1000 for row in rows)
+
+
+@pytest.mark.parametrize("chart", CHARTS)
+def test_a_chart_is_drawn_and_has_a_table(charted, chart):
+    results = charted[0].root / "results"
+    drawn = (results / "figures" / f"{chart}.csv").read_text(encoding="utf-8")
+    rows = read_csv(results / "tables" / f"{chart}.csv", TABLES[chart])
+    panels = len(SETTINGS["charts"][chart])
+    assert len(rows) == panels * len(SETTINGS["charts"]["roughness_nm"])
+    finite = [row for row in rows if 0.0 < row["limit"] < float("inf")]
+    assert all(f"{row['limit']:.10g}" in drawn for row in finite)
+    assert all(row["low"] <= row["median"] <= row["high"] for row in rows)
+    assert "1 N" in (results / "tables" / f"{chart}.md").read_text(encoding="utf-8")
+
+
+def test_the_table_for_real_time_can_be_asked(charted):
+    lookup = Lookup.read(charted[0].root / "results" / "atlas" / "lookup.nc")
+    solid, ratio = lookup(10, 0, 300, 300, 1e11)
+    assert solid == pytest.approx(1.0) and 0.0 <= ratio <= 1.0
