@@ -217,7 +217,7 @@ def first_passed(
 
 
 LEAP_RTOL = 10.0  # what a leap is solved with, which leaves its place as close as rtol
-EVEN = 4.0  # step of the logarithm of odds up to which it is interpolated
+EVEN = 2.0  # step of the logarithm of odds up to which it is interpolated
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
