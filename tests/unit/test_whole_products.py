@@ -19,7 +19,7 @@ WRITERS = {
 }
 LIBRARY_WRITERS = {  # write where they are told to; write_text is one more
     *("write_csv", "write_schema", "write_dataset", "write_drawn_data"),
-    *("write_netcdf", "write_sections"),
+    *("write_netcdf", "write_sections", "write_chunk", "write_catalogue"),
     *("stage", "seal", "pack", "_copy", "_write_json", "_write_manifest"),
 }
 OPENERS = {"open", "Dataset", "File", "ZipFile", "TarFile"}

@@ -1,0 +1,303 @@
+"""Making of the table for real time: as few numbers as keep an error."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from thirdbody.atlas.lookup import GRIDS, Lookup
+from thirdbody.atlas.surfaces import way_of
+from thirdbody.configuration.axes import axis_values
+from thirdbody.data.conditions import AXES, CONDITION_AXES
+from thirdbody.model.film import Film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ParticleLayer
+from thirdbody.solver.points import make_contact
+from thirdbody.solver.solution import Solution
+from thirdbody.solver.solve import solve
+
+TABLES = {
+    "summits": "ln F_ss*, ln(A_ss/A_n)",
+    "particles": "A_sa/A_n, coverage of Eq. 4, coverage of Eq. 5, each over eta_a x_a^2",
+    "crossing": "ln W, ln H_c where both terms of Eq. 7 are equal",
+    "film": "ln W over that of the crossing",
+}
+UNITS = {
+    "gap_squared": "(d/sigma)^2",
+    "log_roughness": "ln(sigma/m)",
+    "separation_over_diameter": "d/x_a",
+    "log_viscosity": "ln(nu/(m2 s-1))",
+    "log_film_roughness": "ln(sigma/m)",
+    "log_relative_thickness": "ln H_c over that of the crossing",
+}
+# readings in which particles scale with their diameter, and the loads of solids and film add
+ALLOWED = {
+    "size_distribution": ("uncentred", "centred"),
+    "particle_plane": ("surface",),
+    "film_load": ("fluid",),
+}
+
+
+SI = [[axis.scale] for axis in CONDITION_AXES]
+THINNED = (0.5, 0.7, 0.85, 0.95)  # factors of a number of nodes, one after the other
+SOLVED_RTOL = 1e-5  # of the conditions by which a table is judged
+MARGIN = 1.1  # of the separations that the table spans, around those that were seen
+NEGLIGIBLE = 1e-6  # share of the least load: what summits bear less than that counts for nothing
+FEW = 1e-6  # coverage of particles that leave all of the interface bare
+
+
+class Counts(NamedTuple):
+    """Numbers of nodes of the table.
+
+    Attributes
+    ----------
+    gap, surface : int
+        (d/sigma)^2 and ln sigma, of the summits.
+    share : int
+        d/x_a, of the particles.
+    film : int
+        ln H_c, of the film.
+    """
+
+    gap: int
+    surface: int
+    share: int
+    film: int
+
+    @property
+    def numbers(self) -> int:
+        """How many numbers the table holds."""
+        return 2 * self.gap * self.surface + 3 * self.share + self.film + 8
+
+
+LEAST = Counts(4, 2, 4, 4)
+
+
+class Ranges(NamedTuple):
+    """Between which values the table holds, pairs in SI; viscosity and diameter may be 0 besides.
+
+    Attributes
+    ----------
+    newtons, viscosity, particle_diameter, roughness, particle_density : tuple of float
+        The conditions, the first a normal load F_t [N].
+    separation : tuple of float
+        d [m] that occur there.
+    gap : tuple of float
+        d/sigma [1] at which summits bear anything.
+    """
+
+    newtons: tuple[float, float]
+    viscosity: tuple[float, float]
+    particle_diameter: tuple[float, float]
+    roughness: tuple[float, float]
+    particle_density: tuple[float, float]
+    separation: tuple[float, float]
+    gap: tuple[float, float]
+
+
+def search_lookup(parameters: Parameters, axes: Mapping[str, Mapping], settings: Mapping) -> Lookup:
+    """Find the smallest table that keeps an error: one that keeps it is thinned, axis by axis.
+
+    Parameters
+    ----------
+    parameters : Parameters
+        Inputs of the model.
+    axes : mapping
+        ``axes`` of ``config/atlas.yaml``, of which the table spans the positive values.
+    settings : mapping
+        ``lookup`` of ``config/atlas.yaml``.
+
+    Returns
+    -------
+    Lookup
+        With the errors at other random conditions than those of the search as attributes.
+
+    Raises
+    ------
+    ValueError
+        As ``lookup_of``.
+    """
+    chance = np.random.default_rng(settings["seed"])
+    searched, checked = (
+        _solved(parameters, axes, settings[f"{name}_points"], chance)
+        for name in ("search", "check")
+    )
+    ranges = _ranges(parameters, axes, searched[1].separation)
+
+    def keeps(counts):
+        errors = _errors(lookup_of(parameters, ranges, counts), *searched)
+        return np.quantile(errors, settings["share"]) <= settings["error"]
+
+    counts = LEAST
+    while not keeps(counts):
+        finer = Counts(*(2 * count for count in counts))
+        if finer.numbers > settings["most_numbers"]:
+            break
+        counts = finer
+    for factor in THINNED:
+        counts = _thinned(counts, factor, keeps)
+    found = lookup_of(parameters, ranges, counts)
+    at_check = _errors(found, *checked)
+    found.tables.attrs |= {
+        "error_asked_for": settings["error"],
+        "error_kept_in_share": float((at_check <= settings["error"]).mean()),
+        "error_quantile_0.99": float(np.quantile(at_check, 0.99)),
+        "error_quantile_0.999": float(np.quantile(at_check, 0.999)),
+        "largest_error": float(at_check.max()),
+        "checked_conditions": len(at_check),
+        "numbers": counts.numbers,
+    }
+    return found
+
+
+def _solved(parameters, axes, count, chance) -> tuple[NDArray, Solution]:
+    """Random conditions, shape (5, count), evenly spread as the axes are, and their solution."""
+    columns = []
+    for axis in axes.values():
+        first, last, share = float(axis["from"]), float(axis["to"]), chance.random(count)
+        if axis["scale"] == "logarithmic":
+            columns.append(first * (last / first) ** share)
+        else:
+            columns.append(first + share * (last - first))
+    conditions = np.array(columns)
+    load, *others = conditions * np.array([[1.0 / parameters.newtons_per_load], *SI])
+    solution = solve(
+        **dict(zip(AXES, (load, *others), strict=True)),
+        parameters=parameters,
+        rtol=SOLVED_RTOL,
+        variables=("solid_load_fraction", "particle_contact_area_ratio", "separation"),
+        way=way_of(count),
+        progress=False,
+    )
+    return conditions, solution
+
+
+def _ranges(parameters, axes, seen) -> Ranges:
+    """What the table spans, around separations [m] that were ``seen``."""
+    ends = [[value for value in axis_values(axis) if value > 0.0] for axis in axes.values()]
+    spans = [(values[0], values[-1]) for values in ends]
+    si = [1.0, *(float(scale) for (scale,) in SI)]
+    newtons, viscosity, diameter, roughness, density = (
+        (low * scale, high * scale) for (low, high), scale in zip(spans, si, strict=True)
+    )
+    separation = np.nanmin(seen) / MARGIN, np.nanmax(seen) * MARGIN
+    gaps = np.linspace(separation[0] / roughness[1], separation[1] / roughness[0], 200)
+    loads = _summits(parameters, gaps**2, np.log(np.array(roughness)))[..., 0].max(axis=1)
+    bears = loads > np.log(NEGLIGIBLE * newtons[0] / parameters.newtons_per_load)
+    last = gaps[bears][-1] if bears.any() else gaps[-1]
+    gap = separation[0] / roughness[1], last
+    return Ranges(newtons, viscosity, diameter, roughness, density, separation, gap)
+
+
+def _errors(lookup, conditions, solution) -> NDArray:
+    """The larger error of both shares [1] at each of the ``conditions`` that have a solution."""
+    solid, ratio = lookup(*conditions)
+    errors = np.maximum(
+        np.abs(solid - solution.solid_load_fraction),
+        np.abs(ratio - solution.particle_contact_area_ratio),
+    )
+    return errors[np.isfinite(solution.separation)]
+
+
+def _thinned(counts: Counts, factor: float, keeps: Callable[[Counts], bool]) -> Counts:
+    """The fewest numbers that are reached by making one axis after the other coarser by a factor,
+    each time that which saves most, as long as the table ``keeps`` the error."""
+    while True:
+        coarser = [
+            counts._replace(**{name: max(int(factor * count), least)})
+            for (name, count), least in zip(counts._asdict().items(), LEAST, strict=True)
+        ]
+        fewer = [each for each in coarser if each.numbers < counts.numbers and keeps(each)]
+        if not fewer:
+            return counts
+        counts = min(fewer, key=lambda each: each.numbers)
+
+
+def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
+    """The table of some inputs of the model, with given numbers of nodes.
+
+    Raises
+    ------
+    ValueError
+        For readings in which particles do not scale with their diameter, or loads do not add.
+    """
+    for name, allowed in ALLOWED.items():
+        given = getattr(parameters, name)
+        if given not in allowed:
+            told = f"allowed for a lookup table: {', '.join(allowed)}"
+            raise ValueError(f"{name} is {given}; {told}")
+    surfaces = np.linspace(*np.log(ranges.roughness), counts.surface)
+    squares = np.linspace(*np.square(ranges.gap), counts.gap)
+    shares, particles = _particles(parameters, ranges, counts.share)
+    films = np.log(ranges.viscosity), np.log(ranges.roughness)
+    crossing, thicknesses, film = _film(parameters, ranges, *films, counts.film)
+    columns = {
+        name: axes if name == "film" else (*axes, f"of_{name}") for name, axes in GRIDS.items()
+    }
+    values = _summits(parameters, squares, surfaces), particles, crossing, film
+    nodes = squares, surfaces, shares, *films, thicknesses
+    names = [name for axes in GRIDS.values() for name in axes]
+    tables = xr.Dataset(
+        {
+            name: (axes, table, {"long_name": TABLES[name], "units": "1"})
+            for (name, axes), table in zip(columns.items(), values, strict=True)
+        },
+        {
+            name: (name, places, {"long_name": UNITS[name]})
+            for name, places in zip(names, nodes, strict=True)
+        },
+        {
+            **{f"range_{name}": np.array(ends) for name, ends in ranges._asdict().items()},
+            "title": "Table for L_s and A_sa,t* in real time",
+            "newtons_per_load": parameters.newtons_per_load,
+            "ball_radius": parameters.ball_radius,
+            "load_per_parameter": parameters.ball_radius**2 / parameters.apparent_area,
+            "particle_pressure": parameters.hardness_surface_1
+            / parameters.elastic_modulus_surfaces,
+        },
+    )
+    return Lookup(tables)
+
+
+def _summits(parameters, squares, log_roughness) -> NDArray:
+    """ln F_ss* and ln A_ss/A_n [1] over (d/sigma)^2 [1] and ln sigma."""
+    roughness = np.exp(log_roughness)
+    contact = make_contact(
+        np.zeros_like(roughness), roughness, np.zeros_like(roughness), parameters, None
+    )
+    t = contact.summit_separation(np.sqrt(squares)[:, np.newaxis] * roughness)
+    return np.stack([contact.summits.log_load(t)[0], contact.summits.log_area(t)[0]], axis=-1)
+
+
+def _particles(parameters, ranges, count) -> tuple[NDArray, NDArray]:
+    """Nodes of d/x_a [1] up to where no particle touches, and there the area of particles and their
+    coverages in Eqs. 4 and 5, all over A_n eta_a x_a^2."""
+    diameter, roughness = np.sqrt(np.prod(ranges.particle_diameter)), ranges.roughness[0]
+    few = FEW / diameter**2
+    layer = ParticleLayer.of(np.array([diameter]), roughness, np.array([few]), parameters)
+    nodes = np.linspace(
+        ranges.separation[0] / ranges.particle_diameter[1], layer.reach[0] / diameter, count
+    )
+    area, _, coverage, slope = layer.contact(nodes * diameter)
+    bare = -np.expm1(layer.log_bare_load(coverage, slope)[0])
+    values = np.stack(np.broadcast_arrays(area, bare, coverage), axis=-1)
+    return nodes, values / (few * diameter**2)
+
+
+def _film(parameters, ranges, log_viscosity, log_roughness, count):
+    """Where the terms of Eq. 7 are equal, ln W and ln H_c [1] over ln nu and ln sigma; nodes of ln H_c
+    seen from there, and ln W over that there at each."""
+    viscosity, roughness = np.broadcast_arrays(
+        *np.ix_(np.exp(log_viscosity), np.exp(log_roughness))
+    )
+    film = Film.of(viscosity, roughness, parameters)
+    crossing = np.stack(film.crossing(), axis=-1)
+    ends = np.log(np.array(ranges.separation) / parameters.ball_radius)
+    nodes = np.linspace(ends[0] - crossing[..., 1].max(), ends[1] - crossing[..., 1].min(), count)
+    of_one = film.take((0, 0))
+    log_parameter = of_one.load_parameter(np.exp(nodes + crossing[0, 0, 1]))
+    return crossing, nodes, log_parameter - crossing[0, 0, 0]
