@@ -145,10 +145,10 @@ def test_a_wrong_number_is_refused_and_named(explorer, wrong):
 def test_another_reading_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
-    explorer.choose("#input-film_load", "total")
+    explorer.choose("#input-film_load", "fluid")
     assert explorer.curve("ν = 90 cSt") != before
-    explorer.choose("#reading", "uncentred_summit_wide_full")
-    assert explorer.one("#input-particle_plane").get_attribute("value") == "summit"
+    explorer.choose("#reading", "uncentred_surface_wide_full")
+    assert explorer.one("#input-particle_plane").get_attribute("value") == "surface"
     explorer.one("#reset").click()
     explorer.settle()
     assert explorer.one("#figure").get_attribute("value") == "fig11"

@@ -264,14 +264,16 @@ function filmOf(inputs, viscosity, roughness) {
 
 // Which load stands in W of Eq. 8: that of the fluid, or the total load as it is printed;
 // `total` is F_t* at a separation where solids bear one load and the film in W another (Eq. 1),
-// `shares` are L_s and L_f (Eq. 9), `inW` is the load in W.
+// `shares` are L_s and L_f (Eq. 9), `inW` is the load in W, which `dependsOnShares` or is known before d.
 const FILM_LOADS = {
   fluid: {
+    dependsOnShares: true,
     total: (solid, film) => solid + film,
     shares: (solid, film) => [solid / (solid + film), film / (solid + film)],
     inW: (load, fluidShare) => load * fluidShare,
   },
   total: {
+    dependsOnShares: false,
     total: (solid, film) => Math.max(solid, film),
     // a thinner film than that of the load holds nothing
     shares: (solid, film, load) =>
@@ -384,11 +386,12 @@ export function modelOf(inputs) {
       return count > 1 ? "several_separations" : "converged";
     }
 
-    // Whether rounding of d, and of the film's load behind it, moves the particles' area by more than is
-    // promised: their area vanishes at their reach.
+    // Whether rounding of d, and of the film's load behind it if that is sought with d, moves the particles'
+    // area by more than is promised: their area vanishes at their reach.
     function uncertain(d) {
       if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
-      const rounded = 8 + (film ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0);
+      const sought = film && filmLoad.dependsOnShares;
+      const rounded = 8 + (sought ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0);
       return BOUNDED * EPSILON * rounded * reach > RTOL * (reach - d);
     }
 
