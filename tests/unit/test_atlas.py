@@ -31,7 +31,6 @@ AXES = {
         "also": [],
     },
 }
-VARIED = ("apparent_area", "summit_radius", "spread_ratio", "elastic_depth_ratio")
 
 
 @pytest.fixture(scope="module")
@@ -220,6 +219,14 @@ def test_blocks_of_any_size_give_the_same(defaults, members, tmp_path, monkeypat
     with xr.open_dataset(tmp_path / "one") as one, xr.open_dataset(tmp_path / "many") as many:
         for name in (*FINDINGS, "separation"):
             np.testing.assert_allclose(one[name], many[name], rtol=1e-4, err_msg=name)
+
+
+def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):
+    grid = AtlasGrid.of({name: axis | {"count": 2} for name, axis in AXES.items()})
+    changes = [{"apparent_area": members[1].apparent_area}]
+    for name in ("one", "other"):
+        write_chunk(tmp_path / name, grid, defaults, changes, ["separation"], RTOL)
+    assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()
 
 
 def test_the_way_depends_on_the_number_of_points_alone(monkeypatch):

@@ -16,6 +16,7 @@ CONFIG = "config/config.yaml"
 SCENES = "config/scenes.yaml"
 INPUTS = "config/inputs.yaml"
 ACCURACY = "config/accuracy.yaml"
+ATLAS = "config/atlas.yaml"
 CALIBRATION = "config/calibration.yaml"
 SENSITIVITY = "config/sensitivity.yaml"
 SECOND = "config/second.yaml"
@@ -299,6 +300,15 @@ CASES = [
     put("accuracy of a bad rtol", ACCURACY, "rtol", [1], ACCURACY, "rtol[0]", "1", "at most 0.01"),
     put("no accuracy file", CONFIG, "accuracy", "config/none.yaml", "config/none.yaml", "allowed"),
     without("missing accuracy", ACCURACY),
+    put("atlas of idle jobs", ATLAS, "chunks", 26, ATLAS, "chunks", "26", "at most 25"),
+    put(
+        "axis that falls", ATLAS, "axes/load_N/from", 90, ATLAS, "axes.load_N.from", "less than 80"
+    ),
+    put("chart off the axes", ATLAS, "charts/load_N/0", 0.2, ATLAS, "charts.load_N[0]", "0.2"),
+    put(
+        "atlas of a flag", ATLAS, "variables/0", "contact_mode", ATLAS, "variables[0]", "separation"
+    ),
+    without("missing atlas", ATLAS),
     # YAML
     second("number without a point", b"rtol: 1e-9\n", "rtol", "'1e-9'", "a number"),
     text("key twice", CONFIG, b"\nrtol: 1.0e-8\n", CONFIG, "'rtol' stands twice"),
