@@ -68,6 +68,36 @@ def look_before_planning(workflow, bytecode: Bytecode, places: Places) -> None:
     workflow._build_dag = look_and_plan
 
 
+def record_in_job(workflow) -> None:
+    """Have a job in the queue of a cluster record what it made from what, for later runs.
+
+    Else only the run that submitted it does so, which may be dead by then.
+
+    Parameters
+    ----------
+    workflow
+        The ``snakemake.workflow.Workflow`` of the job, while its Snakefile is read.
+
+    Notes
+    -----
+    Snakemake lets jobs record for themselves where nobody waits for them (``--immediate-submit``).
+    """
+    plan = workflow._build_dag
+
+    def plan_and_record() -> None:
+        plan()
+        finished, settings = workflow.persistence.finished, workflow.remote_execution_settings
+
+        async def record(job) -> None:
+            settings.immediate_submit = True
+            await finished(job)
+            settings.immediate_submit = False
+
+        workflow.persistence.finished = record
+
+    workflow._build_dag = plan_and_record
+
+
 def _take(places: Places) -> Hold:
     """The hold of a run on its places, which no job of a run before it writes to any more."""
     try:
