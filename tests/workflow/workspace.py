@@ -16,6 +16,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
+SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
 MACHINE_CODE = Path("src/thirdbody/solver/compiled/__pycache__")  # where numba keeps it
 NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
@@ -79,8 +80,7 @@ class Workspace:
 
     def snakemake(self, *arguments, config=MINIMAL) -> subprocess.CompletedProcess:
         """Run the Snakemake of this interpreter on two cores."""
-        snakemake = Path(sys.executable).with_name("snakemake")
-        return self.execute(str(snakemake), "-c2", *arguments, *config)
+        return self.execute(*SNAKEMAKE, *arguments, *config)
 
     def products(self, *patterns: str) -> set[str]:
         """Files under ``results/`` that match; each pattern must match one at least."""
@@ -130,6 +130,28 @@ class Workspace:
             parts = re.split(r"(?m)^rule (\w+):\n", file.read_text(encoding="utf-8"))
             found |= dict(zip(parts[1::2], parts[2::2], strict=True))
         return found
+
+
+def start(workspace: Workspace, *arguments, config=MINIMAL, prepare=None) -> subprocess.Popen:
+    """A run under way in a session of its own; ``prepare`` is called in its first process."""
+    return subprocess.Popen(
+        [*SNAKEMAKE, *arguments, *config],
+        cwd=workspace.root,
+        env=os.environ | {"PYTHONPATH": str(workspace.root / "src")},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        start_new_session=True,
+        preexec_fn=prepare,
+    )
+
+
+def ended(run: subprocess.Popen) -> tuple[int, str]:
+    """Exit code of a run and all it said."""
+    said, _ = run.communicate(timeout=900)
+    assert "Traceback" not in said, said
+    return run.returncode, said
 
 
 def is_product(path: Path) -> bool:

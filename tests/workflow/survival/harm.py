@@ -15,13 +15,12 @@ import sys
 import time
 from pathlib import Path
 
-from workspace import MINIMAL, Workspace, is_product
+from workspace import Workspace, ended, is_product, start
 
 from thirdbody.run.custody import SUFFIX
 from thirdbody.run.places import CUSTODY
 
 LONG = os.environ.get("SURVIVAL") == "long"  # `make test-survival`
-SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MEASURED = ("seconds", "microseconds_per_point")  # columns of solver_cost, never the same twice
 VERIFY = """
 import json, sys
@@ -31,28 +30,6 @@ from verify import verify
 print(json.dumps(verify(Path(sys.argv[1]), 0, 0, Path("results"))[0]))
 """
 PR_CAPBSET_DROP, CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH = 24, 1, 2
-
-
-def start(workspace: Workspace, *arguments, config=MINIMAL, prepare=None) -> subprocess.Popen:
-    """A run under way in a session of its own; ``prepare`` is called in its first process."""
-    return subprocess.Popen(
-        [*SNAKEMAKE, *arguments, *config],
-        cwd=workspace.root,
-        env=os.environ | {"PYTHONPATH": str(workspace.root / "src")},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        start_new_session=True,
-        preexec_fn=prepare,
-    )
-
-
-def ended(run: subprocess.Popen) -> tuple[int, str]:
-    """Exit code of a run and all it said."""
-    said, _ = run.communicate(timeout=900)
-    assert "Traceback" not in said, said
-    return run.returncode, said
 
 
 def complete(workspace: Workspace, *arguments, **options) -> str:
