@@ -7,6 +7,8 @@
 # make accuracy    errors and times of the solver, measured on this machine (11 minutes)
 # make overhead    the time of a clean run against that of the same jobs if they only import, in an
 #                  environment of its own: what only tests need would be loaded as well
+# make cluster     the time of a clean run on a cluster of one node, started for it, against one without
+#                  (needs root and Debian's slurm-wlm and munge)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
 # make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)
@@ -22,7 +24,7 @@ VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify sums accuracy overhead lock vendor lowest format clean
+.PHONY: reproduce test docs test-survival verify sums accuracy overhead cluster lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/thirdbody/explorer/vendor
@@ -65,6 +67,9 @@ accuracy: $(VENV)/test.done
 overhead:
 	$(MAKE) VENV=$(OVERHEAD) $(OVERHEAD)/workflow.done
 	$(OVERHEAD)/bin/python benchmarks/measure_overhead.py
+
+cluster: $(VENV)/test.done
+	$(BIN)/python -m benchmarks.measure_cluster
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml

@@ -24,6 +24,8 @@ rule measure_errors:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         rtol=ACCURACY["rtol"],
     message:
@@ -45,6 +47,8 @@ rule judge_extremes:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         rtol=ACCURACY["rtol"],
     message:

@@ -43,6 +43,7 @@ rule stage_release:
         "<logs>/stage_release.log",
     benchmark:
         "<logs>/stage_release.tsv"
+    localrule: True
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -69,6 +70,7 @@ rule pack_release:
         "<logs>/pack_release.log",
     benchmark:
         "<logs>/pack_release.tsv"
+    localrule: True
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
@@ -91,6 +93,7 @@ rule record_provenance:
         "<logs>/record_provenance.log",
     benchmark:
         "<logs>/record_provenance.tsv"
+    localrule: True
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

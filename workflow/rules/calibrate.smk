@@ -23,6 +23,8 @@ rule search_reading:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
@@ -51,6 +53,8 @@ rule sample_reading:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
@@ -99,6 +103,7 @@ rule calibrate:
         "<logs>/calibrate.log",
     benchmark:
         "<logs>/calibrate.tsv"
+    localrule: True
     conda:
         "../envs/thirdbody.yaml"
     threads: 1

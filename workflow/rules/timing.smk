@@ -17,6 +17,7 @@ rule time_classes:
     threads: 1
     resources:
         quiet=100,
+        runtime=30,
     params:
         budget=ACCURACY,
         parameters=settings["parameters"],
@@ -42,6 +43,7 @@ rule time_sweeps:
     threads: 1
     resources:
         quiet=100,
+        runtime=30,
     params:
         budget=ACCURACY,
         parameters=settings["parameters"],
@@ -65,6 +67,7 @@ rule time_starts:
     threads: 1
     resources:
         quiet=100,
+        runtime=30,
     params:
         settings=ACCURACY["starts"],
     message:
@@ -87,6 +90,7 @@ rule time_streaming:
     threads: 1
     resources:
         quiet=100,
+        runtime=30,
     params:
         settings=ACCURACY["streaming"],
         parameters=settings["parameters"],

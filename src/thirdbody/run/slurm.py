@@ -23,6 +23,8 @@ RUN = "THIRDBODY_RUN"  # variable with the name of the run, which is that of its
 SAID = Path(".snakemake/slurm")  # what jobs say, until they have succeeded
 PROPERTIES = "# properties = "  # begins the line of a jobscript that tells resources
 AWAY = "slurm controller", "timed out"  # in what is said by commands that the controller left alone
+LIMITS = {"mem_mb": "--mem", "runtime": "--time"}  # options of `sbatch`, by resource
+ALL_QUIET = 100  # of the resource `quiet`, for jobs that measure times: they get a node each
 GONE = "Invalid job id"
 PAUSE = 2.0  # seconds between questions to a controller that is waited for
 PATIENCE = 60.0  # seconds until cancelled jobs have ended
@@ -59,11 +61,14 @@ def submit(script: str) -> str:
     resources, run = properties["resources"], os.environ[RUN]
     comment = f"{properties.get('groupid') or properties['rule']} {properties['jobid']}"
     SAID.mkdir(parents=True, exist_ok=True)
-    options = (
-        *("--parsable", "--requeue", "--open-mode=append", f"--output={SAID}/%j.log"),
-        *(f"--job-name={run}", f"--comment={comment}", f"--cpus-per-task={properties['threads']}"),
-        *(f"--mem={resources['mem_mb']}", f"--time={resources['runtime']}"),
-    )
+    options = [
+        *("--parsable", "--requeue", "--export=ALL", "--open-mode=append"),
+        *(f"--output={SAID}/%j.log", f"--job-name={run}", f"--comment={comment}"),
+        f"--cpus-per-task={properties['threads']}",
+        *(f"{option}={resources[name]}" for name, option in LIMITS.items() if name in resources),
+    ]
+    if resources.get("quiet") == ALL_QUIET:
+        options.append("--exclusive")
     while True:
         done = _ask("sbatch", *options, script)
         if done.returncode == 0:

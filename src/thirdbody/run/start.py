@@ -6,11 +6,13 @@ nothing and waits for nobody.
 
 from __future__ import annotations
 
+import hashlib
+import json
 import os
 import shutil
 import stat
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from thirdbody.run import slurm
@@ -19,6 +21,7 @@ from thirdbody.run.custody import damaged_products
 from thirdbody.run.lock import Hold, require_writable
 from thirdbody.run.places import Places
 
+SETTINGS = "THIRDBODY_SETTINGS"  # variable with a digest of the settings of the run
 BOOKS = Path(".snakemake")  # which Snakemake keeps, for queries too
 
 
@@ -66,6 +69,28 @@ def look_before_planning(workflow, bytecode: Bytecode, places: Places) -> None:
 
     look_and_plan.looks_first = True
     workflow._build_dag = look_and_plan
+
+
+def require_unchanged(settings: Mapping, is_job: bool) -> None:
+    """End a job whose settings are not those of the run that put it into the queue of a cluster.
+
+    A job reads the configuration when it begins, which may be long after the run has.
+
+    Parameters
+    ----------
+    settings
+        All settings, as values that YAML has.
+    is_job
+        Whether this process is such a job.  If it is not, its jobs are to have its own settings.
+    """
+    text = json.dumps(settings, sort_keys=True, default=str)
+    digest = hashlib.sha256(text.encode()).hexdigest()
+    if not is_job:
+        os.environ[SETTINGS] = digest
+    elif os.environ.get(SETTINGS, digest) != digest:
+        sys.exit(
+            "the configuration was changed after the run of this job began; start the run again"
+        )
 
 
 def record_in_job(workflow) -> None:
