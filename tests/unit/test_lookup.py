@@ -37,7 +37,9 @@ def shares(parameters, load, viscosity, diameter, roughness, density):
 def drawn(count, seed):
     ends = np.array([[float(axis["from"]), float(axis["to"])] for axis in AXES.values()])
     share = np.random.default_rng(seed).random((5, count))
-    return ends[:, :1] * (ends[:, 1:] / ends[:, :1]) ** share
+    evenly = ends[:, :1] + share * (ends[:, 1:] - ends[:, :1])
+    logarithmic = [[axis["scale"] == "logarithmic"] for axis in AXES.values()]
+    return np.where(logarithmic, ends[:, :1] * (ends[:, 1:] / ends[:, :1]) ** share, evenly)
 
 
 def test_it_keeps_the_error_at_other_conditions(lookup, defaults):
@@ -104,4 +106,4 @@ def test_every_reading_has_a_table_or_is_refused(reading):
 
 
 def test_numbers_are_counted():
-    assert Counts(3, 2, 5, 4).numbers == 2 * 3 * 2 + 3 * 5 + 4 + 8
+    assert Counts(3, 2, 5, 4).numbers == 2 * 3 * 2 + 2 + 3 * 5 + 4 + 8

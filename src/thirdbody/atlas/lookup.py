@@ -5,12 +5,14 @@ surfaces takes all of their contact area.  Over the separation d nothing leaps. 
 holds, over d, what summits, particles and film bear by themselves, each a function of few conditions:
 
     ln F_ss*, ln A_ss/A_n                  of (d/sigma)^2 and ln sigma
-    A_sa/A_n and coverages over eta_a x_a^2  of d/x_a
+    height of the plane that particles meet, over sigma  of ln sigma
+    A_sa/A_n and coverages over eta_a x_a^2  of (d less that height)/x_a
     ln W of the film, over that at which both terms of Eq. 7 are equal, of ln H_c over that there;
     where that is, a product of powers   of ln nu and ln sigma
 
-Their sum falls with d; where it is the load, L_s and A_sa,t* are read off.  That takes no iteration:
-the loads at some separations tell between which two d lies, and those at some in between the rest.
+What solids and film hold together falls with d; where it is the load, L_s and A_sa,t* are read off.
+That takes no iteration: the loads at some separations tell between which two d lies, and those at some
+in between the rest.
 """
 
 from __future__ import annotations
@@ -24,9 +26,11 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import RegularGridInterpolator
 
 from thirdbody.data.netcdf import load
+from thirdbody.model.readings import FilmLoad
 
 GRIDS = {  # axes of each table
     "summits": ("gap_squared", "log_roughness"),
+    "height": ("log_roughness",),
     "particles": ("separation_over_diameter",),
     "crossing": ("log_viscosity", "log_film_roughness"),
     "film": ("log_relative_thickness",),
@@ -60,6 +64,7 @@ class Lookup:
             )
             object.__setattr__(self, f"_{name}", interpolate)
         first, last = tables.attrs["range_separation"]
+        object.__setattr__(self, "_held", FilmLoad.known[tables.attrs["film_load"]].total_load)
         object.__setattr__(self, "_across", np.linspace(np.log(last), np.log(first), FIRST))
 
     @classmethod
@@ -123,21 +128,23 @@ class Lookup:
 
     def _bracket(self, load, log_separation, layer):
         """The two neighbours among separations of either side of the balance, and what is there."""
-        solid, fluid, odds = self._borne(np.exp(log_separation), *layer)
-        total = solid + fluid  # which rises, as separations fall
+        solid, film, odds = self._borne(np.exp(log_separation), *layer)
+        total = self._held(solid, film)  # which rises, as separations fall
         beyond = np.where(total[-1] > load, (total > load).argmax(axis=0), len(total) - 1)
         ends = np.stack([np.maximum(beyond - 1, 0), np.maximum(beyond, 1)])
         picked = (np.take_along_axis(each, ends, 0) for each in (solid, total, odds))
         return np.take_along_axis(log_separation, ends, 0), tuple(picked)
 
     def _borne(self, separation, viscosity, diameter, roughness, density):
-        """What solids and film bear [1] at ``separation`` d [m], and A_sa/A_ss-sa [1]."""
+        """F* [1] of solids and film at ``separation`` d [m], and A_sa/A_ss-sa [1]."""
         log_roughness = np.broadcast_to(np.log(roughness), separation.shape)
         gap = separation / roughness
         log_load, log_area = np.moveaxis(self._summits(_points(gap * gap, log_roughness)), -1, 0)
+        height = self._height(np.log(roughness)[:, np.newaxis]) * roughness
         nodes = self.tables["separation_over_diameter"].values
-        with np.errstate(divide="ignore"):
-            place = np.clip(separation / diameter, nodes[0], nodes[-1])
+        with np.errstate(divide="ignore", invalid="ignore"):  # where there are no particles
+            place = np.clip((separation - height) / diameter, nodes[0], nodes[-1])
+            place = np.where(diameter > 0.0, place, nodes[-1])
         particles = np.moveaxis(self._particles(place[..., np.newaxis]), -1, 0)
         area, *coverages = particles * (density * diameter**2)
         bare_load, bare_area = (np.maximum(1.0 - coverage, LEAST_BARE) for coverage in coverages)
@@ -147,7 +154,7 @@ class Lookup:
         return solid, self._film_load(separation, viscosity, log_roughness), odds
 
     def _film_load(self, separation, viscosity, log_roughness):
-        """F_f* [1] of a film that is ``separation`` d [m] thick (Eq. 7)."""
+        """F* [1] at which a film is ``separation`` d [m] thick (Eq. 7)."""
         wet = viscosity > 0.0
         log_viscosity = np.log(np.where(wet, viscosity, 1.0))
         where = self._crossing(_points(log_viscosity, log_roughness[0]))

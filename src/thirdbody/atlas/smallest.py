@@ -22,6 +22,7 @@ from thirdbody.solver.solve import solve
 
 TABLES = {
     "summits": "ln F_ss*, ln(A_ss/A_n)",
+    "height": "height of the plane that particles meet over sigma",
     "particles": "A_sa/A_n, coverage of Eq. 4, coverage of Eq. 5, each over eta_a x_a^2",
     "crossing": "ln W, ln H_c where both terms of Eq. 7 are equal",
     "film": "ln W over that of the crossing",
@@ -29,18 +30,13 @@ TABLES = {
 UNITS = {
     "gap_squared": "(d/sigma)^2",
     "log_roughness": "ln(sigma/m)",
-    "separation_over_diameter": "d/x_a",
+    "separation_over_diameter": "(d less the height)/x_a",
     "log_viscosity": "ln(nu/(m2 s-1))",
     "log_film_roughness": "ln(sigma/m)",
     "log_relative_thickness": "ln H_c over that of the crossing",
 }
-# readings in which particles scale with their diameter, and the loads of solids and film add
-ALLOWED = {
-    "size_distribution": ("uncentred", "centred"),
-    "particle_plane": ("surface",),
-    "film_load": ("fluid",),
-}
-
+# readings in which particles scale with their diameter
+ALLOWED = {"size_distribution": ("uncentred", "centred")}
 
 SI = [[axis.scale] for axis in CONDITION_AXES]
 THINNED = (0.5, 0.7, 0.85, 0.95)  # factors of a number of nodes, one after the other
@@ -71,7 +67,7 @@ class Counts(NamedTuple):
     @property
     def numbers(self) -> int:
         """How many numbers the table holds."""
-        return 2 * self.gap * self.surface + 3 * self.share + self.film + 8
+        return (2 * self.gap + 1) * self.surface + 3 * self.share + self.film + 8
 
 
 LEAST = Counts(4, 2, 4, 4)
@@ -223,7 +219,7 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
     Raises
     ------
     ValueError
-        For readings in which particles do not scale with their diameter, or loads do not add.
+        For readings in which particles do not scale with their diameter.
     """
     for name, allowed in ALLOWED.items():
         given = getattr(parameters, name)
@@ -232,15 +228,17 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
             raise ValueError(f"{name} is {given}; {told}")
     surfaces = np.linspace(*np.log(ranges.roughness), counts.surface)
     squares = np.linspace(*np.square(ranges.gap), counts.gap)
+    heights = _height(parameters, np.exp(surfaces))
     shares, particles = _particles(parameters, ranges, counts.share)
     films = np.log(ranges.viscosity), np.log(ranges.roughness)
     crossing, thicknesses, film = _film(parameters, ranges, *films, counts.film)
     columns = {
-        name: axes if name == "film" else (*axes, f"of_{name}") for name, axes in GRIDS.items()
+        name: axes if name in ("height", "film") else (*axes, f"of_{name}")
+        for name, axes in GRIDS.items()
     }
-    values = _summits(parameters, squares, surfaces), particles, crossing, film
+    values = _summits(parameters, squares, surfaces), heights, particles, crossing, film
     nodes = squares, surfaces, shares, *films, thicknesses
-    names = [name for axes in GRIDS.values() for name in axes]
+    names = dict.fromkeys(name for axes in GRIDS.values() for name in axes)
     tables = xr.Dataset(
         {
             name: (axes, table, {"long_name": TABLES[name], "units": "1"})
@@ -253,6 +251,7 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
         {
             **{f"range_{name}": np.array(ends) for name, ends in ranges._asdict().items()},
             "title": "Table for L_s and A_sa,t* in real time",
+            "film_load": parameters.film_load,
             "newtons_per_load": parameters.newtons_per_load,
             "ball_radius": parameters.ball_radius,
             "load_per_parameter": parameters.ball_radius**2 / parameters.apparent_area,
@@ -273,16 +272,25 @@ def _summits(parameters, squares, log_roughness) -> NDArray:
     return np.stack([contact.summits.log_load(t)[0], contact.summits.log_area(t)[0]], axis=-1)
 
 
+def _height(parameters, roughness) -> NDArray:
+    """Height of the plane that particles meet over sigma [1]."""
+    return parameters.readings.particle_plane.height(roughness, parameters) / roughness
+
+
 def _particles(parameters, ranges, count) -> tuple[NDArray, NDArray]:
-    """Nodes of d/x_a [1] up to where no particle touches, and there the area of particles and their
-    coverages in Eqs. 4 and 5, all over A_n eta_a x_a^2."""
-    diameter, roughness = np.sqrt(np.prod(ranges.particle_diameter)), ranges.roughness[0]
+    """Nodes of d/x_a [1], d counted from the plane that particles meet, up to where no particle
+    touches; and there the area of particles and their coverages in Eqs. 4 and 5, all over
+    A_n eta_a x_a^2."""
+    diameter, roughness = np.sqrt(np.prod(ranges.particle_diameter)), np.array(ranges.roughness)
     few = FEW / diameter**2
-    layer = ParticleLayer.of(np.array([diameter]), roughness, np.array([few]), parameters)
+    layer = ParticleLayer.of(np.array([diameter]), roughness[:1], np.array([few]), parameters)
+    heights = _height(parameters, roughness) * roughness
     nodes = np.linspace(
-        ranges.separation[0] / ranges.particle_diameter[1], layer.reach[0] / diameter, count
+        (ranges.separation[0] - heights.max()) / ranges.particle_diameter[1],
+        (layer.reach[0] - heights[0]) / diameter,
+        count,
     )
-    area, _, coverage, slope = layer.contact(nodes * diameter)
+    area, _, coverage, slope = layer.contact(nodes * diameter + heights[0])
     bare = -np.expm1(layer.log_bare_load(coverage, slope)[0])
     values = np.stack(np.broadcast_arrays(area, bare, coverage), axis=-1)
     return nodes, values / (few * diameter**2)
