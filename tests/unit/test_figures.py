@@ -16,6 +16,7 @@ from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
+from thirdbody.figures import charts
 from thirdbody.figures.captions import CAPTIONS, caption_text
 from thirdbody.figures.marks import condition_key
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
@@ -620,3 +621,37 @@ def test_captions_are_restructured_text_too(datasets):
         settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
         body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
         assert body.count("<strong>") == 2
+
+
+def test_a_chart_draws_what_is_within_the_atlas_and_frames_what_is_not():
+    load, surfaces = np.geomspace(1e-7, 1e-4, 5), np.array([1e-7, 3e-7])
+    limit = np.array(
+        [[3e-7, 0.0], [4e-7, 5e-7], [np.inf, 6e-7], [np.inf, np.nan], [np.inf, np.inf]]
+    )
+    spread = np.stack([0.9 * limit, limit, 1.1 * limit])
+    shown = xr.Dataset(
+        {
+            "limit": (("load", "roughness"), limit),
+            "range": (("quantile", "load", "roughness"), spread),
+        },
+        {
+            "load": load,
+            "roughness": surfaces,
+            "normal_load": ("load", 4e5 * load),
+            "viscosity": 0.0,
+            "particle_density": 1e11,
+        },
+        {"ends": np.array([2e-8, 1e-6])},
+    )
+    empty = shown.assign(
+        limit=np.inf * shown["load"] + 0.0 * shown["roughness"], range=shown["range"] * np.nan
+    )
+    figure = charts.plot("largest_particle_diameter", [shown, empty])
+    first, second = figure.axes
+    drawn = dict(drawn_points(first))
+    assert np.allclose(drawn["sigma = 100 nm"][:, 1], [3e-7, 4e-7])
+    assert np.allclose(drawn["sigma = 300 nm"][:, 1], [5e-7, 6e-7])
+    band = drawn["sigma = 300 nm; 90 % of the ensemble"]
+    assert band[:, 1].min() == pytest.approx(4.5e-7) and band[:, 1].max() == pytest.approx(6.6e-7)
+    assert first.get_xlim() == second.get_xlim()
+    assert second.get_ylim()[0] < 2e-8 and second.get_ylim()[1] > 1e-6

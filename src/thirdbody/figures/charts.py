@@ -82,4 +82,7 @@ def _draw(panel, shown, looks):
         panel.add_line(Line2D(load, value, label=label, markevery=(start, MARK_EVERY), **look))
     if bands:
         panel.add_outlines(bands, names, facecolors=tints, edgecolors="none", alpha=0.6, zorder=1.2)
-    panel.update_datalim([(load[0], panel.dataLim.y1), (load[-1], panel.dataLim.y1)])
+    drawn = panel.dataLim.intervaly
+    panel.update_datalim(
+        np.transpose([load[[0, -1]], drawn if np.isfinite(drawn).all() else shown.attrs["ends"]])
+    )
