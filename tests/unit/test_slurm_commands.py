@@ -94,8 +94,12 @@ def test_states_in_one_word(answer, capsys, line, code, word):
     assert capsys.readouterr().err == (said if word == "failed" else "")
 
 
-def test_jobs_that_cannot_be_cancelled_are_told(answer, capsys):
+def test_jobs_that_cannot_be_cancelled_are_told(tmp_path, answer, capsys):
+    answer("sbatch", "12")
     answer("scancel", AWAY, 1)
+    slurm.cancel("thirdbody-0123456789ab")  # it had none
+    assert not capsys.readouterr().err
+    slurm.submit(jobscript(tmp_path))
     slurm.cancel("thirdbody-0123456789ab")
     assert "scancel --name=thirdbody-0123456789ab" in capsys.readouterr().err
 

@@ -61,6 +61,7 @@ def submit(script: str) -> str:
     resources, run = properties["resources"], os.environ[RUN]
     comment = f"{properties.get('groupid') or properties['rule']} {properties['jobid']}"
     SAID.mkdir(parents=True, exist_ok=True)
+    mark_of(run).touch()
     options = [
         *("--parsable", "--requeue", "--export=ALL", "--open-mode=append"),
         *(f"--output={SAID}/%j.log", f"--job-name={run}", f"--comment={comment}"),
@@ -109,6 +110,11 @@ def status(number: str) -> str:
     return word
 
 
+def mark_of(run: str) -> Path:
+    """The file that is there while jobs of ``run`` may be in the queue."""
+    return SAID / run
+
+
 def cancel(run: str) -> None:
     """Cancel the jobs of a run that has ended without them, and wait until they have ended as well.
 
@@ -117,12 +123,15 @@ def cancel(run: str) -> None:
     run
         The name of the run.
     """
+    if not mark_of(run).exists():
+        return
     if _ask("scancel", f"--name={run}").returncode != 0:
         print(f"jobs of the run before may be under way: scancel --name={run}", file=sys.stderr)
         return
     end = time.monotonic() + PATIENCE
     while _ask("squeue", "--noheader", f"--name={run}").stdout and time.monotonic() < end:
         time.sleep(PAUSE)
+    mark_of(run).unlink(missing_ok=True)
 
 
 def _ask(*command: str) -> subprocess.CompletedProcess:

@@ -6,10 +6,10 @@ nothing and waits for nobody.
 
 from __future__ import annotations
 
+import atexit
 import hashlib
 import json
 import os
-import shutil
 import stat
 import sys
 from collections.abc import Iterable, Mapping
@@ -131,7 +131,8 @@ def _take(places: Places) -> Hold:
         sys.exit(str(error))
     _require_writable(places.products, places.logs)
     os.environ[slurm.RUN] = held.name
-    if held.before and shutil.which("scancel"):
+    atexit.register(slurm.mark_of(held.name).unlink, missing_ok=True)
+    if held.before:
         slurm.cancel(held.before)
     return held
 

@@ -16,6 +16,8 @@ NODE = "node"
 ANOTHER_HOST = f"""
 set -e
 hostname {NODE}
+mkdir -p ~/.cache
+mount -t tmpfs none ~/.cache
 mount -t tmpfs none "$1"
 exec slurmd -D
 """

@@ -68,6 +68,10 @@ def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
     for name in made:
         content = (fresh.root / "results" / name).read_bytes()
         assert content == (finished.root / "results" / name).read_bytes(), name
+    checked = fresh.execute("make", "sums")
+    assert checked.returncode == 0, checked.stdout
+    records = fresh.root.glob("results/.custody/**/*.sha256")
+    assert len(list(records)) == len(fresh.stamps())
     assert len(cluster.jobs("all")) == len(before) + 2
     assert not list((fresh.root / ".snakemake/slurm").iterdir())
     hour = (fresh.root / "results/datasets/fig09.nc").stat().st_mtime - 3600
