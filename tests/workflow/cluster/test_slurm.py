@@ -41,8 +41,8 @@ def begin(held):
 
     yield start_another
     for run in runs:
-        run.kill()
-        run.communicate()
+        if run.poll() is None:
+            kill(run)
 
 
 def kill(run):

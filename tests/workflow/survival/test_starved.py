@@ -8,7 +8,6 @@ import subprocess
 import pytest
 from harm import (
     LONG,
-    SNAKEMAKE,
     assert_same,
     complete,
     ended,
@@ -16,7 +15,7 @@ from harm import (
     products,
     start,
 )
-from workspace import MINIMAL
+from workspace import MINIMAL, SNAKEMAKE
 
 from thirdbody.run.lock import Hold
 
