@@ -226,14 +226,14 @@ CASES = [
     ),
     changes(
         "inputs that a surface cannot have",
-        b"inputs: {summit_offset: true, summit_parameter: 0.0195}\n",
+        b"inputs: {summit_offset: true, summit_parameter: 0.0195, summit_parameter_exponent: -0.1}\n",
         "inputs: summit_parameter is 0.0",
         "at roughness 4e-07 m",
         "allowed: above 0.019",
     ),
     changes(
         "inputs that a surface cannot have in the ensemble",
-        b"inputs: {summit_offset: true, summit_parameter_exponent: -1.38}\n",
+        b"inputs: {summit_offset: true, summit_parameter_exponent: 1.6}\n",
         "inputs in member ",
         "of config/calibrated/",
         "summit_parameter is 0.0",

@@ -6,7 +6,7 @@ import pytest
 import yaml
 from workspace import Workspace
 
-READINGS = ("uncentred_summit_wide_full", "uncentred_surface_wide_full")
+READINGS = ("uncentred_summit_wide_full_total", "uncentred_surface_wide_full")
 BUDGET = {"scattered": 3, "population": 5, "evaluations": 10, "walkers": 18, "steps": 2}
 
 
