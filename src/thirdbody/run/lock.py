@@ -96,6 +96,8 @@ class Hold:
 
     def _watch(self, found: str) -> None:
         """Raise ``OSError`` if the run whose record was ``found`` gives a sign of life."""
+        seconds = round(PATIENCE * self._beat)
+        print(f"{self._record} is of a run elsewhere; is it alive? {seconds} s", file=sys.stderr)
         for _ in range(PATIENCE):
             time.sleep(self._beat)
             told = RECORD.fullmatch(now := self._read() or found)
