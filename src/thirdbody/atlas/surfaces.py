@@ -201,7 +201,8 @@ def first_passed(
     root[leap], _ = level_roots(
         along,
         tuple(end[leap] for end in ends),
-        np.full(leap.size, variable),
+        [variable],
+        np.zeros(leap.size, int),
         np.full(leap.size, level),
         {
             name: axes[name][places[leap]]

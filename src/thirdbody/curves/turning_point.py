@@ -177,7 +177,7 @@ def film_turning_points(
     >>> import numpy, thirdbody
     >>> inputs = thirdbody.load_parameters()
     >>> solids = [numpy.array([value]) for value in (0.3e-6, 0.3e-6, 1e11)]
-    >>> loads, films = numpy.geomspace(1e-7, 1e-4, 30), numpy.array([0.0, 90e-6])
+    >>> loads, films = numpy.geomspace(1e-7, 1e-4, 30), numpy.array([0.0, 120e-6])
     >>> separation = thirdbody.solve(
     ...     load=loads[:, None, None],
     ...     viscosity=films[:, None],
@@ -187,8 +187,8 @@ def film_turning_points(
     ...     parameters=inputs,
     ... ).separation
     >>> film_turning_points(separation, films, *solids, inputs).load.round(10)
-    array([[3.2194e-06],
-           [3.2856e-06]])
+    array([[3.24350e-06],
+           [1.45703e-05]])
     """
     shape = separation.shape[1:]
     found = {field.name: np.full(shape, np.nan) for field in fields(TurningPoints)}
