@@ -111,6 +111,9 @@ class Hold:
                 record.write(self._text(0))
         except FileExistsError:
             raise OSError(BUSY.format("")) from None
+        except OSError:  # no room: nothing is left that others would watch
+            self._record.unlink(missing_ok=True)
+            raise
 
     def _count_on(self) -> None:
         """Give signs of life, until another run has the folder."""
