@@ -28,6 +28,8 @@ rule solve_chunk:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         axes=ATLAS["axes"],
         variables=ATLAS["variables"],
@@ -136,6 +138,8 @@ rule find_lookup:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         axes=ATLAS["axes"],
         settings=ATLAS["lookup"],
