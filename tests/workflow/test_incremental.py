@@ -1,7 +1,11 @@
 """A change is followed by what depends on it, and by nothing else."""
 
 import pytest
+from workspace import ROOT
 
+from thirdbody.configuration.plain_yaml import read_yaml
+
+DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = (
     "datasets/{0}.nc",
     "bands/{0}.nc",
@@ -153,7 +157,7 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
             ),
         ),
         (
-            "config/calibrated/uncentred_surface_wide_full.yaml",
+            DEFAULT,
             "inputs/truncation",
             1.8,
             (
