@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 import xarray as xr
 
+from thirdbody.atlas.surfaces import LIMITED
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 
 CHARTS = {  # the variable of the atlas that each shows
@@ -39,8 +40,8 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
-    along = atlas["viscosity" if name == "least_viscosity" else "particle_diameter"].values
-    ends = along[along > 0.0][[0, -1]]
+    along, *_ = LIMITED[variable]
+    ends = atlas[along].values[atlas[along].values > 0.0][[0, -1]]
     panels = []
     for given in charts[name]:
         held = {

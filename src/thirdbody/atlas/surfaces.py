@@ -39,9 +39,18 @@ SOLVED = (
     *("lubrication_regime", "contact_mode"),
 )
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
+LIMITED = {  # axis of a limit, the variable that passes a level along it, the level, upwards or down
+    "largest_particle_diameter": (
+        *("particle_diameter", "particle_contact_area_ratio"),
+        *(PARTICLE_LIMIT, 1.0),
+    ),
+    "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
+}
 # what has a value for each set of inputs, and over the ensemble quantiles and the share that has one
-LIMITS = ("largest_particle_diameter", "least_viscosity")
+LIMITS = tuple(LIMITED)
 TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
+EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
+LEAP_RTOL = 10.0  # what a leap is solved with, which leaves its place as close as rtol
 
 
 @dataclass
@@ -126,15 +135,6 @@ def _timed(clock, what, function, *given):
     return result
 
 
-LIMITED = {  # axis of a limit, the variable that passes a level along it, the level, upwards or down
-    "largest_particle_diameter": (
-        *("particle_diameter", "particle_contact_area_ratio"),
-        *(PARTICLE_LIMIT, 1.0),
-    ),
-    "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
-}
-
-
 def _limits(axes, solution, parameters, rtol, way) -> dict[str, NDArray]:
     """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
     on lubrication is no longer boundary lubrication."""
@@ -215,10 +215,6 @@ def first_passed(
     )
     found[others] = np.exp(root)
     return found
-
-
-LEAP_RTOL = 10.0  # what a leap is solved with, which leaves its place as close as rtol
-EVEN = 2.0  # step of the logarithm of odds up to which it is interpolated
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
