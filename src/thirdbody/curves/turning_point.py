@@ -13,6 +13,7 @@ lies at one separation d*, dry or lubricated, and its load follows from the bala
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -112,19 +113,15 @@ def turning_points(
     array([1.122e-06])
     """
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-    three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
-    for _, table_rtol, places in search_ways(roughness[three_body], len(separation), rtol):
-        curves = three_body[places]
-        solids = make_contact(
-            *(column[curves] for column in (particle_diameter, roughness, particle_density)),
-            parameters,
-            table_rtol,
-        )
+
+    def enclosed(curves):
         across = separation[:, curves]
-        ends = np.fmax.reduce(across), np.fmin.reduce(across)
-        curve, peak, width, prominence = share_maxima(
-            solids, across, ends, SEPARATION_MARGIN * rtol
-        )
+        return across, (np.fmax.reduce(across), np.fmin.reduce(across))
+
+    for curves, solids, maxima in _searched(
+        particle_diameter, roughness, particle_density, enclosed, len(separation), parameters, rtol
+    ):
+        curve, peak, width, prominence = maxima
         seen = prominence > 0.0
         if seen.any():
             curve, prominence = curve[seen], prominence[seen]
@@ -193,19 +190,15 @@ def film_turning_points(
     shape = separation.shape[1:]
     found = {field.name: np.full(shape, np.nan) for field in fields(TurningPoints)}
     ends = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    three_body = np.flatnonzero(has_particles(particle_diameter, particle_density))
-    for _, table_rtol, chosen in search_ways(roughness[three_body], places, rtol):
-        columns = three_body[chosen]
-        solids = make_contact(
-            *(column[columns] for column in (particle_diameter, roughness, particle_density)),
-            parameters,
-            table_rtol,
-        )
-        reached = ends[0][:, columns], ends[1][:, columns]
-        across = np.linspace(np.fmax.reduce(reached[0]), np.fmin.reduce(reached[1]), places)
-        solid, peak, width, prominence = share_maxima(
-            solids, across, reached, SEPARATION_MARGIN * rtol
-        )
+
+    def enclosed(columns):
+        first, last = (end[:, columns] for end in ends)
+        return np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places), (first, last)
+
+    for columns, solids, maxima in _searched(
+        particle_diameter, roughness, particle_density, enclosed, places, parameters, rtol
+    ):
+        solid, peak, width, prominence = maxima
         film, maximum = np.nonzero(np.isfinite(prominence))
         standing = prominence[film, maximum]
         best = _greatest(film * columns.size + solid[maximum], standing)
@@ -219,6 +212,22 @@ def film_turning_points(
         for name, values in state.items():
             found[name][film, columns[solid[maximum]]] = values
     return TurningPoints(**found)
+
+
+def _searched(
+    diameter, roughness, density, enclosed, separations, parameters, rtol
+) -> Iterator[tuple]:
+    """Search the maxima of A_sa,t* on curves of solids, of which those without particles have none.
+
+    Yields indices of some curves, their ``Contact``, and what ``share_maxima`` finds between the
+    separations, so many on each, and ends that ``enclosed`` returns for these indices.
+    """
+    three_body = np.flatnonzero(has_particles(diameter, density))
+    for _, table_rtol, places in search_ways(roughness[three_body], separations, rtol):
+        curves = three_body[places]
+        columns = (column[curves] for column in (diameter, roughness, density))
+        solids = make_contact(*columns, parameters, table_rtol)
+        yield curves, solids, share_maxima(solids, *enclosed(curves), SEPARATION_MARGIN * rtol)
 
 
 def share_maxima(
