@@ -22,7 +22,7 @@ def calibrated(sources, tmp_path_factory):
         settings["budget"], settings["seeds"] = BUDGET, [1, 2]
         settings["readings"] = {name: settings["readings"][name] for name in READINGS}
         for reading in settings["readings"].values():
-            reading.pop("steps", None)
+            reading.pop("budget", None)
         return yaml.safe_dump(settings)
 
     workspace.rewrite("config/calibration.yaml", smaller)

@@ -13,9 +13,8 @@ def sample(name, seed, evaluations, claims, settings, parameters, samples):
     """Write sets of inputs of the reading ``name``, drawn from what its searches have found."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
     found = np.vstack([np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations])
-    steps = settings["readings"][name].get("steps", settings["budget"]["steps"])
-    budget = settings["budget"] | {"steps": steps}
-    drawn = posterior_sample(Reading.of(name, settings), objective, found, budget, seed)
+    reading, budget = Reading.of(name, settings), settings["budget"]
+    drawn = posterior_sample(reading, objective, found, budget, seed)
     with whole(samples) as part:
         np.savetxt(part, drawn, fmt="%.10g", delimiter=",")
 

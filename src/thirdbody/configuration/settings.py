@@ -164,5 +164,7 @@ def _roughnesses(settings: Mapping) -> Iterator[float]:
 
 
 def with_one_reading(calibration: Mapping, name: str) -> dict:
-    """The settings of the calibration without the other readings: one depends on its own alone."""
-    return {**calibration, "readings": {name: calibration["readings"][name]}}
+    """The settings of the calibration for one reading, which depends on nothing of the others."""
+    reading = dict(calibration["readings"][name])
+    budget = calibration["budget"] | reading.pop("budget", {})
+    return {**calibration, "budget": budget, "readings": {name: reading}}
