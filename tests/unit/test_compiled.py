@@ -10,6 +10,7 @@ import pytest
 from scipy.optimize import brentq
 
 import thirdbody as tb
+from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.points import relative_errors
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.film import Film, log_load_parameter
@@ -277,6 +278,13 @@ def test_points_beyond_the_tables_are_left(parameters):
         point = {"load": 1e-5, "viscosity": 9e-5}
         point |= {"particle_diameter": 5e-7, "particle_density": 1e11}
         assert compiled(parameters, 1e-6, **point | given).left.all()
+
+
+def test_hardly_a_point_of_the_usual_ranges_is_left():
+    """Not even where particles can just bear the load, all together."""
+    inputs = tb.load_parameters()
+    given = random_conditions(HEAVIEST, 100_000, inputs)
+    assert compiled(inputs, 1e-9, **given | {"roughness": ROUGHNESS}).left.mean() < 1e-4
 
 
 def test_many_points_have_the_status_and_the_flags_of_few(parameters):

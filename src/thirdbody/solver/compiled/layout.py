@@ -120,6 +120,7 @@ class ParticleModel(NamedTuple):
 
     table: Table  # the moment, from the largest size downwards
     alone: OctaveTable  # first guess of alpha, of the moment
+    of_all: float  # the moment of all sizes, the largest that there is
     error: float  # of the moment, relative to it and its slope
     slope_error: float  # of its slope
     next_to_smallest: float  # alpha below which sizes are small beside the spread

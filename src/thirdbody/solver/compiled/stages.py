@@ -89,18 +89,21 @@ def start(block, count, model, has_particles, has_film, film_is_known):
             separation = work[LOCAL, k] / given[PER_CROSSING, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
     if has_particles:
-        pressure = model.particles.pressure
+        pressure, of_all = model.particles.pressure, model.particles.of_all
+        nowhere = work.dtype.type(-np.inf)  # of a load that all particles together do not bear
         for k in range(count):
             bears = given[PER_LOAD, k] * pressure * given[PLASTIC_AREA, k]
             work[POSITION, k] = model.particles.bears_here / bears
             work[ELASTIC_POSITION, k] = model.particles.bears_there / bears
         look_up_guess(block, count, model.particles.alone, POSITION)
         for k in range(count):
-            separation = given[MEAN, k] + work[LOCAL, k] / given[PER_SPREAD, k]
+            alpha = work[LOCAL, k] if work[POSITION, k] <= of_all else nowhere
+            separation = given[MEAN, k] + alpha / given[PER_SPREAD, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
         look_up_guess(block, count, model.particles.alone, ELASTIC_POSITION)
         for k in range(count):
-            alpha = work[LOCAL, k] - given[ELASTIC_SHIFT, k]
+            alpha = work[LOCAL, k] if work[ELASTIC_POSITION, k] <= of_all else nowhere
+            alpha = alpha - given[ELASTIC_SHIFT, k]
             separation = given[MEAN, k] + alpha / given[PER_SPREAD, k]
             work[SEPARATION, k] = max(work[SEPARATION, k], separation)
     if film_is_known:

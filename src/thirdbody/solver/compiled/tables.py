@@ -45,7 +45,6 @@ LOAD_OCTAVES = -110, 8  # of F_t* over eta_s R sigma_s,
 ROOT_OCTAVES = -12, 12  # of the root of W where both terms are equal, over W of F_t,
 AREA_OCTAVES = -24, 2  # and of the area of particles over that where M = 1.
 GUESS_PIECES = 8  # of an octave
-NOWHERE = -1e6  # alpha that is no guess, of a load that all particles together do not bear
 
 # Root of loads and areas beyond the last t: an area that is a number 2^256-fold, and zero in float64
 NOTHING = 3e-23
@@ -169,9 +168,8 @@ def _particles(parameters, degree, real) -> ParticleModel:
     here, there = parts_bearing(parameters)
     return ParticleModel(
         table=table,
-        alone=_guesses(
-            lambda part: np.interp(part, *moment.samples(), right=NOWHERE), AREA_OCTAVES, real
-        ),
+        alone=_guesses(lambda part: np.interp(part, *moment.samples()), AREA_OCTAVES, real),
+        of_all=real(moment.of_all),
         error=real(error),
         slope_error=real(2.0 * degree**2 * error),
         next_to_smallest=real(moment.smallest + 0.5),
