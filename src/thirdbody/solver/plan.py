@@ -22,6 +22,7 @@ from collections.abc import Callable, Collection, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
+from itertools import compress
 
 import numpy as np
 from numpy.typing import NDArray
@@ -251,33 +252,36 @@ def repeatable_ways(groups: list[Group], rtol: float) -> list[str]:
 
 def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> list[str]:
     """The way that takes least time, for each of ``groups``, which are solved in one call."""
-    sizes = np.array([group.size for group in groups])
-    worth = LOOP_WORTH * np.array([group.sheet.terms(rtol) for group in groups])
+    worth = [LOOP_WORTH * group.sheet.terms(rtol) for group in groups]
     if availability.is_loaded():
-        compiled = _repaid(groups, sizes, worth, parameters, rtol)
+        compiled = _repaid(groups, worth, parameters, rtol)
     else:
         # those that repay the tables of the loop count together for what it takes to load it
-        many = sizes >= worth
-        compiled = many & _loop_pays(sizes[many].sum())
-    if compiled.all():
+        many = [group.size >= each for group, each in zip(groups, worth, strict=True)]
+        pays = _loop_pays(sum(group.size for group in compress(groups, many)))
+        compiled = [pays and each for each in many]
+    if all(compiled):
         return [COMPILED] * len(groups)
     others = repeatable_ways(groups, rtol)
     return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
 
 
-def _repaid(groups, sizes, worth, parameters, rtol):
+def _repaid(groups, worth, parameters, rtol):
     """Which ``groups`` the loop, which is loaded, solves in less time than the other ways.
 
     Its tables of a sheet are made as soon as solving there, in this call and all before, has cost as
     much as they do: so no sequence of calls takes more than about twice the time that it has to.
     """
     spent = [_spent(group.sheet, parameters, rtol) for group in groups]
-    for each, size in zip(spent, sizes, strict=True):
-        each.points += size + CALL_WORTH / len(groups)
-    repaid = np.array([each.points for each in spent]) >= worth + CALL_WORTH
-    few = repaid & (sizes < GROUP_WORTH)
-    if GROUP_WORTH * np.count_nonzero(few) > CALL_WORTH + sizes[few].sum():
-        repaid &= ~few  # by quadrature they are solved together
+    for each, group in zip(spent, groups, strict=True):
+        each.points += group.size + CALL_WORTH / len(groups)
+    repaid = [each.points >= own + CALL_WORTH for each, own in zip(spent, worth, strict=True)]
+    few = [group.size for group in compress(groups, repaid) if group.size < GROUP_WORTH]
+    if GROUP_WORTH * len(few) > CALL_WORTH + sum(few):  # by quadrature they are solved together
+        return [
+            by_loop and group.size >= GROUP_WORTH
+            for by_loop, group in zip(repaid, groups, strict=True)
+        ]
     return repaid
 
 
