@@ -39,8 +39,8 @@ from thirdbody.solver.surfaces import (
     cells_of,
     few_surfaces,
     log_yields,
+    sheet_of_one,
     summits_of,
-    summits_of_one,
     table_size,
 )
 
@@ -214,11 +214,9 @@ def groups_of(
         labels = (4 * np.searchsorted(few, conditions.roughness) + kinds).astype(np.int16)
     for places in _runs(labels):
         first = places.start if isinstance(places, slice) else places[0]
-        _, summits = summits_of_one(float(conditions.roughness[first]), parameters)
+        sheet = sheet_of_one(float(conditions.roughness[first]), parameters)
         if few is None:
-            sheet = Sheet.of_cell(cells[first], summits.materials)
-        else:
-            sheet = Sheet.of_one(log_yields(summits), summits.materials)
+            sheet = Sheet.of_cell(cells[first], sheet.materials)
         yield Group(sheet, int(kinds[first]), places)
 
 
@@ -352,19 +350,23 @@ class _Task:
         def solved(sheet, real, some):
             return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
 
-        def settled(group, each=map):
+        def left_of(group, each=map):
             places = group.places
             for real in reals:
                 places = self._settle(places, CHUNK, partial(solved, group.sheet, real), each)
-            return replace(group, places=places)
+            return places
 
         threads = threads_worth(sum(group.size for group in groups))
         if threads == 1:
-            left = [settled(group) for group in groups]
+            left = [left_of(group) for group in groups]
         else:
             with ThreadPoolExecutor(threads) as pool:
-                left = [settled(group, pool.map) for group in groups]
-        return [group for group in left if group.size]
+                left = [left_of(group, pool.map) for group in groups]
+        return [
+            replace(group, places=places)
+            for group, places in zip(groups, left, strict=True)
+            if places.size
+        ]
 
     def solve_by_tables(self, places):
         """Points of one kind, by tables of their surfaces."""
@@ -383,12 +385,11 @@ class _Task:
         def left_of(piece):
             with np.errstate(all="ignore"):  # which is that of a thread
                 found = solved(self.conditions.take(piece))
-                if not found.left.any():
-                    self._store(piece, found, slice(None))
-                    left = NONE
-                else:
+                left = _chosen(piece, found.left)
+                if left.size:
                     self._store(_chosen(piece, ~found.left), found, ~found.left)
-                    left = _chosen(piece, found.left)
+                else:
+                    self._store(piece, found, slice(None))
             if self.settled is not None:
                 self.settled(found.left.size - left.size)
             return left
@@ -413,5 +414,5 @@ def _pieces(places, size):
 
 def _chosen(piece, mask):
     """Indices of the points of a piece, a slice or an array of indices, that a mask chooses."""
-    chosen = np.flatnonzero(mask)
+    (chosen,) = mask.nonzero()
     return chosen + piece.start if isinstance(piece, slice) else piece[chosen]

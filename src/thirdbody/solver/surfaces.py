@@ -96,6 +96,13 @@ def log_yields(population: SummitPopulation) -> ArrayLike:
     return np.log(population.yield_interference)
 
 
+@lru_cache(maxsize=512)
+def sheet_of_one(roughness: float, parameters: Parameters) -> Sheet:
+    """The sheet of the surface of one ``roughness`` [m]."""
+    _, summits = summits_of_one(roughness, parameters)
+    return Sheet.of_one(log_yields(summits), summits.materials)
+
+
 def cells_of(log_yield: ArrayLike) -> NDArray:
     """Numbers of the cells in which ln w_1 lies; what overflows is in the last ones."""
     return np.clip(np.nan_to_num(np.floor(log_yield / CELL)), -LAST_CELL, LAST_CELL)

@@ -45,7 +45,10 @@ class OutOfRangeWarning(UserWarning):
 
 def warn_beyond_usual(conditions: Mapping[str, NDArray]) -> None:
     """Issue one ``OutOfRangeWarning``, at the caller of the package, for what is beyond ``MOST``."""
-    greatest = {name: values.max(initial=0.0) for name, values in conditions.items()}
+    greatest = {
+        name: values.max(initial=0.0) if values.ndim else values.item()
+        for name, values in conditions.items()
+    }
     told = [
         f"{name} is {greatest[name]:g}{unit}; usual: up to {most:g}{unit}"
         for name, (most, unit) in MOST.items()

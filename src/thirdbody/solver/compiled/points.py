@@ -149,7 +149,9 @@ class CompiledPoints:
         self.fluid_load_fraction = found[FLUID_SHARE]
         self.separation = found[GAP] * roughness
         self.error_bound = found[BOUND]
-        self.left = ~(self.error_bound <= rtol) & ~self._covered
+        self.left = ~(self.error_bound <= rtol)
+        if not self._has_values:
+            self.left &= ~self._covered
         if self._has_particles:
             self.left |= load > greatest_single_load(parameters)
         self.left |= load < LEAST_LOAD
@@ -223,9 +225,9 @@ def _are_covered(layer, load):
     """Points without a solution because particles cover everything at any separation (Eq. 4), unless
     their load F_t* might be more than the particles bear: then they have none for another reason."""
     covered = layer.log_bare < FULL
-    if not covered.any():
+    (places,) = covered.nonzero()
+    if places.size == 0:
         return covered
-    places = np.flatnonzero(covered)
     area, *_ = layer.take(places).contact(np.zeros(places.size))
     pressure = layer.parameters.hardness_surface_1 / layer.parameters.elastic_modulus_surfaces
     covered[places] = load[places] < 0.5 * area * pressure
