@@ -214,7 +214,7 @@ class Parameters:
         (3e-07, 0.0)
         """
         inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
-        if not np.all(inside):
+        if np.count_nonzero(inside) < np.size(inside):
             bad = np.ravel(roughness)[np.argmin(inside)]
             allowed = f"{LEAST_ROUGHNESS:g} to {MOST_ROUGHNESS:g} m"
             raise ValueError(f"roughness is {bad:g}; allowed: {allowed}")

@@ -165,4 +165,4 @@ def _is_any(solution_status, names):
 
 def _between(above, below, index):
     """``index``, or the next where ``above`` or the one before where ``below``, as int8."""
-    return np.int8(index) + np.asarray(above, np.int8) - np.asarray(below, np.int8)
+    return np.int8(index) + np.subtract(above, below, dtype=np.int8)

@@ -222,7 +222,7 @@ def groups_of(
 
 def _runs(labels):
     """The places of equal ``labels``: a slice if all are equal, else arrays."""
-    if (labels == labels[:1]).all():
+    if not np.count_nonzero(labels != labels[:1]):
         return [slice(0, labels.size)] if labels.size else []
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
@@ -389,7 +389,7 @@ class _Task:
                 if left.size:
                     self._store(_chosen(piece, ~found.left), found, ~found.left)
                 else:
-                    self._store(piece, found, slice(None))
+                    self._store(piece, found, ...)
             if self.settled is not None:
                 self.settled(found.left.size - left.size)
             return left

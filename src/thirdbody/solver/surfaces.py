@@ -111,7 +111,7 @@ def cells_of(log_yield: ArrayLike) -> NDArray:
 def few_surfaces(roughness: NDArray) -> NDArray | None:
     """All values of ``roughness`` in order, or None if these are too many to have tables of their
     own."""
-    if (roughness == roughness[:1]).all():
+    if not np.count_nonzero(roughness != roughness[:1]):
         return roughness[:1]
     for some in (roughness[:: max(roughness.size // (4 * FEW_SURFACES), 1)], roughness):
         values = np.unique(some)
