@@ -255,8 +255,7 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
             "newtons_per_load": parameters.newtons_per_load,
             "ball_radius": parameters.ball_radius,
             "load_per_parameter": parameters.ball_radius**2 / parameters.apparent_area,
-            "particle_pressure": parameters.hardness_surface_1
-            / parameters.elastic_modulus_surfaces,
+            "particle_pressure": parameters.particle_pressure,
         },
     )
     return Lookup(tables)

@@ -93,11 +93,6 @@ class Contact:
         particles = self.particles and self.particles.take(chosen)
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
-    @property
-    def particle_pressure(self) -> float:
-        """F_sa*/(A_sa/A_n) [1]: particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
-        return self.parameters.hardness_surface_1 / self.parameters.elastic_modulus_surfaces
-
     def summit_separation(self, separation: NDArray) -> NDArray:
         """Separation t [1] from the plane of the summits, in their standard deviations."""
         t = (separation - self.summits.offset) / self.summits.deviation
@@ -117,7 +112,7 @@ class Contact:
         area, area_slope, *coverage = self.particles.contact(separation)
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
-        log_particles = np.log(area) + np.log(self.particle_pressure)  # Eqs. 4 and 5
+        log_particles = np.log(area) + np.log(self.parameters.particle_pressure)  # Eqs. 4 and 5
         particle_slope = np.where(area > TINY, area_slope / area, 0.0)
         value, share = _log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
         log_room, room_slope = log_bare_share(*coverage)  # Eq. 5

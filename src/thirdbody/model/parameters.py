@@ -169,6 +169,11 @@ class Parameters:
         )
 
     @property
+    def particle_pressure(self) -> float:
+        """F_sa*/(A_sa/A_n) [1]: particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
+        return self.hardness_surface_1 / self.elastic_modulus_surfaces
+
+    @property
     def softer_hardness(self) -> float:
         """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
 

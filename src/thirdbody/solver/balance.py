@@ -34,7 +34,7 @@ def first_separation(points: Points) -> NDArray:
     surfaces, contact = points.surfaces, points.contact
     guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
     if contact.particles is not None:
-        area = np.exp(points.log_load) / contact.particle_pressure
+        area = np.exp(points.log_load) / points.parameters.particle_pressure
         guess = np.maximum(guess, separation_bearing(area, contact.particles))
     return np.maximum(guess, 0.0)
 

@@ -229,8 +229,7 @@ def _are_covered(layer, load):
     if places.size == 0:
         return covered
     area, *_ = layer.take(places).contact(np.zeros(places.size))
-    pressure = layer.parameters.hardness_surface_1 / layer.parameters.elastic_modulus_surfaces
-    covered[places] = load[places] < 0.5 * area * pressure
+    covered[places] = load[places] < 0.5 * area * layer.parameters.particle_pressure
     return covered
 
 

@@ -178,7 +178,7 @@ def _particles(parameters, degree, real) -> ParticleModel:
         other_weight=real(other),
         bears_here=real(here),
         bears_there=real(there),
-        pressure=real(parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces),
+        pressure=real(parameters.particle_pressure),
         coverage=real(parameters.hardness_surface_1 / parameters.hardness_surface_2),
         contacting=real(contacting.contacting),
     )
