@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Collection, Iterable, Mapping
 from itertools import zip_longest
 from math import prod
@@ -19,6 +20,8 @@ from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.units import without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
+PLAIN_NUMBERS = float, int, np.float64
+MOST = sys.float_info.max
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
@@ -96,8 +99,8 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
     """
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
-    if type(values) is float and least <= values < np.inf:
-        return np.asarray(values)  # one number, for which the checks below would take longest
+    if type(values) in PLAIN_NUMBERS and least <= values <= MOST:
+        return np.asarray(values, float)  # for one the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         raise ValueError(
