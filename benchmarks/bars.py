@@ -64,6 +64,7 @@ BARS = {
     "streaming": Bar("streaming over 1.5 solving + writing", 1.0, False),
     "memory": Bar("MB resident while streaming", 1000.0, False),
     "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
+    "call": Bar("microseconds of a call that solves one point", 100.0, False),
     "starts": Bar("time to an answer over that of the best way, few to many points", 1.2, False),
     "errors": Bar("largest error over the error asked for", 1.0, False),
     "extremes": Bar("extremes with a wrong answer", 0.0, False),
@@ -118,6 +119,7 @@ def _of_times(rows):
 
 def _of_scaling(rows):
     return {
+        "call": max(row["microseconds_per_point"] for row in rows if row["axis"] == "calls"),
         "flat": max(row["ratio"] for row in rows if row["axis"] == "points"),
         "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
         "threads": max(row["ratio"] for row in rows if row["axis"] == "threads"),

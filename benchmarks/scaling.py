@@ -1,4 +1,5 @@
-"""How the time of the heaviest class depends on the number of points, of processes and of threads."""
+"""How the time of the heaviest class depends on the number of points, from a single one to very many,
+of processes and of threads."""
 
 from __future__ import annotations
 
@@ -27,16 +28,16 @@ WAKING = 0.5  # [s] for which each process waits, so that the pool starts all of
 
 
 def scaling_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Measure the cost of a point for few and many points, and the gain of several processes and of
-    several threads.
+    """Measure the cost of a point for few and many points, that of a call with a single one, and the
+    gain of several processes and of several threads.
 
     Parameters
     ----------
     parameters : Parameters
         Inputs of the model.
     budget : mapping
-        Content of ``config/accuracy.yaml``: ``sizes``, ``processes``, ``threads`` and ``rounds``
-        are used.
+        Content of ``config/accuracy.yaml``: ``sizes``, ``calls``, ``processes``, ``threads`` and
+        ``rounds`` are used.
 
     Returns
     -------
@@ -45,6 +46,7 @@ def scaling_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict
     """
     return [
         *_size_rows(parameters, budget),
+        _call_row(parameters, budget),
         *_process_rows(parameters, budget),
         *_thread_rows(parameters, budget),
     ]
@@ -82,6 +84,23 @@ def _solve_arrays(given, count, parameters, rtol):
     for start in range(0, given["load"].size, count):
         some = {name: values[start : start + count] for name, values in given.items()}
         solve(**some, parameters=parameters, rtol=rtol, way=COMPILED)
+
+
+def _call_row(parameters, budget):
+    """Row with the processor time of a call that solves one point, in a process that has the loop."""
+    settings = budget["calls"]
+    rtol, calls = settings["rtol"], settings["calls"]
+    given = random_conditions(HEAVIEST, 1, parameters)
+    given = {name: values.item() for name, values in given.items()}
+
+    def solve_again():
+        for _ in range(calls):
+            solve(**given, parameters=parameters, rtol=rtol)
+
+    solve(**given, parameters=parameters, rtol=rtol, way=COMPILED)  # loads the loop
+    solve_again()  # until the loop is what takes least time
+    seconds = least_seconds({"calls": solve_again}, budget["rounds"])
+    return _row("calls", 1, 1, 1, rtol, seconds["calls"] / calls, 1.0)
 
 
 def _process_rows(parameters, budget):

@@ -99,6 +99,7 @@ def test_every_extreme_has_a_verdict_at_each_rtol(tables):
 def test_sweeps_hold_what_was_asked_for(tables):
     sizes = [row["points"] for row in tables["scaling"] if row["axis"] == "points"]
     assert sizes == BUDGET["sizes"]["points"]
+    assert [row["points"] for row in tables["scaling"] if row["axis"] == "calls"] == [1]
     processes = [row["processes"] for row in tables["scaling"] if row["axis"] == "processes"]
     assert processes == [1, BUDGET["processes"]["workers"]]
     threads = [row["threads"] for row in tables["scaling"] if row["axis"] == "threads"]

@@ -226,7 +226,12 @@ TABLES = {
         Column("share", "number", "1", "time over that of points with everything"),
     ),
     "scaling": (
-        Column("axis", "string", "", "points (processor time); processes, threads (on the clock)"),
+        Column(
+            "axis",
+            "string",
+            "",
+            "points, calls (processor time); processes, threads (on the clock)",
+        ),
         Column("points", "number", "1", "points solved"),
         Column("processes", "number", "1", "processes that share them"),
         Column("threads", "number", "1", "threads of each process"),
