@@ -60,6 +60,8 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
     """Raises ``ValueError`` unless ``arrays``, by the names of conditions, broadcast to no more points
     than memory holds."""
     shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
+    if not shapes:
+        return
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):
