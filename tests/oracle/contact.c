@@ -53,7 +53,7 @@
 
 typedef long double real;
 
-enum { NODES = 24, MOST_ROOTS = 8, EDGES = 6, DEPTH = 9 };
+enum { NODES = 24, MOST_ROOTS = 8, EDGES = 8, DEPTH = 9 };
 enum { UNCENTRED, CENTRED, GAP_CONVOLVED };
 enum { ELASTIC, ELASTOPLASTIC, PLASTIC };
 
@@ -454,13 +454,13 @@ static real rises_above(const Point *p)
     return (p->how.physical ? factor : 1 - factor) * p->in.H_s2 / p->in.E_ss;
 }
 
-/* Separations in order: the end of where particles see anything, and the kinks of F_s. */
+/* Separations in order: the kinks of F_s, and where the smallest sizes that count begin. */
 static int edges_of(const Point *p, real *h)
 {
     if (p->two_body)
         return 0;
-    real first = fmaxl(p->x_min, p->mean - REACH * p->spread) - p->h_e;
-    real d[EDGES] = {first, 0, p->h_e, p->x_max - p->h_e, p->x_max, p->x_max + p->h_e};
+    real first = fmaxl(p->x_min, p->mean - REACH * p->spread), last = p->x_max, h_e = p->h_e;
+    real d[EDGES] = {first - h_e, first, first + h_e, 0, h_e, last - h_e, last, last + h_e};
     for (int i = 0; i < EDGES; i++) {
         int j = i;
         for (; j > 0 && h[j - 1] > p->plane + d[i]; j--)
