@@ -42,7 +42,7 @@ INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
 FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
-NEXT_TO_LARGEST = 0.25  # in alpha
+NEXT_TO_LARGEST = 0.25  # in alpha, or less where phi decays by more than e over that
 NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that length
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
@@ -254,12 +254,17 @@ class Moment:
         value, slope = self._untruncated(np.clip(alpha, self.smallest, self.largest))
         within = (alpha > self.smallest) & (alpha < self.largest)
         moment = np.array(np.maximum(value - self.of_largest, 0.0))
-        next_to_it = within & (alpha > self.largest - NEXT_TO_LARGEST)
+        next_to_it = within & (alpha > self.next_to_largest)
         if next_to_it.any():
             length = self.largest - alpha[next_to_it]
             _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
             moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
+
+    @computed_once
+    def next_to_largest(self) -> float:
+        """alpha from which on the moment is an integral of its slope."""
+        return self.largest - min(NEXT_TO_LARGEST, 1.0 / self.largest)
 
     @computed_once
     def of_largest(self) -> float:
@@ -269,7 +274,7 @@ class Moment:
     @computed_once
     def cancellation(self) -> float:
         """By how much rounding of M is magnified in the moment at most [1]."""
-        nearest = max(self.largest - NEXT_TO_LARGEST, self.smallest)
+        nearest = max(self.next_to_largest, self.smallest)
         return 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
 
     @computed_once
