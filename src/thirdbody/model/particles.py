@@ -168,6 +168,23 @@ class ParticleLayer:
             load_factor / self.spread * here_slope,
         )
 
+    def change(self, low: NDArray, high: NDArray) -> NDArray:
+        """Bound on the relative change of areas between two separations that particles cause [1].
+
+        Moments fall with d: so what they lose between ``low`` and ``high`` [m] bounds it, wherever
+        they lose it.
+        """
+        limits = self.parameters.readings.elastic_limits
+        own, other = limits.weights(self.parameters.elastic_factor)
+        alphas = (np.stack([low, high]) - self.mean) / self.spread
+        here, there = self.moment(alphas)[0], self.moment(alphas + limits.side * self.depth)[0]
+        lost = abs(own) * (here[0] - here[1]) + abs(other) * (there[0] - there[1])
+        least = (own * here + other * there).max(axis=0) - lost
+        covering = self.share * self.parameters.hardness_surface_1
+        room = 1.0 - covering * here[0]
+        uncovered = covering * (here[0] - here[1])
+        return np.where(lost > 0.0, np.maximum(_ratio(lost, least), _ratio(uncovered, room)), 0.0)
+
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
         """Relative error that rounding leaves in the area of ``contact``.
 
@@ -300,6 +317,11 @@ class Moment:
 def _moment(*fields):
     """The moment with these fields: one object, which evaluates once what is computed once."""
     return Moment(*fields)
+
+
+def _ratio(part, whole):
+    """``part`` over ``whole``, infinite where nothing may be left of that."""
+    return np.where(whole > 0.0, part / np.maximum(whole, LEAST), np.inf)
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
 ROOT_SHARE = 0.5  # of the error asked for: left by the roots
+NARROW = 1e-3  # of the spread of sizes: over so little slopes of areas stay what they are
 
 
 @dataclass(frozen=True)
@@ -222,7 +223,7 @@ class SolvedPoints:
         self._balance = solve(
             points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
         )
-        self._error = self._balance.error + self._onset_error()
+        self._error = self._balance.error + self._error_between_sizes()
         self.left = ~(self._error <= rtol) | may_be_several(points)
         self.left &= points.surfaces.is_tabulated
         self._rtol = rtol
@@ -234,13 +235,20 @@ class SolvedPoints:
         """What ``ParticleLayer.contact`` returns there."""
         return self.points.contact.particles.contact(self._balance.separation)
 
-    def _onset_error(self):
-        """Relative error of the particles' area from that of d, where it may be that none touches."""
-        particles = self.points.contact.particles
+    def _error_between_sizes(self):
+        """Relative error of areas from that of d, where slopes there do not tell it: some particles
+        lose touch within it, or it may be that none touches.
+        """
+        particles, balance = self.points.contact.particles, self._balance
         if particles is None:
             return 0.0
-        beside = np.abs(particles.reach - self._balance.separation)
-        return np.where(beside <= self._balance.width, np.inf, 0.0)
+        beside = np.abs(particles.reach - balance.separation)
+        error = np.where(beside <= balance.width, np.inf, 0.0)
+        wide = np.flatnonzero(balance.width > NARROW * particles.spread)
+        if wide.size:
+            separation, width = balance.separation[wide], balance.width[wide]
+            error[wide] += particles.take(wide).change(separation - width, separation + width)
+        return error
 
     @computed_once
     def _leave_no_room(self):

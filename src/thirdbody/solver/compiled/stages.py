@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from thirdbody.model.particles import LOWEST
 from thirdbody.solver.compiled.layout import (
     BARE,
     BOUND,
@@ -433,13 +434,17 @@ def stop_before_contact(block, count, model):
     loads do to the separation depends on the slope, which loses a part on the other side.  It stays
     the same up to there, as ln M is concave: so they do not reach across where the particles that
     lose touch bear far more than they are.
+
+    Nor is a step the last one, or an error known, that is long beside what the sizes at d spread
+    over: they decay by a factor of e over 1/|alpha|, and are none below ``LOWEST``.
     """
     given, work, series, limits = block.given, block.work, block.series, model.limits
     particles, start = model.particles, model.particles.table.start
     own, other = particles.own_weight, particles.other_weight
     scale = particles.table.scale
-    eight, sixteen = work.dtype.type(8), work.dtype.type(16)
-    endless = work.dtype.type(np.inf)
+    real = work.dtype.type
+    zero, quarter, one, eight, sixteen = real(0), real(0.25), real(1), real(8), real(16)
+    lowest, endless = real(LOWEST), real(np.inf)
     for k in range(count):
         separation, per_spread = work[SEPARATION, k], given[PER_SPREAD, k]
         bears = particles.pressure * given[PER_LOAD, k] * given[PLASTIC_AREA, k]
@@ -461,6 +466,13 @@ def stop_before_contact(block, count, model):
         shifted = alpha + given[ELASTIC_SHIFT, k]
         stays = unsure_here + unsure_here < abs(alpha)
         stays &= unsure_there + unsure_there < abs(shifted)
+        here_alpha, there_alpha = alpha + start, shifted + start
+        short_here = unsure_here * (one + abs(here_alpha)) < quarter
+        short_there = unsure_there * (one + abs(there_alpha)) < quarter
+        stays &= short_here | (unsure_here + unsure_here < lowest - here_alpha) | (alpha > zero)
+        stays &= (
+            short_there | (unsure_there + unsure_there < lowest - there_alpha) | (shifted > zero)
+        )
         work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
 
 
