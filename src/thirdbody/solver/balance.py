@@ -130,6 +130,8 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         upper[several] = found.high / where * (1.0 + 1e-12)
     roots, width, error = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     error = np.where(roots <= width, np.inf, error)  # it may be that nothing balances
+    if several.size:
+        error[several[found.undecided]] = np.inf
     dry = np.full_like(roots, np.inf)
     return Balance(dry, scale * roots, scale * width, error, count)
 
@@ -188,20 +190,24 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
     if several.size:
         some = points.take(several)
         start = (1.0 - 1e-9) * alone[several]  # where the film bears more than F_t
-        found = enclose_largest(some, start, first_separation(some), with_film=True)
-        count[several] = found.count
-        ends = _logit(some.log_film_load(found.low)), _logit(some.log_film_load(found.high))
+        enclosed = enclose_largest(some, start, first_separation(some), with_film=True)
+        low, high = enclosed.low, enclosed.high
+        count[several] = enclosed.count
+        ends = _logit(some.log_film_load(low)), _logit(some.log_film_load(high))
         doubt = 1e-9 * (1.0 + np.abs(ends))
         lower[several] = np.fmax(ends[0] - doubt[0], lower[several])
         upper[several] = np.fmin(ends[1] + doubt[1], LOGIT_LIMIT)
-        middle = _logit(some.log_film_load(0.5 * (found.low + found.high)))
+        middle = _logit(some.log_film_load(0.5 * (low + high)))
         guess[several] = np.where(np.isfinite(middle), middle, guess[several])
     found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     log_fluid = log_expit(-found.root)
     separation, widening = points.film_separation(log_fluid)
     rounding = points.film.rounding(points.log_load_parameter(log_fluid))
     width = np.abs(widening) * found.width * expit(found.root) + rounding * separation
-    return Balance(found.root, separation, width, found.error, count)
+    error = found.error
+    if several.size:
+        error[several[enclosed.undecided]] = np.inf
+    return Balance(found.root, separation, width, error, count)
 
 
 def _logit(log_fluid):
@@ -265,6 +271,8 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     noise = np.where(log_solid > VANISHED, noise + 2.0 * EPSILON * np.abs(points.log_load), 0.0)
     # L_f = 1 - L_s is what suffers most
     error = rounding + table_error + (noise + table_error) * np.maximum(np.exp(logit), 1.0)
+    if several.size:
+        error[several[found.undecided]] = np.inf
     width = rounded * separation
     found = Balance(logit, separation, width, error, count)
     if boundary.any():

@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
+from thirdbody.model.particles import EPSILON
+from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import Points
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
@@ -20,7 +22,7 @@ SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
 LEAST_TURN = 1e-10  # of a load: less than that is rounding
-ROUNDED = 1e-12  # of a load: so near F_t a sample does not tell on which side it is
+ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
 
 
 class Enclosures(NamedTuple):
@@ -32,11 +34,15 @@ class Enclosures(NamedTuple):
         Separations [m] on either side of the largest that balances the forces.
     count : array of int
         How many there are.
+    undecided : array of bool
+        Whether rounding leaves open which is the largest, or whether there is any: loads stay so
+        near F_t along a plateau, or at a crest.
     """
 
     low: NDArray
     high: NDArray
     count: NDArray
+    undecided: NDArray
 
 
 def may_be_several(points: Points) -> NDArray:
@@ -69,42 +75,82 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     -----
     The sum of loads is sampled between all places at which its parts change their ways, and again
     about each extremum that may reach F_t.  Two separations so close together that rounding hides
-    what lies between pass for none.
+    what lies between pass for none in the ``count``.
     """
 
     def excess(separation, which):
         return _excess(separation, points.take(which), with_film)
 
     every = np.arange(start.size)
-    end = np.maximum(end, start) + points.surfaces.deviation
-    while (bears := excess(end, every) > 0.0).any():
+    # two bodies together may bear more, farther out, than either of them alone
+    end = np.maximum(np.maximum(end, start), points.contact.particles.reach)
+    end = end + points.surfaces.deviation
+    while (bears := excess(end, every)[0] > -ROUNDED).any():
         end = np.where(bears, 1.25 * end, end)
     places = _places(points, start, end)
     which = np.repeat(every, places.shape[1])
-    values = excess(places.ravel(), which).reshape(places.shape)
-    above = values > 0.0
+    values, noise = (each.reshape(places.shape) for each in excess(places.ravel(), which))
+    above, below = values > noise, ~(values >= -noise)
     farthest = places.shape[1] - 1
-    last = farthest - above[:, ::-1].argmax(axis=1)
-    undecided = farthest - (values > -ROUNDED)[:, ::-1].argmax(axis=1)
-    found = above.any(axis=1)
-    low = np.where(found, places[every, last], np.nan)
-    beyond = np.minimum(np.maximum(last, undecided) + 1, farthest)
-    high = np.where(found, places[every, beyond], np.nan)
-    count = (above[:, 1:] != above[:, :-1]).sum(axis=1)
-    point, inside, outside = _hidden_pairs(excess, places, values)
-    np.add.at(count, point, 2)
-    for index, crest, foot in zip(point, inside, outside, strict=True):
+    found, decided = (values > 0.0).any(axis=1), above.any(axis=1)
+    before = np.where(decided, _last(above), _last(values > 0.0))
+    last = np.maximum(_last(~below), before)  # beyond it loads are too small for certain
+    low = np.where(found, places[every, before], np.nan)
+    high = np.where(found, places[every, np.minimum(last + 1, farthest)], np.nan)
+    # a single place next to the separation may be as good as on it
+    undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
+    undecided = np.where(decided, undecided, ~below.all(axis=1))
+    values = _where_room_is_left(points.contact.particles, excess, places, values)
+    count = np.maximum(_changes(values > 0.0, above | below), found)
+    pairs = _hidden_pairs(excess, places, values)
+    np.add.at(count, pairs.point[pairs.certain], 2)
+    for index, crest, foot, certain in zip(*pairs, strict=True):
         if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
-            low[index], high[index] = crest, foot
-    return Enclosures(low, high, count)
+            undecided[index] |= not certain
+            if certain:
+                low[index], high[index] = crest, foot
+    return Enclosures(low, high, count, undecided)
+
+
+def _where_room_is_left(particles, excess, places, values):
+    """The ``values``, of which those where particles cover everything, which mean nothing, become that
+    where they begin to leave room."""
+
+    def room(separation, which):
+        return 1.0 - particles.take(which).contact(separation)[2] - EPSILON
+
+    rows, columns = places.shape
+    left = room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
+    covered = (left <= 0.0).sum(axis=1)  # the first ones, as coverage falls with d
+    some = np.flatnonzero((covered > 0) & (covered < columns))
+    low, high = places[some, covered[some] - 1], places[some, covered[some]]
+    edge, _ = bracketed_roots(lambda separation: room(separation, some), low, high, 0.0)
+    there, _ = excess(edge, some)
+    values = values.copy()
+    values[some] = np.where(np.arange(columns) < covered[some, None], there[:, None], values[some])
+    return values
+
+
+def _last(holds):
+    """Index of the last place of each row that ``holds``; that of the last one where none does."""
+    return holds.shape[1] - 1 - holds[:, ::-1].argmax(axis=1)
+
+
+def _changes(signs, known):
+    """How often ``signs`` change along each row, between places where they are ``known``."""
+    latest = np.maximum.accumulate(np.where(known, np.arange(signs.shape[1]), 0), axis=1)
+    signs = np.take_along_axis(signs, latest, axis=1)
+    return (signs[:, 1:] != signs[:, :-1]).sum(axis=1)
 
 
 def _excess(separation, points, with_film):
-    """ln of the load that is borne at ``separation`` [m] over F_t."""
-    value = points.contact.log_solid_load(separation).value - points.log_load
+    """ln of the load that is borne at ``separation`` [m] over F_t, and what it may be wrong by."""
+    load = points.contact.log_solid_load(separation)
+    value = load.value - points.log_load
+    moved = 2.0 * EPSILON * np.abs(separation * load.slope)
     if with_film:
         value = np.logaddexp(value, points.log_film_load(separation))
-    return value
+    return value, ROUNDED + load.noise + moved
 
 
 def _places(points, start, end):
@@ -123,12 +169,23 @@ def _places(points, start, end):
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
 
-def _hidden_pairs(excess, places, values):
+class _Pairs(NamedTuple):
     """Pairs of separations between two samples, at which a crest just reaches F_t or a trough just
-    falls below: their points, and two places, beyond F_t and farther out than that.
+    falls below.
 
-    The first place is 0 for a trough, whose separations are not the largest.
+    ``crest`` is a place [m] above F_t and ``foot`` one farther out and below; for a trough, whose
+    separations are not the largest, ``crest`` is 0.  Where it is not ``certain``, F_t is reached to
+    within rounding.
     """
+
+    point: NDArray
+    crest: NDArray
+    foot: NDArray
+    certain: NDArray
+
+
+def _hidden_pairs(excess, places, values):
+    """The ``_Pairs`` between samples that all are on one side of F_t."""
     near = np.abs(values)
     rises = np.abs(np.diff(values))
     same = (values[:, :-2] > 0.0) == (values[:, 2:] > 0.0)
@@ -139,21 +196,24 @@ def _hidden_pairs(excess, places, values):
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
-    found = [np.zeros(0, np.intp)], [np.zeros(0)], [np.zeros(0)]
-    for _ in range(ZOOMS):
+    found = [_Pairs(*np.zeros((4, 0)))]
+    for zoom in range(ZOOMS):
         if not point.size:
             break
         fine = np.linspace(low, high, CLOSER, axis=1)
         which = np.repeat(point, CLOSER)
-        closer = sign[:, None] * excess(fine.ravel(), which).reshape(fine.shape)
+        value, noise = (each.reshape(fine.shape) for each in excess(fine.ravel(), which))
+        closer = sign[:, None] * value
         best = np.clip(closer.argmin(axis=1), 1, CLOSER - 2)
         rows = np.arange(point.size)
-        crosses = closer.min(axis=1) <= 0.0
-        furthest = CLOSER - 1 - (closer <= 0.0)[:, ::-1].argmax(axis=1)
+        certain = (closer < -noise).any(axis=1)
+        reached = certain if zoom < ZOOMS - 1 else (closer <= noise).any(axis=1)
+        furthest = _last(np.where(certain[:, None], closer < -noise, closer <= noise))
         crest = np.where(sign < 0.0, fine[rows, furthest], 0.0)
         foot = fine[rows, np.minimum(furthest + 1, CLOSER - 1)]
-        for kept, column in zip(found, (point, crest, foot), strict=True):
-            kept.append(column[crosses])
+        pairs = _Pairs(point, crest, foot, certain)
+        found.append(_Pairs(*(column[reached] for column in pairs)))
         low, high = fine[rows, best - 1], fine[rows, best + 1]
-        point, low, high, sign = (column[~crosses] for column in (point, low, high, sign))
-    return map(np.concatenate, found)
+        point, low, high, sign = (column[~reached] for column in (point, low, high, sign))
+    point, crest, foot, certain = map(np.concatenate, zip(*found, strict=True))
+    return _Pairs(point.astype(np.intp), crest, foot, certain.astype(bool))

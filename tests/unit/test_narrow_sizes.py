@@ -1,0 +1,115 @@
+"""Particles of nearly one size: the load of solids falls or rises steeply within their sizes, and is the
+same to within rounding wherever all of them are elastic."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.plan import WAYS
+from thirdbody.solver.points import make_contact
+
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
+DIAMETER, ROUGHNESS, DENSITY = 3e-6, 100e-9, 1e9
+GIVEN = {"particle_diameter": DIAMETER, "roughness": ROUGHNESS, "particle_density": DENSITY}
+SPREAD = 3e-5  # of a diameter
+INSIDE, OUTSIDE = 1.0 - 10.0 * SPREAD, 1.0 + 7.0 * SPREAD  # of all sizes, of a diameter
+
+
+@pytest.fixture(scope="module")
+def narrow(parameters):
+    """Inputs with nearly one size."""
+    sizes = {"mean_ratio": 1.0, "spread_ratio": SPREAD, "truncation": 7.0, "participation": 1.0}
+    return replace(parameters, size_distribution="centred", elastic_depth_ratio=0.1, **sizes)
+
+
+@pytest.fixture(scope="module")
+def soft(narrow):
+    """Inputs with particles that bear more while elastic, before those of the same size yield."""
+    return replace(narrow, elastic_limits="physical", elastic_modulus_particle=1e10)
+
+
+def borne(inputs, separation, **given):
+    """F_s* at separations [m]."""
+    separation = np.asarray(separation, float)
+    columns = [np.full(separation.shape, value) for value in {**GIVEN, **given}.values()]
+    return np.exp(make_contact(*columns, inputs, None).log_solid_load(separation).value)
+
+
+@pytest.mark.parametrize("film_load", ["fluid", "total"])
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+@pytest.mark.parametrize("way", WAYS)
+def test_a_load_of_which_rounding_tells_no_separation_is_not_converged(
+    soft, way, viscosity, film_load
+):
+    inputs = replace(soft, film_load=film_load)
+    plateau = borne(inputs, [0.97 * DIAMETER])
+    factors = np.array([1.0 - 1e-3, 1.0 - 1e-14, 1.0, 1.0 + 1e-14, 1.0 + 1e-3])
+    given = GIVEN | {"load": plateau * factors, "viscosity": viscosity}
+    found = tb.solve(**given, parameters=inputs, rtol=1e-8, way=way)
+    undecided = [False, True, True, True, False]
+    assert (found.solution_status == NOT_CONVERGED).tolist() == undecided
+    assert np.isinf(found.error_bound).tolist() == undecided
+    assert found.separation_count[[0, 4]].tolist() == [3, 1]
+    assert INSIDE < found.separation[0] / DIAMETER < OUTSIDE  # at its outer end
+    assert found.separation[4] < 0.5 * DIAMETER  # where summits touch
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_a_crest_that_summits_and_particles_bear_together_is_found(soft, way):
+    given = {"particle_diameter": 300e-9, "particle_density": 1e11}
+    places = 300e-9 * np.array([INSIDE, OUTSIDE, 0.6])
+    crest, summits, closer = borne(soft, places, **given)
+    assert 0.005 < summits / crest < 0.5
+    assert closer < 0.7 * crest
+    given |= {"roughness": ROUGHNESS, "load": 0.99 * crest, "viscosity": 0.0}
+    found = tb.solve(**given, parameters=soft, way=way)
+    assert found.separation_count == 3
+    assert places[0] < found.separation < places[1]
+
+
+@pytest.mark.parametrize("film_load", ["fluid", "total"])
+@pytest.mark.parametrize("limits", ["printed", "physical"])
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6])
+@pytest.mark.parametrize("rtol", [1e-2, 1e-4])
+def test_what_particles_lose_within_an_error_is_in_its_bound(
+    narrow, rtol, viscosity, limits, film_load
+):
+    inputs = replace(narrow, elastic_limits=limits, film_load=film_load)
+    for diameter, density in ((DIAMETER, DENSITY), (1e-7, 1e10), (1e-7, 1e13)):
+        given = {"particle_diameter": diameter, "particle_density": density}
+        d = diameter * np.concatenate([1.0 + SPREAD * np.linspace(-10.0, 8.0, 200), [1.05, 1.099]])
+        load = borne(inputs, d, **given)
+        exact, *others = (
+            tb.solve(
+                load=load,
+                viscosity=viscosity,
+                **GIVEN | given,
+                parameters=inputs,
+                rtol=rtol,
+                way=way,
+            )
+            for way in ("quadrature", "compiled", "tables")
+        )
+        for found in others:
+            known = np.isfinite(found.error_bound)
+            bound = found.error_bound + exact.error_bound * (1.0 + found.error_bound)
+            for name in ("separation", "particle_contact_area_ratio", "total_contact_area"):
+                right = getattr(exact, name)
+                assert (np.abs(getattr(found, name) - right) <= bound * right)[known].all(), name
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_separations_at_which_particles_cover_everything_do_not_count(narrow, way):
+    inputs = replace(narrow, coverage_limits="contacting", elastic_limits="physical")
+    given = {"particle_diameter": 100e-9, "roughness": 300e-9, "particle_density": 1e14}
+    inside, outside = 100e-9 * np.array([INSIDE, OUTSIDE])
+    elastic, summits = borne(inputs, [inside, outside], **given)  # no summit is left bare inside
+    load = np.sqrt(elastic * summits)
+    assert elastic < 0.8 * load
+    assert borne(inputs, [0.0], **given) > load  # where particles are plastic
+    found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs, way=way)
+    assert found.separation > outside
+    assert found.separation_count == 2
