@@ -1,8 +1,7 @@
 """The library against the extended-precision oracle over the whole domain, in all readings, by all
 ways: no number is wrong that has a good status, and no bound is exceeded.
 
-THIRDBODY_POINTS sets how many points are drawn, a few thousand if it is not set: with a million the
-tests take an hour.
+THIRDBODY_POINTS sets how many points are drawn, and THIRDBODY_SEED which.
 """
 
 import os
@@ -19,14 +18,17 @@ from thirdbody.solver.plan import WAYS
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
     pytest.mark.filterwarnings("ignore::RuntimeWarning"),  # of points that have no film, or no load
+    pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
 ]
 
-READINGS = 48  # combinations that ``draw_for_library`` takes in turn
-SURFACES = READINGS * max(1, int(os.environ.get("THIRDBODY_POINTS", 4800)) // (READINGS * 100))
+RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
+ROUND = 48 * len(RTOLS)  # surfaces that have all readings, which are in turn too, with all of them
 POINTS = 100  # on each surface
-RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11
-GOOD = [SOLUTION_STATUSES.index(name) for name in SOLUTION_STATUSES if name != "not_converged"]
+SURFACES = ROUND * max(1, int(os.environ.get("THIRDBODY_POINTS", 24000)) // (ROUND * POINTS))
+SEED = int(os.environ.get("THIRDBODY_SEED", 5))
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 SMALLEST = np.finfo(float).tiny  # below which numbers lose their digits
+ROUNDING = 1e-12  # of a load, which decides nothing
 
 
 @pytest.fixture(scope="module")
@@ -36,27 +38,20 @@ def oracle(tmp_path_factory):
 
 @pytest.fixture(scope="module", params=["anywhere", "next to kinks"])
 def drawn(request, oracle):
-    """Conditions, the inputs of each surface, and what the oracle finds."""
-    model, conditions, inputs = draw_for_library(SURFACES, POINTS, seed=5)
+    """Numbers and conditions of all points, the inputs of each surface, and what the oracle finds."""
+    model, conditions, inputs = draw_for_library(SURFACES, POINTS, SEED)
     if request.param != "anywhere":
-        conditions = move_to_kinks(model, conditions, inputs, oracle, seed=6)
-    return request.param, conditions, inputs, oracle.solve(model, **conditions)
+        conditions = move_to_kinks(model, conditions, inputs, oracle, SEED + 1)
+    return model, conditions, inputs, oracle.solve(model, **conditions)
 
 
-def solved(conditions, inputs, way, rtol):
+def solved(conditions, inputs, rtols, way):
     """The variables of all points, each surface solved in one call."""
     found = []
-    for index, parameters in enumerate(inputs):
+    for index, (parameters, rtol) in enumerate(zip(inputs, rtols, strict=True)):
         here = slice(index * POINTS, (index + 1) * POINTS)
         given = {name: conditions[name][here] for name in CONDITIONS}
-        found.append(
-            tb.solve(
-                **given,
-                parameters=parameters,
-                rtol=rtol,
-                way=way,
-            )
-        )
+        found.append(tb.solve(**given, parameters=parameters, rtol=rtol, way=way))
     variables = vars(found[0]).keys() - {"conditions"}
     return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
 
@@ -68,30 +63,45 @@ def relative_error(found, expected):
     return np.where(vanishes | (found == expected), 0.0, error).astype(float)
 
 
+def counted(expected):
+    """How many separations there are that are not negative."""
+    return (expected.roots["separation"] >= 0.0).sum(axis=1)
+
+
+def decided(oracle, model, conditions, places):
+    """Those of ``places`` where as many separations balance loads that rounding tells not apart."""
+    model, conditions = (
+        {name: values[places] for name, values in given.items()} for given in (model, conditions)
+    )
+    counts = [
+        counted(oracle.solve(model, **conditions | {"load": conditions["load"] * factor}))
+        for factor in (1.0 - ROUNDING, 1.0, 1.0 + ROUNDING)
+    ]
+    return places[(counts[0] == counts[1]) & (counts[1] == counts[2])]
+
+
 @pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("rtol", RTOLS)
-def test_no_number_is_wrong_and_no_bound_exceeded(drawn, way, rtol):
-    place, conditions, inputs, expected = drawn
-    found = solved(conditions, inputs, way, rtol)
-    separation, status = expected.first("separation"), found["solution_status"]
-    has_values = np.isfinite(found["separation"])
-    exists = (expected.count > 0) & (separation >= 0.0)
-    # a load that closes the surfaces to within rounding of d = 0 may be borne there or not
-    doubtful = np.abs(separation) < 1e-13 * conditions["roughness"]
-    # and two separations next to each other, where F_s turns, pass for none
-    doubtful |= separation - expected.roots["separation"][:, 1] < 1e-10 * separation
-    assert (has_values == exists)[~doubtful].all()
-    known = has_values & exists & ~doubtful
-    errors = {name: relative_error(found[name], expected.first(name)) for name in QUANTITIES}
-    for name, error in errors.items():
-        exceeded = known & ~(error <= found["error_bound"])
-        assert not exceeded.any(), (name, np.flatnonzero(exceeded)[:5])
-        wrong = known & np.isin(status, GOOD) & ~(error <= rtol)
-        assert not wrong.any(), (name, np.flatnonzero(wrong)[:5])
-    if place == "anywhere":  # next to kinks one of two may be within rounding of the other
-        count = (expected.roots["separation"] >= 0.0).sum(axis=1)
-        assert np.array_equal(found["separation_count"][known], count[known])
-    assert (found["error_bound"][known] <= rtol).mean() > 0.5
+def test_no_number_is_wrong_and_no_bound_exceeded(drawn, oracle, way):
+    model, conditions, inputs, expected = drawn
+    rtols = np.resize(RTOLS, SURFACES)
+    found, rtol = solved(conditions, inputs, rtols, way), np.repeat(rtols, POINTS)
+    count, bound = counted(expected), found["error_bound"]
+    good = found["solution_status"] != NOT_CONVERGED
+    has_values, exists = np.isfinite(found["separation"]), count > 0
+    known = has_values & exists
+    problems = {
+        "exists": decided(oracle, model, conditions, np.flatnonzero(has_values != exists)),
+        "is good without a separation": np.flatnonzero(has_values & good & ~exists),
+    }
+    for name in QUANTITIES:
+        error = relative_error(found[name], expected.first(name))
+        problems[f"{name} beyond its bound"] = np.flatnonzero(known & ~(error <= bound))
+        problems[f"{name} beyond rtol"] = np.flatnonzero(known & good & ~(error <= rtol))
+    other = np.flatnonzero(known & good & (found["separation_count"] != count))
+    problems["separation_count"] = decided(oracle, model, conditions, other)
+    problems = {name: places[:5] for name, places in problems.items() if places.size}
+    assert not problems, f"seed {SEED}"
+    assert (bound[known] <= rtol[known]).mean() > 0.8
 
 
 @pytest.mark.parametrize("way", WAYS)
