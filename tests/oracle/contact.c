@@ -575,9 +575,14 @@ static void search(Search *s, End a, End b, int depth)
         s->found[s->count++] = exact_root(s->p, a.h, a.f, b.h, b.f);
         return;
     }
-    real top, value;
-    End first = end_at(s->p, a.h + (b.h - a.h) / 3), second = end_at(s->p, b.h - (b.h - a.h) / 3);
-    if (a.f >= first.f && first.f >= second.f && second.f >= b.f)
+    if (impossible(s->p, a, b))
+        return;
+    real top, value, before = a.f;
+    const real places[] = {1e-4L, 1.0L / 3, 2.0L / 3, 1 - 1e-4L, 1}; /* it may turn next to an end */
+    int i = 0;
+    for (real f; i < 5 && (f = imbalance(s->p, at(a.h + places[i] * (b.h - a.h)))) <= before; i++)
+        before = f;
+    if (i == 5)
         return; /* falls */
     if (extremum(s->p, a.h, b.h, a.f > 0 ? -1 : 1, &top, &value)) {
         s->found[s->count++] = exact_root(s->p, a.h, a.f, top, value);
