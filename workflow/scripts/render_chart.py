@@ -1,7 +1,5 @@
 """Draw a design chart from the atlas; nothing is solved here."""
 
-import gc
-
 import matplotlib.style
 
 from thirdbody.atlas.catalogue import open_atlas
@@ -23,7 +21,6 @@ def render(chart, catalogue, charts, style, stem):
 
 
 if __name__ == "__main__":
-    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
     with logged(snakemake.log[0]):
         render(
             snakemake.wildcards.chart,

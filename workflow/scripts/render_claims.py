@@ -1,7 +1,5 @@
 """Draw the verdicts on the paper's statements; nothing is judged here."""
 
-import gc
-
 import matplotlib.style
 
 from thirdbody.data.files import logged
@@ -21,7 +19,6 @@ def render(claims, style, stem):
 
 
 if __name__ == "__main__":
-    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
     with logged(snakemake.log[0]):
         render(
             snakemake.input.claims,

@@ -1,7 +1,5 @@
 """Draw one figure from its dataset; nothing is solved here."""
 
-import gc
-
 import matplotlib.style
 
 from thirdbody.data.files import logged
@@ -33,7 +31,6 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, band)
 
 
 if __name__ == "__main__":
-    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
     with logged(snakemake.log[0]):
         render(
             snakemake.wildcards.figure,

@@ -1,6 +1,5 @@
 """Draw what it costs the other statements that one of them holds; nothing is solved here."""
 
-import gc
 from pathlib import Path
 
 import matplotlib.style
@@ -23,7 +22,6 @@ def render(default, calibrated, style, stem):
 
 
 if __name__ == "__main__":
-    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
     with logged(snakemake.log[0]):
         render(
             snakemake.params.default,

@@ -1,7 +1,5 @@
 """Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
-import gc
-
 import matplotlib.style
 
 from thirdbody.data.files import logged
@@ -20,7 +18,6 @@ def render(figure, sections, style, stem):
 
 
 if __name__ == "__main__":
-    gc.freeze()  # what the imports made stays: looking for garbage in it takes long
     with logged(snakemake.log[0]):
         render(
             snakemake.wildcards.figure,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import gc
 import glob
 import os
 import secrets
@@ -126,6 +127,7 @@ def logged(log: str | Path) -> Iterator[None]:
         With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, whose message is then a
         line of the log; with a message if the log itself cannot be written.
     """
+    gc.freeze()  # what was imported stays: looking for garbage in it, also at the end, takes long
     outer = sys.stdout, sys.stderr
     try:
         with open(log, "w", encoding="utf-8", buffering=1) as stream:
