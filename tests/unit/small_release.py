@@ -25,7 +25,7 @@ SCENES = {
     # more particles than there is room for
     "fig07": [([0, 90], [1000], [300], [1.0e11, 2.0e11, 8.0e13])],
 }
-SCRIPT = "workflow/scripts/compute_dataset.py"
+SCRIPT = "workflow/scripts/solve_scene.py"
 SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
 PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
 
@@ -67,7 +67,7 @@ def make_release(folder):
     products = make_products(folder / "results")
     modules = import_closure(SCRIPT)
     jobs = [
-        Job("compute_dataset", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
+        Job("solve_scene", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
         for path in products
         if path.suffix == ".nc"
         for output in [Path("results") / path.relative_to(folder / "results")]

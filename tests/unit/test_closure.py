@@ -88,14 +88,14 @@ def test_each_script_of_the_workflow_needs_what_it_really_imports():
 
 
 def test_the_result_is_sorted_and_relative_to_the_repository():
-    listed = import_closure("workflow/scripts/compute_dataset.py")
+    listed = import_closure("workflow/scripts/solve_scene.py")
     assert listed == sorted(set(listed))
     assert all((ROOT / path).is_file() and not Path(path).is_absolute() for path in listed)
     assert "src/thirdbody/solver/solve.py" in listed
 
 
 def test_solving_does_not_need_the_figures():
-    solving = import_closure("workflow/scripts/compute_dataset.py")
+    solving = import_closure("workflow/scripts/solve_scene.py")
     assert not [path for path in solving if "figures" in path]
 
 

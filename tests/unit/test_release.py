@@ -111,7 +111,7 @@ def test_crate_says_who_made_what_from_what(built):
     assert len(actions) == 1 + len(SCENES)
     assert [one for one in actions if one["instrument"].id == crate.mainEntity.id]
     made = {one["result"].id: one["instrument"].id for one in actions if one.id != "#run"}
-    script = "source/workflow/scripts/compute_dataset.py"
+    script = "source/workflow/scripts/solve_scene.py"
     assert made == {f"datasets/{name}.nc": script for name in SCENES}
     software = {one["name"]: one["version"] for one in crate.get_by_type("SoftwareApplication")}
     assert {"numpy", "scipy", "snakemake"} <= software.keys()

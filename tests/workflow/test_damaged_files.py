@@ -15,7 +15,7 @@ DAMAGE = {
 
 
 def target(figure):
-    return f"results/extracted/transitions/{figure}.csv"
+    return f"results/figures/{figure}.svg"
 
 
 def test_a_damaged_dataset_is_named_with_the_command_that_remakes_it(workspace):
@@ -32,10 +32,12 @@ def test_a_damaged_dataset_is_named_with_the_command_that_remakes_it(workspace):
     assert "Traceback" not in shown
     for figure in DAMAGE:
         dataset = f"results/datasets/{figure}.nc"
-        log = (workspace.root / f"logs/extract_curves/{figure}.log").read_text(encoding="utf-8")
+        log = (workspace.root / f"logs/render_figure/{figure}.log").read_text(encoding="utf-8")
         assert re.fullmatch(rf"{dataset} .*; remake it: snakemake .*{dataset}\n", log)
         assert log.strip() in shown
-    kept = {name for name in before if not name.endswith(tuple(f"{name}.csv" for name in DAMAGE))}
+    kept = {
+        name for name in before if not name.startswith(tuple(f"figures/{name}." for name in DAMAGE))
+    }
     assert {name: before[name] for name in kept} == {
         name: stamp for name, stamp in workspace.stamps().items() if name in kept
     }
@@ -44,7 +46,7 @@ def test_a_damaged_dataset_is_named_with_the_command_that_remakes_it(workspace):
 
 def assert_command_repairs(workspace, figure):
     """The command that the log names, typed as it stands, heals the dataset."""
-    log = (workspace.root / f"logs/extract_curves/{figure}.log").read_text(encoding="utf-8")
+    log = (workspace.root / f"logs/render_figure/{figure}.log").read_text(encoding="utf-8")
     _, *arguments = shlex.split(log.partition("remake it: ")[2])
     assert workspace.snakemake(*arguments, config=()).returncode == 0
     again = workspace.snakemake(target(figure), config=())

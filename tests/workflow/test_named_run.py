@@ -39,7 +39,7 @@ def files(root, *folders):
 def test_all_of_a_named_run_is_in_its_folder(finished, twofold):
     before, after = (files(each.root, "results", "logs") for each in (finished, twofold))
     added = after.keys() - before.keys()
-    assert added >= {*MADE, "results/soft/logs/compute_dataset/fig03.log"}
+    assert added >= {*MADE, "results/soft/logs/solve_scene/fig03.log"}
     assert added >= {"results/soft/.custody/datasets/fig03.nc.sha256"}
     assert all(name.startswith("results/soft/") for name in added)
     assert {name: after[name] for name in before} == before

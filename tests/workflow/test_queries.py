@@ -95,7 +95,7 @@ def test_graph_of_jobs(ask):
     drawn = re.findall(r'label = "(\w+)\b.*style="([\w,]+)"', asked.stdout)
     pending = {rule for rule, style in drawn if "dashed" not in style}
     assert {RULE, FOLLOWING_RULE} <= pending
-    assert not pending & {"compute_dataset", "judge_claims", "render_figure"}
+    assert not pending & {"solve_scene", "judge_claims", "render_figure"}
 
 
 @pytest.mark.parametrize("query", ["--rulegraph", "--filegraph", "--list-untracked"])

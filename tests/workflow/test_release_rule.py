@@ -82,10 +82,10 @@ def test_crate_follows_every_product_to_its_rule(released):
     made = {one["@id"] for job in jobs if job["@id"] != "#run" for one in listed(job["result"])}
     made_by_run = {one["@id"] for one in listed(entities["#run"]["result"])}
     assert made_by_run - made == {"datasets/content-sha256.json"}
-    curves = entities["#extract_curves-fig09"]
-    assert curves["instrument"]["@id"] == "source/workflow/scripts/extract_curves.py"
-    assert {"@id": "datasets/fig09.nc"} in listed(curves["object"])
-    assert entities["#compute_dataset-fig09"]["object"] == {"@id": "configuration/config.json"}
+    drawing = entities["#render_figure-fig09"]
+    assert drawing["instrument"]["@id"] == "source/workflow/scripts/render_figure.py"
+    assert {"@id": "datasets/fig09.nc"} in listed(drawing["object"])
+    assert {"@id": "configuration/config.json"} in entities["#solve_scene-fig09"]["object"]
 
 
 def listed(value):

@@ -1,16 +1,21 @@
-# Datasets: one NetCDF file a scene, and one a schematic with the sections that it shows.
+# Solving: all that takes solutions of a scene, in one process, as loading what solves takes longer
+# than solving; and one NetCDF file a schematic with the sections that it shows.
 
 
-rule compute_dataset:
+rule solve_scene:
     input:
-        modules=import_closure("workflow/scripts/compute_dataset.py"),
+        calibrated=settings["calibrated"],
+        modules=import_closure("workflow/scripts/solve_scene.py"),
     output:
         dataset="<results>/datasets/{figure}.nc",
         cost="<results>/accuracy/solver_cost/{figure}.csv",
+        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
+        transitions="<results>/extracted/transitions/{figure}.csv",
+        band="<results>/bands/{figure}.nc",
     log:
-        "<logs>/compute_dataset/{figure}.log",
+        "<logs>/solve_scene/{figure}.log",
     benchmark:
-        "<logs>/compute_dataset/{figure}.tsv"
+        "<logs>/solve_scene/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["scenes"]),
     priority: 1
@@ -20,11 +25,12 @@ rule compute_dataset:
     params:
         scene=lookup(dpath="scenes/{figure}", within=settings),
         parameters=settings["parameters"],
+        laid_over=settings["inputs"],
         software=settings["software"],
     message:
         "Solving {wildcards.figure}"
     script:
-        "../scripts/compute_dataset.py"
+        "../scripts/solve_scene.py"
 
 
 rule compute_schematic:

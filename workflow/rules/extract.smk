@@ -1,27 +1,4 @@
-# Extraction: turning points, transitions and windows, then the tables that gather them.
-
-
-rule extract_curves:
-    input:
-        dataset="<results>/datasets/{figure}.nc",
-        modules=import_closure("workflow/scripts/extract_curves.py"),
-    output:
-        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
-        transitions="<results>/extracted/transitions/{figure}.csv",
-    log:
-        "<logs>/extract_curves/{figure}.log",
-    benchmark:
-        "<logs>/extract_curves/{figure}.tsv"
-    priority: 1
-    conda:
-        "../envs/thirdbody.yaml"
-    threads: 1
-    params:
-        parameters=settings["parameters"],
-    message:
-        "Extracting turning points and transitions of {wildcards.figure}"
-    script:
-        "../scripts/extract_curves.py"
+# Extraction: windows of the turning point, and what the paper prints.
 
 
 rule find_windows:

@@ -1,0 +1,54 @@
+"""Solve one scene: its dataset, what its curves show, and the envelope of the ensemble around them."""
+
+import time
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.extraction import tpca_rows, transition_rows
+from thirdbody.data.files import logged, whole
+from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.scene import Scene
+from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.band import band
+
+
+def solve(figure, scene, inputs, ensemble, dataset, cost, tpca_loads, transitions, envelope):
+    """Write the dataset of the scene ``figure`` and what solving it cost; then, from the dataset, its
+    turning points, its transitions and the ``envelope`` of the ``ensemble``."""
+    shown = Scene.of(figure, scene, inputs.newtons_per_load)
+    start = time.process_time()
+    solved = scene_dataset(shown, inputs, scene["rtol"])
+    seconds = time.process_time() - start
+    row = {
+        "figure": figure,
+        "points": shown.size,
+        "rtol": scene["rtol"],
+        "seconds": seconds,
+        "microseconds_per_point": 1e6 * seconds / shown.size,
+    }
+    with whole(dataset, cost, tpca_loads, transitions, envelope) as parts:
+        dataset_part, cost_part, tpca_part, transitions_part, envelope_part = parts
+        write_dataset(solved, dataset_part)
+        write_csv(cost_part, [row], TABLES["solver_cost"])
+        curves = read_dataset(dataset_part)
+        write_csv(tpca_part, tpca_rows(figure, curves, inputs), TABLES["tpca_loads"])
+        write_csv(transitions_part, transition_rows(figure, curves, inputs), TABLES["transitions"])
+        write_dataset(band(curves, inputs, ensemble), envelope_part)
+    print(f"{figure}: {shown.size} points in {seconds:.3f} s; {len(ensemble)} members around them")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        laid_over = snakemake.params.laid_over
+        solve(
+            snakemake.wildcards.figure,
+            snakemake.params.scene,
+            Parameters(**snakemake.params.parameters),
+            [member | laid_over for member in read_yaml(snakemake.input.calibrated)["ensemble"]],
+            snakemake.output.dataset,
+            snakemake.output.cost,
+            snakemake.output.tpca_loads,
+            snakemake.output.transitions,
+            snakemake.output.band,
+        )
