@@ -23,6 +23,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+from textwrap import indent
 
 from benchmarks.job_times import START, WORK
 from tests.workflow.workspace import MADE_BY_RUNS, Workspace
@@ -31,6 +32,7 @@ COSTS = "costs.jsonl"  # what the jobs of a run record
 NOTHING = """
 for path in snakemake.output:
     open(path, "w").close()
+if False:  # the modules that the rule has as inputs
 """
 RECORD = "from benchmarks.job_times import record; record({place!r}, {rule!r})\n"
 RECORD_WHOLE = """
@@ -82,7 +84,8 @@ def prepared(root: Path, empty: bool) -> Workspace:
     with open(root / "workflow" / "Snakefile", "a", encoding="utf-8") as snakefile:
         snakefile.write(RECORD_WHOLE.format(place=place, rule=SNAKEMAKE))
     for script in (root / "workflow" / "scripts").glob("*.py"):
-        work = NOTHING if empty else script.read_text(encoding="utf-8")
+        text = script.read_text(encoding="utf-8")
+        work = NOTHING + indent(text, "    ") if empty else text
         begin = RECORD.format(place=place, rule=script.stem)
         script.write_text(begin + work, encoding="utf-8")
     return workspace
