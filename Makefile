@@ -17,6 +17,9 @@ PYTHON ?= python3
 CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
+# pip would compile to bytecode on one core, and the tests of all packages too
+PIP := $(BIN)/python -m pip install --quiet --no-compile
+COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
 OVERHEAD := $(VENV)/overhead
 
@@ -47,12 +50,14 @@ $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
 
 $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/workflow.txt
-	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
+	$(PIP) --require-hashes --requirement locks/workflow.txt
+	$(COMPILE)
+	$(PIP) --no-deps --no-build-isolation --editable .
 	touch $@
 
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
-	$(BIN)/python -m pip install --quiet --require-hashes --requirement locks/test.txt
+	$(PIP) --require-hashes --requirement locks/test.txt
+	$(COMPILE)
 	touch $@
 
 verify: $(VENV)/workflow.done
