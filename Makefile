@@ -17,8 +17,7 @@ PYTHON ?= python3
 CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
-# pip would compile to bytecode on one core, and the tests of all packages too
-PIP := $(BIN)/python -m pip install --quiet --no-compile
+# after pip with --no-compile, which would use one core, and compile the tests of all packages too
 COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
 OVERHEAD := $(VENV)/overhead
@@ -50,13 +49,13 @@ $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
 
 $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
-	$(PIP) --require-hashes --requirement locks/workflow.txt
+	$(BIN)/python -m pip install --quiet --no-compile --require-hashes --requirement locks/workflow.txt
 	$(COMPILE)
-	$(PIP) --no-deps --no-build-isolation --editable .
+	$(BIN)/python -m pip install --quiet --no-compile --no-deps --no-build-isolation --editable .
 	touch $@
 
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
-	$(PIP) --require-hashes --requirement locks/test.txt
+	$(BIN)/python -m pip install --quiet --no-compile --require-hashes --requirement locks/test.txt
 	$(COMPILE)
 	touch $@
 
