@@ -5,8 +5,8 @@
 # make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make accuracy    errors and times of the solver, measured on this machine (11 minutes)
-# make overhead    the time of a clean run against that of the same jobs if they only import, in an
-#                  environment of its own: what only tests need would be loaded as well
+# make overhead    where the time of a clean run goes, in an environment of its own: what only tests need
+#                  would be loaded as well
 # make cluster     the time of a clean run on a cluster of one node, started for it, against one without
 #                  (needs root and Debian's slurm-wlm and munge)
 # make lock        renew the locked dependencies (needs uv)

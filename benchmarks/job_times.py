@@ -33,7 +33,9 @@ def record(place: str | Path, rule: str) -> None:
     def timed(function):
         def importing(name, *rest, **more):
             root = name.partition(".")[0]
-            owners.append(owners[-1] if not root or root in sys.stdlib_module_names else root)
+            is_relative = not root or any(rest[3:]) or more.get("level")
+            known = is_relative or root in sys.stdlib_module_names
+            owners.append(owners[-1] if known else root)
             inside.append(0.0)
             began = process_time()
             try:
