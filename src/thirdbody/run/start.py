@@ -21,6 +21,7 @@ from thirdbody.run.custody import damaged_products
 from thirdbody.run.lock import Hold, require_writable
 from thirdbody.run.places import Places
 
+USUAL_LIMIT = (100, 1)  # Snakemake's own: jobs to start, in as many seconds
 SETTINGS = "THIRDBODY_SETTINGS"  # variable with a digest of the settings of the run
 BOOKS = Path(".snakemake")  # which Snakemake keeps, for queries too
 
@@ -57,6 +58,7 @@ def look_before_planning(workflow, bytecode: Bytecode, places: Places) -> None:
         if runs:
             held.append(_take(places))
             bytecode.prepare()
+            _schedule_as_jobs_end(workflow.scheduling_settings)
         damaged = damaged_products(places.products)
         for product in damaged:
             print(f"{product} is not as it was made: to be made again", file=sys.stderr)
@@ -121,6 +123,17 @@ def record_in_job(workflow) -> None:
         workflow.persistence.finished = record
 
     workflow._build_dag = plan_and_record
+
+
+def _schedule_as_jobs_end(settings) -> None:
+    """Have Snakemake choose jobs when others end, unless whoever runs it limits how many start.
+
+    Its usual limit, which no run reaches, has it choose again a second after each choice as well, so
+    that it chooses the more often the more jobs have ended, and ends a second late.
+    """
+    limit = settings.max_jobs_per_timespan
+    if limit is not None and (limit.max_jobs, limit.timespan) == USUAL_LIMIT:
+        settings.max_jobs_per_timespan = None
 
 
 def _take(places: Places) -> Hold:
