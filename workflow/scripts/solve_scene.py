@@ -27,8 +27,8 @@ def solve(figure, scene, inputs, ensemble, dataset, cost, tpca_loads, transition
         "seconds": seconds,
         "microseconds_per_point": 1e6 * seconds / shown.size,
     }
-    with whole(dataset, cost, tpca_loads, transitions, envelope) as parts:
-        dataset_part, cost_part, tpca_part, transitions_part, envelope_part = parts
+    places = dataset, cost, tpca_loads, transitions, envelope
+    with whole(*places) as (dataset_part, cost_part, tpca_part, transitions_part, envelope_part):
         write_dataset(solved, dataset_part)
         write_csv(cost_part, [row], TABLES["solver_cost"])
         curves = read_dataset(dataset_part)
