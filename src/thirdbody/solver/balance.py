@@ -18,7 +18,7 @@ from thirdbody.model.contact import SolidLoad
 from thirdbody.model.particles import VANISHED, separation_bearing
 from thirdbody.model.readings import LoadOfTheFluid, TotalLoad
 from thirdbody.solver.points import Points
-from thirdbody.solver.roots import EPSILON, Residual, decreasing_roots
+from thirdbody.solver.roots import EPSILON, ROUNDING, Residual, decreasing_roots
 from thirdbody.solver.several import enclose_largest, may_be_several
 
 LOGIT_LIMIT = 745.0  # a smaller L_f than exp(-LOGIT_LIMIT) is zero in float64
@@ -77,7 +77,7 @@ def _places_to_search(points):
     return np.flatnonzero(may_be_several(points) & (not points.surfaces.is_tabulated))
 
 
-def dry_balance(points: Points, tolerance: float) -> Balance:
+def dry_balance(points: Points, tolerance: float, least: NDArray | None = None) -> Balance:
     """Solve F_s(d) = F_t, where the solids bear the load alone.
 
     Parameters
@@ -86,6 +86,8 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
         Points without a film, or whose film bears nothing.
     tolerance : float
         Relative error that the iteration may leave in any variable.
+    least : array, optional
+        A separation [m] at which the largest that balances the forces is known to be or beyond; else 0.
 
     Returns
     -------
@@ -120,14 +122,14 @@ def dry_balance(points: Points, tolerance: float) -> Balance:
     count = np.ones(first.shape, int)
     several = _places_to_search(points)
     if several.size:
-        zero = np.zeros(several.size)
-        found = enclose_largest(points.take(several), zero, first[several], with_film=False)
+        start = np.zeros(several.size) if least is None else least[several]
+        found = enclose_largest(points.take(several), start, first[several], with_film=False)
         where = np.broadcast_to(scale, first.shape)[several]
         count[several] = found.count
         guess[several] = 0.5 * (found.low + found.high) / where
         # a quotient may be rounded to the wrong side of a kink
-        lower[several] = found.low / where * (1.0 - 1e-12)
-        upper[several] = found.high / where * (1.0 + 1e-12)
+        lower[several] = found.low / where * (1.0 - ROUNDING)
+        upper[several] = found.high / where * (1.0 + ROUNDING)
     roots, width, error = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     error = np.where(roots <= width, np.inf, error)  # it may be that nothing balances
     if several.size:
@@ -194,7 +196,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         low, high = enclosed.low, enclosed.high
         count[several] = enclosed.count
         ends = _logit(some.log_film_load(low)), _logit(some.log_film_load(high))
-        doubt = 1e-9 * (1.0 + np.abs(ends))
+        doubt = 1e-12 * (1.0 + np.exp(np.negative(ends)))  # rounding of ln L_f, in y
         lower[several] = np.fmax(ends[0] - doubt[0], lower[several])
         upper[several] = np.fmin(ends[1] + doubt[1], LOGIT_LIMIT)
         middle = _logit(some.log_film_load(0.5 * (low + high)))
@@ -264,6 +266,8 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     if several.size:
         some = points.take(several)
         found = enclose_largest(some, separation[several], first_separation(some), with_film=False)
+        # a film so thin that particles cover everything is no balance
+        count[several] *= ~_are_covered(some, separation[several])
         count[several] += found.count
         boundary[several] |= found.count > 0
     logit = log_solid - np.log(-np.expm1(np.minimum(log_solid, 0.0)))
@@ -276,12 +280,18 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     width = rounded * separation
     found = Balance(logit, separation, width, error, count)
     if boundary.any():
-        dry = dry_balance(points.take(boundary), tolerance)
+        dry = dry_balance(points.take(boundary), tolerance, separation[boundary])
         for name, values in vars(dry).items():
             if name != "count":
                 getattr(found, name)[boundary] = values
         np.maximum(count, 1, out=count)
     return found
+
+
+def _are_covered(points, separation):
+    """Whether particles leave no room between them at a ``separation`` [m]."""
+    particles = points.contact.particles
+    return particles.leave_no_room(particles.contact(separation)[2])
 
 
 # by the reading of Eq. 8

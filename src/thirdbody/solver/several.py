@@ -147,7 +147,7 @@ def _excess(separation, points, with_film):
     """ln of the load that is borne at ``separation`` [m] over F_t, and what it may be wrong by."""
     load = points.contact.log_solid_load(separation)
     value = load.value - points.log_load
-    moved = 2.0 * EPSILON * np.abs(separation * load.slope)
+    moved = 8.0 * EPSILON * np.abs(separation * load.slope)
     if with_film:
         value = np.logaddexp(value, points.log_film_load(separation))
     return value, ROUNDED + load.noise + moved
@@ -207,8 +207,10 @@ def _hidden_pairs(excess, places, values):
         best = np.clip(closer.argmin(axis=1), 1, CLOSER - 2)
         rows = np.arange(point.size)
         certain = (closer < -noise).any(axis=1)
-        reached = certain if zoom < ZOOMS - 1 else (closer <= noise).any(axis=1)
-        furthest = _last(np.where(certain[:, None], closer < -noise, closer <= noise))
+        # what lies between the last samples may be as much higher as they differ
+        nearly = closer <= noise + np.ptp(closer, axis=1, keepdims=True)
+        reached = certain if zoom < ZOOMS - 1 else nearly.any(axis=1)
+        furthest = _last(np.where(certain[:, None], closer < -noise, nearly))
         crest = np.where(sign < 0.0, fine[rows, furthest], 0.0)
         foot = fine[rows, np.minimum(furthest + 1, CLOSER - 1)]
         pairs = _Pairs(point, crest, foot, certain)
