@@ -1,7 +1,9 @@
 """The library against the extended-precision oracle over the whole domain, in all readings, by all
 ways: no number is wrong that has a good status, and no bound is exceeded.
 
-THIRDBODY_POINTS sets how many points are drawn, and THIRDBODY_SEED which.
+THIRDBODY_POINTS sets how many points are drawn, anywhere and next to kinks, and THIRDBODY_SEED which.
+24,000 of both take about three minutes of a core; a million are best drawn by 42 seeds, one after the
+other, which needs less memory than all at once and tells of failures early.
 """
 
 import os
