@@ -11,7 +11,8 @@ from thirdbody import load_parameters, solve
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.netcdf import read_dataset, shown_combinations
+from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.quantities import shown_combinations
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.readings import KINDS
 from thirdbody.model.regimes import SOLUTION_STATUSES

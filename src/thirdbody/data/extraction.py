@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
-from thirdbody.data.netcdf import shown_combinations
+from thirdbody.data.quantities import shown_combinations
 from thirdbody.model.parameters import Parameters
 
 

@@ -7,12 +7,10 @@ from collections.abc import Collection, Mapping
 from os import PathLike
 
 import netCDF4  # noqa: F401  xarray would import it at the first file
-import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.quantities import FILL_FLAG, QUANTITIES, STATUS
+from thirdbody.data.quantities import QUANTITIES
 
 
 def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
@@ -77,19 +75,6 @@ def read_dataset(path: str | PathLike) -> xr.Dataset:
     if missing and not all(f"{name}_low" in dataset for name in QUANTITIES):
         raise unreadable(path, f"no {missing[0]}")
     return dataset
-
-
-def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
-    """Which combinations of the four conditions a dataset holds: any point with a status.
-
-    Returns
-    -------
-    ndarray of bool
-        One element a combination, in the shape of the dataset behind its axis of loads.
-    """
-    status = dataset[STATUS].values
-    # nan where xarray has masked points, of which it makes floats
-    return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
 
 
 def write_netcdf(dataset: xr.Dataset, path: str | PathLike, encoding: Mapping) -> None:

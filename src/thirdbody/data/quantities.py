@@ -7,10 +7,15 @@ axes, which are given and not computed, stand in ``thirdbody.data.conditions``.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 STATUS = "solution_status"  # the flag that says how to take all other variables
 # What stands where a dataset holds no point, which is another thing than a point without solution:
@@ -109,3 +114,16 @@ FLAGS = _by_name(
 )
 CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a figure
 VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS  # all that a dataset can hold
+
+
+def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
+    """Which combinations of the four conditions a dataset holds: any point with a status.
+
+    Returns
+    -------
+    ndarray of bool
+        One element a combination, in the shape of the dataset behind its axis of loads.
+    """
+    status = dataset[STATUS].values
+    # nan where xarray has masked points, of which it makes floats
+    return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)

@@ -8,9 +8,9 @@ words that are Markdown and reStructuredText alike.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from matplotlib.figure import Figure
 
 from thirdbody.data.conditions import AXES, Condition
@@ -19,6 +19,9 @@ from thirdbody.figures.sheet.naming import SUPERSCRIPTS, note, value_text
 from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints, Panel
 from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.shown import shown_curves
+
+if TYPE_CHECKING:  # figures without a dataset do without
+    import xarray as xr
 
 
 @dataclass(frozen=True)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
@@ -16,6 +16,9 @@ from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
 from thirdbody.figures.shown import Curve
+
+if TYPE_CHECKING:  # figures without a dataset do without
+    import xarray as xr
 
 TURNING_POINTS = {
     "linestyle": "none",

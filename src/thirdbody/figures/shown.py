@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.netcdf import shown_combinations
+from thirdbody.data.quantities import shown_combinations
 from thirdbody.figures.sheet.naming import label
+
+if TYPE_CHECKING:  # figures without a dataset do without
+    import xarray as xr
 
 AREA = "total_contact_area"
 AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"
