@@ -52,8 +52,6 @@ class Film:
     ----------
     smooth, rough : array
         s and r [1], of the shape of the points.
-    terms : array
-        Sum of the sizes of all that s and r are sums of [1]: rounding is in proportion to it.
     smooth_exponent, rough_exponent : float
         a and b [1].
     turning_ratio : float
@@ -62,7 +60,6 @@ class Film:
 
     smooth: NDArray
     rough: NDArray
-    terms: NDArray
     smooth_exponent: float
     rough_exponent: float
     turning_ratio: float
@@ -101,23 +98,21 @@ class Film:
         ln_sigma = np.log(roughness / parameters.ball_radius)
         load_exponent = -0.045 * kappa**0.18
         speed_exponent = 0.663 * kappa**0.025
-        of_smooth = (  # Eq. 7, all but W of the smooth film
-            np.log(3.672 * (1.0 - 0.573 * np.exp(-0.74 * kappa))),
-            speed_exponent * ln_U,
-            0.502 * kappa**0.064 * ln_G,
+        smooth = (  # Eq. 7, all but W of the smooth film
+            np.log(3.672 * (1.0 - 0.573 * np.exp(-0.74 * kappa)))
+            + speed_exponent * ln_U
+            + 0.502 * kappa**0.064 * ln_G
         )
-        of_rough = (  # Eq. 7, all but W of what roughness makes of that
-            np.log(0.025 * kappa**0.081),
-            1.248 * ln_sigma,
-            0.119 * ln_V,
-            -ROUGHNESS_SPEED_EXPONENT * ln_U,
-            -0.977 * ln_G,
+        rough = smooth + (  # Eq. 7, all but W of the roughness term
+            np.log(0.025 * kappa**0.081)
+            + 1.248 * ln_sigma
+            + 0.119 * ln_V
+            - ROUGHNESS_SPEED_EXPONENT * ln_U
+            - 0.977 * ln_G
         )
-        smooth = sum(of_smooth)
         return cls(
             smooth,
-            smooth + sum(of_rough),
-            sum(map(np.abs, of_smooth + of_rough)),
+            rough,
             load_exponent,
             load_exponent + ROUGHNESS_LOAD_EXPONENT,
             speed_exponent / (ROUGHNESS_SPEED_EXPONENT - speed_exponent),
@@ -128,7 +123,6 @@ class Film:
         return Film(
             self.smooth[chosen],
             self.rough[chosen],
-            self.terms[chosen],
             self.smooth_exponent,
             self.rough_exponent,
             self.turning_ratio,
@@ -154,8 +148,8 @@ class Film:
 
     def rounding(self, log_load_parameter: ArrayLike) -> NDArray:
         """Relative error [1] that rounding leaves in ``thickness``, the exponential of a long sum."""
-        of_load = 2.0 * np.abs(self.rough_exponent * log_load_parameter)
-        return EPSILON * (8.0 + self.terms + of_load)
+        terms = 8.0 + np.abs(self.smooth) + np.abs(self.rough)
+        return EPSILON * (terms + 2.0 * np.abs(self.rough_exponent * log_load_parameter))
 
     def crossing(self) -> tuple[NDArray, NDArray]:
         """Where both terms of Eq. 7 are equal: ln W there, and ln of each term [1].
