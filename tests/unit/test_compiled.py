@@ -22,7 +22,7 @@ from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.points import CompiledPoints
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.plan import TABLE_WORTH
-from thirdbody.solver.points import Conditions
+from thirdbody.solver.points import Conditions, make_contact
 from thirdbody.solver.solution import FLAGS, QUANTITIES, VARIABLES
 from thirdbody.solver.surfaces import Sheet, cells_of, log_yields
 
@@ -152,6 +152,22 @@ def test_summits_beyond_their_tables_bear_nothing(parameters):
     for name in QUANTITIES:
         one, other = getattr(found, name), getattr(expected, name)
         np.testing.assert_allclose(one, other, rtol=2e-9, atol=1e-307)
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])
+def test_bounds_hold_next_to_the_smallest_sizes(parameters, rtol):
+    """Where particles alone bear the load, and nearly all of them do: it hardly falls with d there."""
+    sizes = {"mean_ratio": 1.1, "spread_ratio": 0.7, "truncation": 1.77, "elastic_depth_ratio": 2.5}
+    hardness = {"hardness_surface_1": 2.8e8, "hardness_surface_2": 1.3e9}
+    sizes |= {"size_distribution": "centred", "participation": 1e-3}
+    inputs = replace(parameters, elastic_modulus_particle=3.2e9, **sizes, **hardness)
+    given = {"particle_diameter": 2e-7, "roughness": 7e-9, "particle_density": 2e12}
+    separation = 2e-7 * (2.5 + np.geomspace(1e-4, 0.3, 1000))
+    columns = (np.full_like(separation, value) for value in given.values())
+    borne = make_contact(*columns, inputs, None).log_solid_load(separation).value
+    given |= {"load": np.exp(borne), "viscosity": 0.0}
+    found = tb.solve(**given, parameters=inputs, rtol=rtol, way="compiled")
+    assert_within_bounds(found, best(inputs, **given), found.error_bound <= rtol)
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-3, 1e-6])

@@ -123,7 +123,7 @@ class ParticleModel(NamedTuple):
     of_all: float  # the moment of all sizes, the largest that there is
     error: float  # of the moment, relative to it and its slope
     slope_error: float  # of its slope
-    next_to_smallest: float  # alpha below which sizes are small beside the spread
+    smallest: float  # alpha of the smallest size, next to which moments hardly fall
     smallest_third: float  # and what the third derivative of the moment has there, besides
     own_weight: float  # of the moment at d in A_sa
     other_weight: float  # and of that at the other limit of the elastic integral

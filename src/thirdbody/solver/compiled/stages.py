@@ -368,18 +368,19 @@ def add_moment_remainders(block, count, model):
     own, other = particles.own_weight, particles.other_weight
     scale = particles.table.scale
     real = work.dtype.type
-    zero, eight, per_six = real(0), real(8), real(1.0 / 6.0)
+    zero, half, eight, per_six = real(0), real(0.5), real(8), real(1.0 / 6.0)
     inner = abs(scale + scale)
+    small = particles.smallest + half  # beside the spread
     for k in range(count):
         per_spread = given[PER_SPREAD, k]
         # the separation has moved by then: alpha is known well enough for a bound
         alpha = (work[SEPARATION, k] - given[MEAN, k]) * per_spread
         shifted = alpha + given[ELASTIC_SHIFT, k]
         here_3 = abs(series[MOMENT, SLOPE, k]) * inner * (eight + abs(alpha) * (eight + abs(alpha)))
-        here_3 += particles.smallest_third if alpha < particles.next_to_smallest else zero
+        here_3 += particles.smallest_third if alpha < small else zero
         there_3 = abs(series[ELASTIC_MOMENT, SLOPE, k]) * inner
         there_3 *= eight + abs(shifted) * (eight + abs(shifted))
-        there_3 += particles.smallest_third if shifted < particles.next_to_smallest else zero
+        there_3 += particles.smallest_third if shifted < small else zero
         moved = abs(work[STEP, k]) * per_spread
         area, total_1 = series[TOUCHING, VALUE, k], series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
         third = abs(own) * here_3 + abs(other) * there_3
@@ -436,7 +437,8 @@ def stop_before_contact(block, count, model):
     lose touch bear far more than they are.
 
     Nor is a step the last one, or an error known, that is long beside what the sizes at d spread
-    over: they decay by a factor of e over 1/|alpha|, and are none below ``LOWEST``.
+    over: they decay by a factor of e over 1/|alpha|, and are none below ``LOWEST``; and down to the
+    smallest size slopes fall as its square.
     """
     given, work, series, limits = block.given, block.work, block.series, model.limits
     particles, start = model.particles, model.particles.table.start
@@ -473,6 +475,9 @@ def stop_before_contact(block, count, model):
         stays &= (
             short_there | (unsure_there + unsure_there < lowest - there_alpha) | (shifted > zero)
         )
+        down, down_there = here_alpha - particles.smallest, there_alpha - particles.smallest
+        stays &= (sixteen * unsure_here < down) | (down < zero)
+        stays &= (sixteen * unsure_there < down_there) | (down_there < zero)
         work[REMAINDER, k] = work[REMAINDER, k] if stays else endless
 
 

@@ -172,7 +172,7 @@ def _particles(parameters, degree, real) -> ParticleModel:
         of_all=real(moment.of_all),
         error=real(error),
         slope_error=real(2.0 * degree**2 * error),
-        next_to_smallest=real(moment.smallest + 0.5),
+        smallest=real(moment.smallest),
         smallest_third=real(_third_of_smallest(moment)),
         own_weight=real(own),
         other_weight=real(other),
