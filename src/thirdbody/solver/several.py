@@ -147,10 +147,13 @@ def _excess(separation, points, with_film):
     """ln of the load that is borne at ``separation`` [m] over F_t, and what it may be wrong by."""
     load = points.contact.log_solid_load(separation)
     value = load.value - points.log_load
-    moved = 8.0 * EPSILON * np.abs(separation * load.slope)
+    noise = load.noise + 2.0 * EPSILON * np.abs(separation * load.slope)
     if with_film:
-        value = np.logaddexp(value, points.log_film_load(separation))
-    return value, ROUNDED + load.noise + moved
+        solids = value
+        value = np.logaddexp(solids, points.log_film_load(separation))
+        share = np.exp(solids - value)
+        noise = np.where(share > 0.0, noise * share, 0.0)
+    return value, ROUNDED + noise
 
 
 def _places(points, start, end):
