@@ -81,16 +81,9 @@ def test_what_particles_lose_within_an_error_is_in_its_bound(
     for diameter, density in ((DIAMETER, DENSITY), (1e-7, 1e10), (1e-7, 1e13)):
         given = {"particle_diameter": diameter, "particle_density": density}
         d = diameter * np.concatenate([1.0 + SPREAD * np.linspace(-10.0, 8.0, 200), [1.05, 1.099]])
-        load = borne(inputs, d, **given)
+        points = GIVEN | given | {"load": borne(inputs, d, **given), "viscosity": viscosity}
         exact, *others = (
-            tb.solve(
-                load=load,
-                viscosity=viscosity,
-                **GIVEN | given,
-                parameters=inputs,
-                rtol=rtol,
-                way=way,
-            )
+            tb.solve(**points, parameters=inputs, rtol=rtol, way=way)
             for way in ("quadrature", "compiled", "tables")
         )
         for found in others:

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.particles import EPSILON
 from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import Points
+from thirdbody.solver.roots import EPSILON
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
 SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
