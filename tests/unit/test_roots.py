@@ -95,6 +95,20 @@ def test_what_is_wanted_of_a_jump_over_zero_is_not_known():
     assert np.isinf(error[0])
 
 
+def test_a_root_at_the_end_of_a_plateau_within_rounding_of_zero_is_not_certain():
+    def plateau(x, points):
+        value = np.minimum(1e-11, 1e-3 * (0.25 - x))
+        slope = np.where(value < 1e-11, -1e-3, 0.0)
+        return Residual(np.where(x < -0.5, -1.0, value), slope, np.ones_like(x), 3e-11)
+
+    zero = np.zeros(1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = zero, zero - 1.0, zero + 0.25 + 1e-9
+        found, _, error = decreasing_roots(plateau, *ends, TOLERANCE, Targets(zero, []))
+    assert found[0] == pytest.approx(0.25, abs=1e-7)
+    assert np.isinf(error[0])
+
+
 def test_nan_counts_as_a_value_beyond_the_root():
     def logarithm(x):
         with np.errstate(invalid="ignore", divide="ignore"):

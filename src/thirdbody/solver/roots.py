@@ -61,10 +61,11 @@ class Roots(NamedTuple):
         Where the function vanishes.
     width : array
         How far off it may be: the function has been seen to be positive at ``root - width`` and not
-        at ``root + width``.
+        at ``root + width``; nan where rounding leaves that open however wide.
     error : array
-        Bound on the relative error of what is wanted of the root; infinite where the function falls
-        so far within the width that slopes at its ends say nothing of what lies between.
+        Bound on the relative error of what is wanted of the root; infinite where the width is nan,
+        or where the function falls so far within it that slopes at its ends say nothing of what
+        lies between.
     """
 
     root: NDArray
@@ -128,7 +129,12 @@ def decreasing_roots(
         x = np.choose(beyond + 1, (ends[0], near.root, ends[1]))
         low, high = np.where(beyond > 0, x, near.low), np.where(beyond < 0, x, near.high)
         doubt = DOUBT * near.doubt
-        lost = np.isnan(near.root) | (near.narrow == 1) & (beyond != 0)
+        # signs contradict those seen before: about here the function is but rounding away from zero
+        below = (beyond < 0) & (near.low > bounds[0]) & (near.low >= ends[0])
+        above = (beyond > 0) & (near.high < bounds[1]) & (near.high <= ends[1])
+        unsure = np.flatnonzero(below | above)
+        found.root[active[unsure]], found.error[active[unsure]] = near.root[unsure], np.inf
+        lost = np.isnan(near.root) | (near.narrow == 1) & (beyond != 0) | below | above
         left = np.flatnonzero(~(lost | np.isfinite(seen.root)))
         if not left.size:
             break
