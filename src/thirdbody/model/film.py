@@ -25,6 +25,8 @@ EPSILON = np.finfo(float).eps
 ROUGHNESS_SPEED_EXPONENT = 0.884  # the power of 1/U in the roughness term
 ROUGHNESS_LOAD_EXPONENT = -0.133  # the power of W in the roughness term
 THICKEST = 0.01  # H_c of what is still a film between two bodies
+# of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
+ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
 
 
@@ -54,12 +56,17 @@ class Film:
         s and r [1], of the shape of the points.
     smooth_exponent, rough_exponent : float
         a and b [1].
+    smooth_size, rough_size : array
+        How large the logarithms are together whose sum is s, and those that r adds to it [1]:
+        rounding grows with them.
     turning_ratio : float
         Ratio of the second term to the first where H_c is least over the speed U [1].
     """
 
     smooth: NDArray
     rough: NDArray
+    smooth_size: NDArray
+    rough_size: NDArray
     smooth_exponent: float
     rough_exponent: float
     turning_ratio: float
@@ -92,16 +99,18 @@ class Film:
         array([-13.81551056])
         """
         kappa = parameters.ellipticity
-        ln_U = np.log(parameters.speed_per_viscosity) + np.log(viscosity)
+        ln_speed, ln_viscosity = np.log(parameters.speed_per_viscosity), np.log(viscosity)
+        ln_U = ln_speed + ln_viscosity
         ln_G = np.log(parameters.material_parameter)
         ln_V = np.log(parameters.hardness_parameter)
         ln_sigma = np.log(roughness / parameters.ball_radius)
         load_exponent = -0.045 * kappa**0.18
         speed_exponent = 0.663 * kappa**0.025
+        material_exponent = 0.502 * kappa**0.064
         smooth = (  # Eq. 7, all but W of the smooth film
             np.log(3.672 * (1.0 - 0.573 * np.exp(-0.74 * kappa)))
             + speed_exponent * ln_U
-            + 0.502 * kappa**0.064 * ln_G
+            + material_exponent * ln_G
         )
         rough = smooth + (  # Eq. 7, all but W of the roughness term
             np.log(0.025 * kappa**0.081)
@@ -110,9 +119,13 @@ class Film:
             - ROUGHNESS_SPEED_EXPONENT * ln_U
             - 0.977 * ln_G
         )
+        speed_size = abs(ln_speed) + np.abs(ln_viscosity)
         return cls(
             smooth,
             rough,
+            speed_exponent * speed_size + material_exponent * abs(ln_G),
+            ROUGHNESS_SPEED_EXPONENT * speed_size
+            + (1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V) + 0.977 * abs(ln_G)),
             load_exponent,
             load_exponent + ROUGHNESS_LOAD_EXPONENT,
             speed_exponent / (ROUGHNESS_SPEED_EXPONENT - speed_exponent),
@@ -123,6 +136,8 @@ class Film:
         return Film(
             self.smooth[chosen],
             self.rough[chosen],
+            self.smooth_size[chosen],
+            self.rough_size[chosen],
             self.smooth_exponent,
             self.rough_exponent,
             self.turning_ratio,
@@ -146,10 +161,23 @@ class Film:
         # Eq. 7
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
-    def rounding(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Relative error [1] that rounding leaves in ``thickness``, the exponential of a long sum."""
-        terms = 8.0 + np.abs(self.smooth) + np.abs(self.rough)
-        return EPSILON * (terms + 2.0 * np.abs(self.rough_exponent * log_load_parameter))
+    def rounding(
+        self, log_load_parameter: ArrayLike, thickness: NDArray, slope: NDArray
+    ) -> NDArray:
+        """Relative error [1] that rounding leaves in ``thickness``: the more, the larger logarithms of
+        which H_c is the exponential.
+
+        Parameters
+        ----------
+        log_load_parameter : array_like
+            ln W [1].
+        thickness, slope : array
+            What ``thickness`` returns there.
+        """
+        fall = slope / thickness  # the exponents' mean, by the size of their terms
+        rough = (fall - self.smooth_exponent) / ROUGHNESS_LOAD_EXPONENT  # the second term's share
+        size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
+        return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
     def crossing(self) -> tuple[NDArray, NDArray]:
         """Where both terms of Eq. 7 are equal: ln W there, and ln of each term [1].

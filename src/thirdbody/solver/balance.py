@@ -164,14 +164,12 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         odds = np.exp(-np.abs(y))
         less = -np.log1p(odds)  # ln of the larger share
         log_solid, log_fluid = less + np.minimum(y, 0.0), less - np.maximum(y, 0.0)
-        separation, widening = some.film_separation(log_fluid)  # Eqs. 7 and 8
+        separation, widening, rounded = some.film_separation(log_fluid)  # Eqs. 7 and 8
         load = some.contact.log_solid_load(separation)  # Eqs. 2 and 4
         larger = 1.0 / (1.0 + odds)
         solid = np.where(y > 0.0, larger, odds * larger)
         shares = y > -LOGIT_LIMIT  # else L_s is zero in float64
-        noise, rounding = _moved(
-            load, separation, some.film.rounding(some.log_load_parameter(log_fluid))
-        )
+        noise, rounding = _moved(load, separation, rounded)
         noise = noise + 2.0 * EPSILON * (np.abs(some.log_load) + np.abs(log_solid))
         return Residual(
             load.value - some.log_load - log_solid,
@@ -182,7 +180,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
             some.surfaces.table_error,
         )
 
-    alone, _ = points.film_separation(0.0)
+    alone, *_ = points.film_separation(0.0)
     guess = _first_logit(points, alone)
     lowest = points.contact.log_solid_load(alone).value - points.log_load
     lower = np.minimum(1.001 * lowest, FILM_ALONE) - 10.0
@@ -203,8 +201,7 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         guess[several] = np.where(np.isfinite(middle), middle, guess[several])
     found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     log_fluid = log_expit(-found.root)
-    separation, widening = points.film_separation(log_fluid)
-    rounding = points.film.rounding(points.log_load_parameter(log_fluid))
+    separation, widening, rounding = points.film_separation(log_fluid)
     width = np.abs(widening) * found.width * expit(found.root) + rounding * separation
     error = found.error
     if several.size:
@@ -255,10 +252,9 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     the dry separation, L_s would exceed 1: there the solids bear everything at the dry separation.
     Where F_s rises with d, that may also hold at separations above the film's thickness.
     """
-    separation, _ = points.film_separation(0.0)
+    separation, _, rounded = points.film_separation(0.0)
     load = points.contact.log_solid_load(separation)
     log_solid = load.value - points.log_load
-    rounded = points.film.rounding(points.log_load_parameter(0.0))
     noise, rounding = _moved(load, separation, rounded)
     boundary = ~(log_solid < 0.0)
     count = np.where(boundary, 0, 1)

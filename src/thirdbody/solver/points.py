@@ -125,9 +125,16 @@ class Points:
         return Points(self.contact.take(chosen), film, self.log_load[chosen])
 
     def film_separation(self, log_fluid_fraction):
-        """d = R_x H_c [m] where the film bears the share L_f of the load, and dd/d ln L_f [m]."""
-        thickness, slope = self.film.thickness(self.log_load_parameter(log_fluid_fraction))
-        return self.parameters.ball_radius * thickness, self.parameters.ball_radius * slope
+        """d = R_x H_c [m] where the film bears the share L_f of the load, dd/d ln L_f [m], and the
+        relative error that rounding leaves in d [1]."""
+        log_parameter = self.log_load_parameter(log_fluid_fraction)
+        thickness, slope = self.film.thickness(log_parameter)
+        rounding = self.film.rounding(log_parameter, thickness, slope)
+        return (
+            self.parameters.ball_radius * thickness,
+            self.parameters.ball_radius * slope,
+            rounding,
+        )
 
     def log_film_load(self, separation, steps=INVERSE_STEPS):
         """ln of the load over F_t under which the film is as thick as ``separation`` d [m]; ``steps``

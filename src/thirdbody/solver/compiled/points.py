@@ -248,9 +248,9 @@ def _fill_known_film(columns, conditions, roughness, parameters):
     """Fill the rows that say what is known of a film under F_t; returns where Eq. 7 has no meaning."""
     film = Film.of(conditions.viscosity, roughness, parameters)
     log_load = log_load_parameter(np.log(conditions.load), parameters)
-    thickness, _ = film.thickness(log_load)
+    thickness, slope = film.thickness(log_load)
     columns[FILM_GAP] = thickness * (parameters.ball_radius / roughness)
-    columns[FILM_ERROR] = film.rounding(log_load)
+    columns[FILM_ERROR] = film.rounding(log_load, thickness, slope)
     return ~film.is_meaningful(log_load)
 
 
