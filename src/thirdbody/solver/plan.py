@@ -6,8 +6,8 @@ a cell that many roughnesses share, which many points repay.  The *compiled* loo
 code, which is the fastest once it is there: a process has to import the compiler first, and to
 compile where no earlier one did, which very many points repay.
 
-A way leaves the points for which it cannot promise the error that is asked for to the next, more
-precise one; every point is stored once, by the way that settles it.
+A way leaves the points for which it cannot promise the error that is asked for to a more precise one,
+that which takes less time for so many; every point is stored once, by the way that settles it.
 
 By default the choice depends on what a process has loaded and solved before, and so do the last
 digits.  What is to be made again byte by byte asks for ``REPEATABLE``, a choice between tables and
@@ -17,12 +17,14 @@ quadrature by the numbers of points alone.
 from __future__ import annotations
 
 import os
-from collections import Counter, defaultdict
+from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Collection, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 from itertools import compress
+from threading import Lock
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +69,7 @@ THREADS_WORTH = SINGLE_WORTH = 100_000
 CHEAP_TABLES = 1e-5
 
 NONE = np.zeros(0, np.intp)  # no places
+NO_TURNS = nullcontext()
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 1024  # the same without tables, where each has some hundred nodes
 
@@ -169,7 +172,9 @@ def solve_points(
     for group, chosen in zip(groups, ways, strict=True):
         first[chosen].append(group)
     left = task.solve_by_loop(first[COMPILED])
-    for places in _of_each_kind(first[TABLES] + left):
+    for group, chosen in zip(left, repeatable_ways(left, rtol), strict=True):
+        first[chosen].append(group)
+    for places in _of_each_kind(first[TABLES]):
         task.solve_by_quadrature(task.solve_by_tables(places))
     for places in _of_each_kind(first[QUADRATURE]):
         task.solve_by_quadrature(places)
@@ -321,6 +326,29 @@ def threads_worth(points: int) -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+class _Turns:
+    """Turns of threads at all but machine code: only one has the interpreter at a time, and to hand it
+    over at every operation on small arrays would take as long as the operations."""
+
+    def __init__(self):
+        self._turn = Lock()
+
+    def __enter__(self):
+        self._turn.acquire()
+
+    def __exit__(self, *_):
+        self._turn.release()
+
+    @contextmanager
+    def given_up(self):
+        """Context in which it is the others' turn."""
+        self._turn.release()
+        try:
+            yield
+        finally:
+            self._turn.acquire()
+
+
 @dataclass(frozen=True)
 class _Task:
     """What is asked of points, and the arrays of their solution.
@@ -346,25 +374,24 @@ class _Task:
 
         areas = not OF_AREAS.isdisjoint(self.result)
         reals = precisions(self.rtol)[0 if self.may_be_single else -1 :]
+        threads = threads_worth(sum(group.size for group in groups))
+        turns = _Turns()
 
         def solved(sheet, real, some):
-            return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas)
+            return CompiledPoints(
+                sheet, some, self.parameters, self.rtol, real, areas, turns.given_up
+            )
 
-        def left_of(group, each=map):
+        def left_of(group):
             places = group.places
             for real in reals:
-                places = self._settle(places, CHUNK, partial(solved, group.sheet, real), each)
+                solve = partial(solved, group.sheet, real)
+                places = self._settle(places, CHUNK, solve, threads, turns)
             return places
 
-        threads = threads_worth(sum(group.size for group in groups))
-        if threads == 1:
-            left = [left_of(group) for group in groups]
-        else:
-            with ThreadPoolExecutor(threads) as pool:
-                left = [left_of(group, pool.map) for group in groups]
         return [
             replace(group, places=places)
-            for group, places in zip(groups, left, strict=True)
+            for group, places in zip(groups, map(left_of, groups), strict=True)
             if places.size
         ]
 
@@ -379,23 +406,41 @@ class _Task:
     def _solved(self, table_rtol, some):
         return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
 
-    def _settle(self, places, size, solved, each=map):
-        """Solve points in pieces of ``size`` at most by ``solved(conditions)``, ``each`` by itself."""
+    def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
+        """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
+        take ``turns`` at it."""
+        pieces, left = deque(enumerate(_pieces(places, size))), {}
 
-        def left_of(piece):
-            with np.errstate(all="ignore"):  # which is that of a thread
-                found = solved(self.conditions.take(piece))
-                left = _chosen(piece, found.left)
-                if left.size:
-                    self._store(_chosen(piece, ~found.left), found, ~found.left)
-                else:
-                    self._store(piece, found, ...)
-            if self.settled is not None:
-                self.settled(found.left.size - left.size)
-            return left
+        def settle_pieces():
+            with np.errstate(all="ignore"), turns:  # errors are those of a thread
+                while pieces:
+                    number, piece = pieces.popleft()
+                    left[number] = self._left_of(piece, solved)
 
-        left = list(each(left_of, _pieces(places, size)))
-        return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
+        threads = min(threads, len(pieces))
+        if threads > 1:
+            with ThreadPoolExecutor(threads) as pool:
+                working = [pool.submit(settle_pieces) for _ in range(threads)]
+                try:
+                    for each in working:
+                        each.result()
+                finally:
+                    pieces.clear()  # so that all end where one was interrupted
+        else:
+            settle_pieces()
+        return left[0] if len(left) == 1 else np.concatenate([NONE, *map(left.get, sorted(left))])
+
+    def _left_of(self, piece, solved):
+        """Solve the points of a ``piece`` and store them, all but those that are left."""
+        found = solved(self.conditions.take(piece))
+        left = _chosen(piece, found.left)
+        if left.size:
+            self._store(_chosen(piece, ~found.left), found, ~found.left)
+        else:
+            self._store(piece, found, ...)
+        if self.settled is not None:
+            self.settled(found.left.size - left.size)
+        return left
 
     def _store(self, places, found, chosen):
         """Store at ``places`` what is ``found`` of the ``chosen`` points of a piece."""

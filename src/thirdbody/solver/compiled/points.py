@@ -8,6 +8,8 @@ error asked for are left to that.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -83,6 +85,8 @@ class CompiledPoints:
         Type of number to solve in, one of ``precisions(rtol)``.
     areas : bool
         Whether areas are asked for; if not, variables that follow from areas have no meaning.
+    apart : callable
+        Returns the context in which machine code runs, which does without the interpreter.
 
     Attributes
     ----------
@@ -100,6 +104,7 @@ class CompiledPoints:
         rtol: float,
         real: type,
         areas: bool,
+        apart: Callable[[], AbstractContextManager] = nullcontext,
     ):
         load, viscosity = conditions.load, conditions.viscosity
         diameter, density = conditions.particle_diameter, conditions.particle_density
@@ -132,14 +137,13 @@ class CompiledPoints:
             _fill_film(columns, roughness, viscosity.astype(real), parameters)
         found = np.empty((RESULTS, load.size))
         kind = self._has_particles, film_shares, film_is_known
-        compiled(solve_points)(
+        model, block = (
             prepare_model(sheet, parameters, rtol, real),
-            columns,
-            *kind,
-            areas,
             BLOCKS.of(real, INTEGERS[real], *kind),
-            found,
         )
+        solve = compiled(solve_points)
+        with apart():
+            solve(model, columns, *kind, areas, block, found)
         if not self._has_values:
             found[:, self._covered] = np.nan
         self.total_contact_area = found[TOTAL_AREA]
