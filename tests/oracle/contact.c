@@ -555,7 +555,7 @@ static int impossible(const Point *p, End a, End b)
     return most < p->in.load * (1 - 1e-12L) || least > p->in.load * (1 + 1e-12L);
 }
 
-/* Adds the roots between a and b: halves that part until it has none, or F_s falls all over it, or
+/* Adds the roots between a and b, the largest first: halves that part until it has none, or F_s falls all over it, or
  * it has been halved ``depth`` times: then it may have one, or an extremum and two. */
 static void search(Search *s, End a, End b, int depth)
 {
@@ -567,8 +567,8 @@ static void search(Search *s, End a, End b, int depth)
         if (!crosses && impossible(s->p, a, b))
             return;
         End middle = end_at(s->p, 0.5L * (a.h + b.h));
-        search(s, a, middle, depth - 1);
         search(s, middle, b, depth - 1);
+        search(s, a, middle, depth - 1);
         return;
     }
     if (crosses) {
@@ -585,34 +585,36 @@ static void search(Search *s, End a, End b, int depth)
     if (i == 5)
         return; /* falls */
     if (extremum(s->p, a.h, b.h, a.f > 0 ? -1 : 1, &top, &value)) {
-        s->found[s->count++] = exact_root(s->p, a.h, a.f, top, value);
         s->found[s->count++] = exact_root(s->p, top, value, b.h, b.f);
+        s->found[s->count++] = exact_root(s->p, a.h, a.f, top, value);
     }
 }
 
-/* All roots from ``low`` on, in order; ``edges`` are those of ``edges_of``. */
+/* All roots from ``low`` on, the largest first: where rounding makes many of one, it is not left out;
+ * ``edges`` are those of ``edges_of``. */
 static int all_roots(const Point *p, real low, const real *edges, int count, int everywhere, Gap *found)
 {
-    int film_alone = !p->dry && low == p->alone;
-    Search s = {p, everywhere ? 0 : rises_above(p), found, 0};
+    int film_alone = !p->dry && low == p->alone, n = 1, depths[EDGES + 1];
+    real threshold = everywhere ? 0 : rises_above(p);
+    Search s = {p, INFINITY, found, 0};
     if (film_alone && !p->how.total)
         low *= 1 - 1e-15L; /* rounding must not hide a root where solids bear nothing */
-    End a = end_at(p, low);
-    if (film_alone && p->how.total && a.f <= 0)
-        found[s.count++] = at(low); /* the film takes what the solids leave */
+    End ends[EDGES + 1] = {end_at(p, low)}, far;
     for (int i = 0; i < count; i++)
-        if (edges[i] > a.h) {
-            End b = end_at(p, edges[i]);
-            search(&s, a, b, i == 0 || a.h == b.h ? 0 : DEPTH);
-            a = b;
+        if (edges[i] > ends[n - 1].h) {
+            depths[n] = i == 0 ? 0 : DEPTH;
+            ends[n++] = end_at(p, edges[i]);
         }
-    End b = a;
-    real far = fmaxl(fabsl(a.h), p->in.y_s + 5 * (real)p->in.sigma_s);
+    real h = fmaxl(fabsl(ends[n - 1].h), p->in.y_s + 5 * (real)p->in.sigma_s);
     do
-        b = end_at(p, far *= 1.25L);
-    while (b.f > 0);
-    s.threshold = INFINITY; /* no particle reaches so far */
-    search(&s, a, b, 0);
+        far = end_at(p, h *= 1.25L);
+    while (far.f > 0);
+    search(&s, ends[n - 1], far, 0); /* no particle reaches so far */
+    s.threshold = threshold;
+    while (--n > 0)
+        search(&s, ends[n - 1], ends[n], depths[n]);
+    if (film_alone && p->how.total && ends[0].f <= 0 && s.count < MOST_ROOTS)
+        found[s.count++] = at(low); /* the film takes what the solids leave */
     return s.count;
 }
 
@@ -682,7 +684,7 @@ void solve(long count, const double *numbers, const int *readings, int everywher
         int n = all_roots(&p, low, edges, count_of_edges, everywhere, gaps);
         found[i] = n ? n : -1;
         for (int j = 0; j < n; j++)
-            roots[MOST_ROOTS * i + j] = set_root(&p, gaps[n - 1 - j]);
+            roots[MOST_ROOTS * i + j] = set_root(&p, gaps[j]);
     }
 }
 
