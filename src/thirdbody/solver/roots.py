@@ -64,8 +64,8 @@ class Roots(NamedTuple):
         at ``root + width``; nan where rounding leaves that open however wide.
     error : array
         Bound on the relative error of what is wanted of the root; infinite where the width is nan,
-        or where the function falls so far within it that slopes at its ends say nothing of what
-        lies between.
+        or where the function, or what is wanted, changes so far within it that slopes at its ends
+        say nothing of what lies between.
     """
 
     root: NDArray
@@ -227,5 +227,5 @@ def _enclose(residual, root, ends, bounds, tolerance, points):
     jumps = ~(below - above <= 4.0 * np.maximum(tolerance, steepest * width))
     error = np.expm1(width * np.maximum(*(end.gain for end in at_ends)))
     error += np.maximum(*(end.rounding for end in at_ends))
-    found = root, width, np.where(jumps, np.inf, error)
+    found = root, width, np.where(jumps | (error > 1.0), np.inf, error)
     return Roots(*np.where(holds, found, np.nan)), np.where(holds, 0, beyond)
