@@ -362,7 +362,8 @@ def add_moment_remainders(block, count, model):
     """What the Taylor series of the moments leave after the step is no power of the loads' slopes.
 
     The third derivative of M is that of x^2 phi(x), counted in spreads: no more than 8 + 8|alpha| +
-    alpha^2 times the slope where x is above a half, and than a number for sizes next to zero.
+    alpha^2 times the slope where x is above a half, and than a number for sizes next to zero.  Where
+    the slope itself falls to zero, Halley's step leaves a square of how much it bends the loads, too.
     """
     given, work, series, particles = block.given, block.work, block.series, model.particles
     own, other = particles.own_weight, particles.other_weight
@@ -383,10 +384,13 @@ def add_moment_remainders(block, count, model):
         there_3 += particles.smallest_third if shifted < small else zero
         moved = abs(work[STEP, k]) * per_spread
         area, total_1 = series[TOUCHING, VALUE, k], series[SOLID, SLOPE, k] + series[FILM, SLOPE, k]
+        bend = (series[SOLID, CURVE, k] + series[FILM, CURVE, k]) * work[STEP, k] / total_1
         third = abs(own) * here_3 + abs(other) * there_3
         left = third * moved * moved * moved * per_six * given[PLASTIC_AREA, k]
         bears = left * particles.pressure * given[PER_LOAD, k]
-        error = left / area + work[STEEPEST, k] * bears / abs(total_1)
+        error = left / area + work[STEEPEST, k] * (
+            bears / abs(total_1) + abs(work[STEP, k]) * bend * bend
+        )
         error = error if left > zero else zero
         work[REMAINDER, k] += error
         work[ERROR, k] += error
