@@ -191,7 +191,8 @@ def test_a_summary_tells_what_is_identified_and_what_is_not():
         for seed, rows in enumerate(searches)
     ]
     fronts = [{"one": [[0.5, 9.0], [2.0, 4.0]]}, {"one": [[1.0, 9.5], [1.5, 5.0]]}]
-    found = summary(READING, searches, samples, fronts, {"acceptance": 0.02, "ensemble": 4})
+    settings = {"acceptance": 0.02, "ensemble": 4}
+    found = summary(READING, searches, samples, fronts, settings, lambda sets: sets[0])
     assert found["fronts"] == {"one": [[0.5, 9.0], [1.5, 5.0], [2.0, 4.0]]}
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.03)
     assert found["identification"]["gap_ratio"]["identified"]

@@ -75,6 +75,8 @@ rule summarise_reading:
         fronts=expand(
             "<results>/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
         ),
+        claims=f"{CONFIG}/claims.yaml",
+        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
         modules=import_closure("workflow/scripts/summarise_reading.py"),
     output:
         calibrated="<results>/calibration/{reading}.yaml",
@@ -85,8 +87,11 @@ rule summarise_reading:
     conda:
         "../envs/thirdbody.yaml"
     threads: 1
+    resources:
+        runtime=30,
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
     message:
         "Summarising the calibration of {wildcards.reading}"
     script:

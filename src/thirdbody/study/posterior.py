@@ -6,7 +6,7 @@ statements about equally well, which inputs the statements identify, and which a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -29,6 +29,7 @@ def summary(
     samples: Sequence[NDArray[np.float64]],
     fronts: Sequence[Mapping[str, Sequence[Sequence[float]]]],
     settings: Mapping[str, Any],
+    choose: Callable[[NDArray[np.float64]], NDArray[np.float64]],
 ) -> dict[str, Any]:
     """Sum up the searches of a reading.
 
@@ -44,12 +45,15 @@ def summary(
         What a ``thirdbody.study.fronts.Witness`` has seen of the search of each seed.
     settings : mapping
         Content of ``config/calibration.yaml``, of which ``acceptance`` and ``ensemble`` are used.
+    choose : callable
+        Takes one of the acceptable sets, the best of which is the first.
 
     Returns
     -------
     dict
-        Content of ``config/calibrated/<reading>.yaml``, SI: ``inputs`` are the best found,
-        ``ensemble`` a number of sampled sets, the best first; ``identification`` tells of each
+        Content of ``config/calibrated/<reading>.yaml``, SI: ``objective`` is the least found,
+        ``inputs`` are those that are chosen, with their ``penalty``, ``ensemble`` a number of
+        sampled sets after them; ``identification`` tells of each
         unknown the acceptable range, whether it is narrow, the median and the 90 % range of the
         samples of each seed, and the least objective in each part of its bounds; ``correlations``
         tells pairs of unknowns that the statements constrain together only; ``fronts`` tells of
@@ -62,7 +66,8 @@ def summary(
     >>> reading = Reading("one", {}, (ratio,))
     >>> evaluated = np.array([[0.10, 7.0], [0.50, 3.0], [0.55, 3.4]])
     >>> sampled = np.array([[0.55, 3.4]])
-    >>> found = summary(reading, [evaluated], [sampled], [], {"acceptance": 1.0, "ensemble": 2})
+    >>> settings = {"acceptance": 1.0, "ensemble": 2}
+    >>> found = summary(reading, [evaluated], [sampled], [], settings, lambda sets: sets[0])
     >>> found["inputs"], found["ensemble"]
     ({'gap_ratio': 2.0}, [{'gap_ratio': 2.0}, {'gap_ratio': 2.2}])
     >>> found["identification"]["gap_ratio"]["identified"]
@@ -72,16 +77,17 @@ def summary(
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples)
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1).round().astype(int)
-    members = [good[0], *pooled[drawn]]
+    chosen = choose(good)
+    members = [chosen, *pooled[drawn]]
     return {
         "reading": reading.name,
         "objective": _rounded(good[0, -1]),
-        "penalty": _rounded(_penalty(reading, good[0])),
+        "penalty": _rounded(penalty_of(reading, chosen)),
         "objective_of_each_seed": [_rounded(each[:, -1].min()) for each in searches],
         "evaluations": sum(map(len, searches)),
         "acceptable": len(good),
-        "inputs": {**reading.fixed, **_inputs(reading, good[0])},
-        "ensemble": [_inputs(reading, member) for member in members],
+        "inputs": {**reading.fixed, **inputs_of(reading, chosen)},
+        "ensemble": [inputs_of(reading, member) for member in members],
         "objective_of_each_member": [_rounded(member[-1]) for member in members],
         "identification": _identification(reading, rows, good, samples),
         "correlations": _correlations(reading, pooled),
@@ -93,12 +99,14 @@ def _rounded(value) -> float:
     return float(f"{value:.{DIGITS}g}")
 
 
-def _penalty(reading: Reading, row) -> float:
+def penalty_of(reading: Reading, row: NDArray[np.float64]) -> float:
+    """How unusual the inputs of a row are [1]: the sum of the penalties of all unknowns."""
     values = reading.values(row[:-1])
     return sum(unknown.penalty(values[unknown.name]) for unknown in reading.unknowns)
 
 
-def _inputs(reading: Reading, row) -> dict:
+def inputs_of(reading: Reading, row: NDArray[np.float64]) -> dict[str, float]:
+    """The unknowns of a row, SI, by name, with as many digits as the file has."""
     return {name: _rounded(value) for name, value in reading.values(row[:-1]).items()}
 
 

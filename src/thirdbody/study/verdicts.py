@@ -302,12 +302,7 @@ def reading_rows(
         row = {"reading": judgement.name}
         held = {}
         for role in ("calibration", "validation"):
-            outcomes = [
-                (claim.counted_as, outcome(claim, verdict))
-                for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True)
-                if claim.role == role
-            ]
-            held[role], judged = counted_once(outcomes)
+            held[role], judged = count_held(trial.claims, judgement, role)
             row[role] = f"{held[role]}/{judged}"
         found = content["penalty"], len(content["identification"])
         row |= {"penalty": f"{found[0]:.2f}", "inputs": found[1], "objective": content["objective"]}
@@ -374,6 +369,15 @@ def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
         if word in (HOLDS, FAILS):
             clusters[name] = clusters.get(name, True) and word == HOLDS
     return sum(clusters.values()), len(clusters)
+
+
+def count_held(claims: Sequence[Claim], judgement: Judgement, role: str) -> tuple[int, int]:
+    """``counted_once`` of the ``claims`` of a role, as a judgement on all of them says."""
+    return counted_once(
+        (claim.counted_as, outcome(claim, verdict))
+        for claim, verdict in zip(claims, judgement.verdicts, strict=True)
+        if claim.role == role
+    )
 
 
 def held_once(rows: Iterable[Mapping[str, Any]]) -> tuple[int, int]:
