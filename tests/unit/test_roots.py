@@ -95,6 +95,25 @@ def test_what_is_wanted_of_a_jump_over_zero_is_not_known():
     assert np.isinf(error[0])
 
 
+def test_a_kink_within_the_error_does_not_hide_how_steep_it_is_before():
+    """ln v falls steeper and steeper up to 0.5 - 1e-9, where it stops; the root is just before."""
+    kink = 0.5 - 1e-9
+
+    def gain(x):
+        return np.where(x < kink, 1e5 * (1.0 + 1e6 * (x - kink + 1e-8)), 1.0)
+
+    def bent(x, points):
+        value = np.where(x < kink, kink - x, 0.0) - 1e-3 * (x - 0.5)
+        return Residual(value, np.where(x < kink, -1.0, -1e-3), gain(x), 0.0, 0.0, 1e-12)
+
+    zero = np.zeros(1)
+    found, width, error = decreasing_roots(
+        bent, zero + 0.5, zero, zero + 1.0, 1e-3, Targets(zero, [])
+    )
+    assert found[0] - width[0] < kink < found[0] + width[0]
+    assert error[0] >= width[0] * gain(np.array([kink - 1e-15]))[0]
+
+
 def test_what_may_be_wrong_by_more_than_itself_is_not_known():
     def noisy(x, points):
         return Residual(-x, np.full_like(x, -1.0), np.full_like(x, 1e3), 1e-3)

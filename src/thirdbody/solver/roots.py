@@ -19,6 +19,7 @@ DOUBT = 4.0  # by which an enclosure grows that did not hold its root
 FAR = 30.0  # a larger residual may fall by half at each of very many steps
 NEAR = 0.1  # a larger residual is not yet where steps shrink quadratically
 EPSILON = np.finfo(float).eps
+KINKED = 2.0  # ratio of gains at the ends of an error that tells of a kink between them
 ROUNDING = 4.0 * EPSILON  # a bracket this narrow holds a jump, or nothing
 
 
@@ -225,7 +226,11 @@ def _enclose(residual, root, ends, bounds, tolerance, points):
     width = np.maximum(root - ends[0], ends[1] - root)
     steepest = np.maximum(*(np.abs(end.slope) for end in at_ends))
     jumps = ~(below - above <= 4.0 * np.maximum(tolerance, steepest * width))
-    error = np.expm1(width * np.maximum(*(end.gain for end in at_ends)))
+    gains = [end.gain for end in at_ends]
+    most = np.maximum(*gains)
+    # up to a kink between the ends the gain may have grown beyond either
+    most = np.where(most > KINKED * np.minimum(*gains), KINKED * most, most)
+    error = np.expm1(width * most)
     error += np.maximum(*(end.rounding for end in at_ends))
     found = root, width, np.where(jumps | (error > 1.0), np.inf, error)
     return Roots(*np.where(holds, found, np.nan)), np.where(holds, 0, beyond)
