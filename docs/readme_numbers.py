@@ -83,7 +83,7 @@ def identified_block() -> str:
     table = [
         {
             "input": name,
-            "best": f"{content['inputs'][name]:.3g}",
+            "chosen": f"{content['inputs'][name]:.3g}",
             "acceptable": "{:.3g} to {:.3g}".format(*found["acceptable"]),
             "90 % of what each seed draws": ", ".join(
                 "{:.3g} to {:.3g}".format(*ends) for ends in found["range_of_each_seed"]

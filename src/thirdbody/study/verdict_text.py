@@ -64,8 +64,9 @@ def claims_markdown(
         "## Predictions of the numbers that the text keeps back",
         _numbers(headline_rows(trial, _withheld(trial))),
         "## How to read this page",
-        f"Inputs: the best of the reading `{default['reading']}` (objective "
-        f"{default['objective']:g} when it was found). A statement holds if it is met within its tolerance; the "
+        f"Inputs: of the sets of the reading `{default['reading']}` that explain the statements about "
+        f"equally well (least objective {default['objective']:g}) that under which most of them hold, "
+        "those of the role `calibration` alone being counted. A statement holds if it is met within its tolerance; the "
         "statements, tolerances and their reasons are in `config/claims.yaml`, the inputs and "
         "their ensemble in `config/calibrated/`. Statements that repeat one another count once, as held "
         "if all of them hold that are tested; one is not tested if the model does not come to its "
@@ -77,7 +78,7 @@ def claims_markdown(
         "## Counts by figure",
         _counted(rows, "figure"),
         "## How near each reading comes",
-        "At the best inputs of each, solved as coarsely as in the calibration (windows to about "
+        "At the inputs of each, solved as coarsely as in the calibration (windows to about "
         "0.01); ✓ marks what is within the statement's tolerance. The first is the default, by a rule that "
         "knows nothing of `validation`: most statements of the calibration hold, repeats counted once; "
         "then the least penalty for unusual inputs; then the fewest inputs that were searched.",
@@ -199,7 +200,7 @@ def _inputs(default: Mapping) -> str:
     cells = [
         {
             "input": name,
-            "best": f"{default['inputs'][name]:.3g}",
+            "chosen": f"{default['inputs'][name]:.3g}",
             "90 % of each seed's sample": ", ".join(
                 "{:.3g} to {:.3g}".format(*ends) for ends in found.get("range_of_each_seed", ())
             ),
