@@ -106,21 +106,24 @@ class CompiledPoints:
         areas: bool,
         apart: Callable[[], AbstractContextManager] = nullcontext,
     ):
+        points, first = conditions.size, conditions.take(0)
+        if points == 1:  # numbers take a tenth of the time that arrays of one do
+            conditions = first
         load, viscosity = conditions.load, conditions.viscosity
         diameter, density = conditions.particle_diameter, conditions.particle_density
         if sheet.is_cell:
             roughness = conditions.roughness
             surface, summits = summits_of(roughness, parameters)
         else:
-            roughness = float(conditions.roughness[0])
+            roughness = float(first.roughness)
             surface, summits = summits_of_one(roughness, parameters)
         self._parameters = parameters
-        self._has_particles = bool(has_particles(diameter[0], density[0]))
-        self._has_film = viscosity[0] > 0.0
-        columns = np.empty((GIVEN, load.size), real)
+        self._has_particles = bool(has_particles(first.particle_diameter, first.particle_density))
+        self._has_film = bool(first.viscosity > 0.0)
+        columns = np.empty((GIVEN, points), real)
         columns[PER_LOAD] = 1.0 / load.astype(real)
         _fill_summits(columns, sheet, surface, summits)
-        self._covered = np.zeros(load.size, bool)
+        self._covered = np.zeros(points, bool)
         if self._has_particles:
             sigma = roughness.astype(real) if sheet.is_cell else roughness
             sizes = diameter.astype(real), sigma, density.astype(real)
@@ -135,7 +138,7 @@ class CompiledPoints:
             self._means_nothing = _fill_known_film(columns, conditions, roughness, parameters)
         if film_shares:
             _fill_film(columns, roughness, viscosity.astype(real), parameters)
-        found = np.empty((RESULTS, load.size))
+        found = np.empty((RESULTS, points))
         kind = self._has_particles, film_shares, film_is_known
         model, block = (
             prepare_model(sheet, parameters, rtol, real),
@@ -228,7 +231,7 @@ def _fill_particles(columns, layer, roughness):
 def _are_covered(layer, load):
     """Points without a solution because particles cover everything at any separation (Eq. 4), unless
     their load F_t* might be more than the particles bear: then they have none for another reason."""
-    covered = layer.log_bare < FULL
+    covered = np.atleast_1d(layer.log_bare < FULL)
     (places,) = covered.nonzero()
     if places.size == 0:
         return covered
