@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import thirdbody as tb
+from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.plan import WAYS
 from thirdbody.solver.points import make_contact
@@ -55,6 +56,22 @@ def test_a_load_of_which_rounding_tells_no_separation_is_not_converged(
     assert found.separation_count[[0, 4]].tolist() == [3, 1]
     assert INSIDE < found.separation[0] / DIAMETER < OUTSIDE  # at its outer end
     assert found.separation[4] < 0.5 * DIAMETER  # where summits touch
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_where_rounding_tells_nothing_beyond_the_film_that_stays(soft, way):
+    """A film under the total load that lies on a plateau as high as the load, or higher by rounding."""
+    inputs = replace(soft, film_load="total", elastic_depth_ratio=0.3)
+    plateau = borne(inputs, [0.85 * DIAMETER])[0]
+    log_parameter = log_load_parameter(np.log(plateau), inputs)
+    oils = np.geomspace(1e-6, 1e-1, 500)
+    thickness = inputs.ball_radius * Film.of(oils, ROUGHNESS, inputs).thickness(log_parameter)[0]
+    oil = oils[np.argmin(np.abs(thickness - 0.85 * DIAMETER))]
+    given = GIVEN | {"load": plateau * np.array([1.0, 1.0 - 1e-14]), "viscosity": oil}
+    found = tb.solve(**given, parameters=inputs, way=way)
+    assert (found.solution_status == NOT_CONVERGED).all()
+    assert ((found.separation > 0.75 * DIAMETER) & (found.separation < OUTSIDE * DIAMETER)).all()
+    assert np.isinf(found.error_bound).all()
 
 
 @pytest.mark.parametrize("way", WAYS)

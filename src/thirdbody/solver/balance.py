@@ -271,15 +271,20 @@ def total_load_balance(points: Points, tolerance: float) -> Balance:
     noise = np.where(log_solid > VANISHED, noise + 2.0 * EPSILON * np.abs(points.log_load), 0.0)
     # L_f = 1 - L_s is what suffers most
     error = rounding + table_error + (noise + table_error) * np.maximum(np.exp(logit), 1.0)
+    undecided = np.zeros(boundary.shape, bool)
     if several.size:
-        error[several[found.undecided]] = np.inf
+        undecided[several] = found.undecided
+    error[undecided] = np.inf
     width = rounded * separation
     found = Balance(logit, separation, width, error, count)
     if boundary.any():
         dry = dry_balance(points.take(boundary), tolerance, separation[boundary])
+        # along a plateau as high as the load nothing may be found beyond the film
+        stays = np.isnan(dry.separation) & undecided[boundary]
+        boundary[boundary] = ~stays
         for name, values in vars(dry).items():
             if name != "count":
-                getattr(found, name)[boundary] = values
+                getattr(found, name)[boundary] = values[~stays]
         np.maximum(count, 1, out=count)
     return found
 
