@@ -21,7 +21,6 @@ SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
 SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
-LEAST_TURN = 1e-10  # of a load: less than that is rounding
 ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
 
 
@@ -102,7 +101,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     undecided = np.where(decided, undecided, ~below.all(axis=1))
     values = _where_room_is_left(points.contact.particles, excess, places, values)
     count = np.maximum(_changes(values > 0.0, above | below), found)
-    pairs = _hidden_pairs(excess, places, values)
+    pairs = _hidden_pairs(excess, places, values, noise)
     np.add.at(count, pairs.point[pairs.certain], 2)
     for index, crest, foot, certain in zip(*pairs, strict=True):
         if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
@@ -187,15 +186,15 @@ class _Pairs(NamedTuple):
     certain: NDArray
 
 
-def _hidden_pairs(excess, places, values):
-    """The ``_Pairs`` between samples that all are on one side of F_t."""
+def _hidden_pairs(excess, places, values, noise):
+    """The ``_Pairs`` between samples that all are on one side of F_t; a turn within the ``noise`` is none."""
     near = np.abs(values)
     rises = np.abs(np.diff(values))
     same = (values[:, :-2] > 0.0) == (values[:, 2:] > 0.0)
     same &= (values[:, 1:-1] > 0.0) == (values[:, 2:] > 0.0)
     turns = same & (near[:, 1:-1] < near[:, :-2]) & (near[:, 1:-1] <= near[:, 2:])
     turn = np.maximum(rises[:, :-1], rises[:, 1:])
-    turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > LEAST_TURN)
+    turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > noise[:, 1:-1])
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
