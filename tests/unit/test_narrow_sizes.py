@@ -87,17 +87,18 @@ def test_a_crest_that_summits_and_particles_bear_together_is_found(soft, way):
     assert places[0] < found.separation < places[1]
 
 
-def test_a_crest_that_stands_out_by_little_more_than_rounding_is_found(soft):
+@pytest.mark.parametrize(("diameter", "least"), [(2.59e-6, 1e-9), (2.75e-6, 8e-11)])
+def test_a_crest_that_stands_out_by_little_more_than_rounding_is_found(soft, diameter, least):
     """Where the last sizes yield, and summits that bear next to nothing decide which way F_s goes."""
     inputs = replace(soft, particle_plane="surface", summit_offset=False, elastic_depth_ratio=0.05)
     inputs = replace(inputs, mean_ratio=0.7, spread_ratio=2e-5, truncation=7.3, participation=1e-3)
     inputs = replace(inputs, elastic_modulus_particle=5e9, coverage_limits="contacting")
     inputs = replace(inputs, hardness_surface_1=2.5e9, hardness_surface_2=3.5e8)
-    given = {"particle_diameter": 2.65e-6, "roughness": 300e-9, "particle_density": 1e11}
-    places = 2.65e-6 * (0.65 + 2e-5 * np.linspace(4.0, 7.2, 2001))
+    given = {"particle_diameter": diameter, "roughness": 300e-9, "particle_density": 1e11}
+    places = diameter * (0.65 + 2e-5 * np.linspace(4.0, 7.2, 2001))
     loads = borne(inputs, places, **given)
     crest = loads.argmax()
-    assert 1e-11 < loads[crest] / loads[-1] - 1.0 < 1e-10
+    assert least < loads[crest] / loads[-1] - 1.0 < 1.3 * least
     given |= {"load": loads[crest] * (1.0 - 5e-12), "viscosity": 0.0}
     found = tb.solve(**given, parameters=inputs, rtol=1e-3, way="quadrature")
     assert found.separation_count == 3

@@ -133,7 +133,7 @@ def dry_balance(points: Points, tolerance: float, least: NDArray | None = None) 
     roots, width, error = decreasing_roots(residual, guess, lower, upper, tolerance, points)
     error = np.where(roots <= width, np.inf, error)  # it may be that nothing balances
     if several.size:
-        error[several[found.undecided]] = np.inf
+        _leave_open(roots, error, guess, several, found)
     dry = np.full_like(roots, np.inf)
     return Balance(dry, scale * roots, scale * width, error, count)
 
@@ -200,13 +200,20 @@ def shared_balance(points: Points, tolerance: float) -> Balance:
         middle = _logit(some.log_film_load(0.5 * (low + high)))
         guess[several] = np.where(np.isfinite(middle), middle, guess[several])
     found = decreasing_roots(residual, guess, lower, upper, tolerance, points)
+    if several.size:
+        _leave_open(found.root, found.error, guess, several, enclosed)
     log_fluid = log_expit(-found.root)
     separation, widening, rounding = points.film_separation(log_fluid)
     width = np.abs(widening) * found.width * expit(found.root) + rounding * separation
-    error = found.error
-    if several.size:
-        error[several[enclosed.undecided]] = np.inf
-    return Balance(found.root, separation, width, error, count)
+    return Balance(found.root, separation, width, found.error, count)
+
+
+def _leave_open(roots, error, guess, several, enclosed):
+    """Infinite errors where rounding leaves open which separation is the largest; and the ``guess``
+    between both ends where it hides a change of sign that samples have shown."""
+    hidden = np.isnan(roots[several]) & np.isfinite(enclosed.low)
+    roots[several[hidden]] = guess[several[hidden]]
+    error[several[hidden | enclosed.undecided]] = np.inf
 
 
 def _logit(log_fluid):
