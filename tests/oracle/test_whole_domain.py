@@ -110,6 +110,7 @@ def test_no_number_is_wrong_and_no_bound_exceeded(drawn, oracle, way):
     problems["separation_count"] = decided(oracle, model, conditions, other, apart)
     problems = {name: places[:5] for name, places in problems.items() if places.size}
     assert not problems, f"seed {SEED}"
+    assert np.isinf(bound[bound > 1.0]).all()
     assert (bound[known] <= rtol[known]).mean() > 0.8
 
 

@@ -65,8 +65,8 @@ class Roots(NamedTuple):
         at ``root + width``; nan where rounding leaves that open however wide.
     error : array
         Bound on the relative error of what is wanted of the root; infinite where the width is nan,
-        or where the function, or what is wanted, changes so far within it that slopes at its ends
-        say nothing of what lies between.
+        or where the function falls so far within it that slopes at its ends say nothing of what
+        lies between.
     """
 
     root: NDArray
@@ -232,5 +232,5 @@ def _enclose(residual, root, ends, bounds, tolerance, points):
     most = np.where(most > KINKED * np.minimum(*gains), KINKED * most, most)
     error = np.expm1(width * most)
     error += np.maximum(*(end.rounding for end in at_ends))
-    found = root, width, np.where(jumps | (error > 1.0), np.inf, error)
+    found = root, width, np.where(jumps, np.inf, error)
     return Roots(*np.where(holds, found, np.nan)), np.where(holds, 0, beyond)

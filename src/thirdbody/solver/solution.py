@@ -223,7 +223,8 @@ class SolvedPoints:
         self._balance = solve(
             points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
         )
-        self._error = self._balance.error + self._error_between_sizes()
+        error = self._balance.error + self._error_between_sizes()
+        self._error = np.where(error > 1.0, np.inf, error)  # beyond that slopes tell nothing
         self.left = ~(self._error <= rtol) | may_be_several(points)
         self.left &= points.surfaces.is_tabulated
         self._rtol = rtol

@@ -31,7 +31,7 @@ from thirdbody.solver.compiled.layout import (
 )
 from thirdbody.solver.solution import ROOT_SHARE
 from thirdbody.solver.surfaces import Sheet, prepare_tables, table_size
-from thirdbody.solver.tabulation import chebyshev_points, interpolants
+from thirdbody.solver.tabulation import ELSEWHERE, chebyshev_points, interpolants
 
 SINGLE, DOUBLE = np.float32, np.float64
 INTEGERS = {SINGLE: np.int32, DOUBLE: np.int64}  # of the same size
@@ -216,8 +216,7 @@ def _root_of(logarithm):
 
 
 def _rows(function, start, end, pieces, degree) -> tuple[NDArray, float]:
-    """Rows of a ``Table`` of a function, but for those outside, and its largest relative error in the
-    middle of a piece.
+    """Rows of a ``Table`` of a function, but for those outside, and a bound on its relative error.
 
     It has so many ``pieces`` a unit, negative if they are counted downwards from ``start``.
     """
@@ -226,7 +225,7 @@ def _rows(function, start, end, pieces, degree) -> tuple[NDArray, float]:
 
 
 def _octave_table(function, pieces, degree, real) -> tuple[OctaveTable, float]:
-    """Table of a function of thickness, and its largest relative error in the middle of a piece.
+    """Table of a function of thickness, and a bound on its relative error.
 
     It has so many ``pieces`` an octave, a power of two.
     """
@@ -242,7 +241,7 @@ def _polynomials(function, centres, halves, degree):
     x = centres + halves * np.append(chebyshev_points(degree), 0.0)[:, None]
     *at_nodes, middle = function(x)
     powers = interpolants(at_nodes)
-    return powers.T, np.abs(middle / powers[0] - 1.0).max()
+    return powers.T, ELSEWHERE * np.abs(middle / powers[0] - 1.0).max()
 
 
 def _with_outside(rows, *values):
