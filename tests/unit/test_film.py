@@ -147,3 +147,21 @@ def test_films_of_chosen_points_are_the_films_made_of_them(parameters):
     taken = film(parameters, viscosity).take(chosen).thickness(-15.0)
     made = film(parameters, viscosity[chosen]).thickness(-15.0)
     assert np.array_equal(taken, made)
+
+
+def test_rounding_counts_every_logarithm_of_which_the_thickness_is_made(parameters):
+    inputs = replace(
+        parameters,
+        ellipticity=1.6312086924537212,
+        material_parameter=5247.642847183137,
+        hardness_parameter=0.0010054058114793048,
+        ball_radius=0.003392587080172459,
+        speed_per_viscosity=1.8361848928908369e-07,
+    )
+    oil = film(inputs, 2.665739689460262e-06, 2.0882287151817785e-08)
+    log_load_parameter = -11.04297534359267
+    exact = 0.000003086879344748276936010111  # Eq. 7 by mpmath
+    found = oil.thickness(log_load_parameter)
+    rounding = oil.rounding(log_load_parameter, *found)
+    assert np.abs(found[0] / exact - 1.0) <= rounding
+    assert rounding < 1e-13
