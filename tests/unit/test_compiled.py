@@ -365,7 +365,7 @@ from thirdbody.solver.compiled import machine_code
 for name in sys.argv[2:]:
     found = compiled(load_parameters(), 1e-3, getattr(np, name), **conditions(2000))
     np.save(f"{sys.argv[1]}/{name}", [getattr(found, result) for result in RESULTS])
-print(sum(machine_code.compiled(solve_points).stats.cache_hits.values()))
+print(machine_code.compiled(solve_points).loaded)
 """
 
 
@@ -400,7 +400,7 @@ def test_it_compiles_where_nothing_can_be_kept(monkeypatch, parameters):
 
     found = compiled(parameters, 1e-6, **conditions(10))
     monkeypatch.setattr(machine_code, "KeptCode", refusing)
-    again = machine_code.compiled.__wrapped__(solve_points)
+    again = machine_code.MachineCode(solve_points)
     monkeypatch.setattr("thirdbody.solver.compiled.points.compiled", lambda function: again)
     again = compiled(parameters, 1e-6, **conditions(10))
     np.testing.assert_array_equal(again.separation, found.separation)

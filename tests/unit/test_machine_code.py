@@ -24,9 +24,9 @@ def twice(tmp_path):
 
 def called(function) -> int:
     """Call a function as a new process would; how often it was found on disk."""
-    dispatcher = machine_code.compiled.__wrapped__(function)
-    assert dispatcher(2.0) == 4.0
-    return sum(dispatcher.stats.cache_hits.values())
+    code = machine_code.MachineCode(function)
+    assert code(float, 2.0) == 4.0
+    return code.loaded
 
 
 def kept_files(function, pattern):

@@ -14,7 +14,10 @@ Source: Masjedi & Khonsari (2015).
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
+from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,8 +25,9 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps
-ROUGHNESS_SPEED_EXPONENT = 0.884  # the power of 1/U in the roughness term
-ROUGHNESS_LOAD_EXPONENT = -0.133  # the power of W in the roughness term
+ROUGHNESS_EXPONENT = 1.248  # the power of sigma/R_x in the roughness term,
+ROUGHNESS_SPEED_EXPONENT = 0.884  # that of 1/U
+ROUGHNESS_LOAD_EXPONENT = -0.133  # and that of W
 THICKEST = 0.01  # H_c of what is still a film between two bodies
 # of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
@@ -98,37 +102,29 @@ class Film:
         >>> film.load_parameter(thickness)
         array([-13.81551056])
         """
-        kappa = parameters.ellipticity
-        ln_speed, ln_viscosity = np.log(parameters.speed_per_viscosity), np.log(viscosity)
-        ln_U = ln_speed + ln_viscosity
-        ln_G = np.log(parameters.material_parameter)
-        ln_V = np.log(parameters.hardness_parameter)
-        ln_sigma = np.log(roughness / parameters.ball_radius)
-        load_exponent = -0.045 * kappa**0.18
-        speed_exponent = 0.663 * kappa**0.025
-        material_exponent = 0.502 * kappa**0.064
-        smooth = (  # Eq. 7, all but W of the smooth film
-            np.log(3.672 * (1.0 - 0.573 * np.exp(-0.74 * kappa)))
-            + speed_exponent * ln_U
-            + material_exponent * ln_G
-        )
+        law = _law_of(parameters)
+        ln_viscosity, ln_sigma = np.log(viscosity), np.log(roughness / parameters.ball_radius)
+        ln_U = law.ln_speed + ln_viscosity
+        # Eq. 7, all but W of the smooth film
+        smooth = law.smooth + law.speed_exponent * ln_U + law.smooth_material
         rough = smooth + (  # Eq. 7, all but W of the roughness term
-            np.log(0.025 * kappa**0.081)
-            + 1.248 * ln_sigma
-            + 0.119 * ln_V
+            law.rough
+            + ROUGHNESS_EXPONENT * ln_sigma
+            + law.rough_hardness
             - ROUGHNESS_SPEED_EXPONENT * ln_U
-            - 0.977 * ln_G
+            - law.rough_material
         )
-        speed_size = abs(ln_speed) + np.abs(ln_viscosity)
+        speed_size = abs(law.ln_speed) + np.abs(ln_viscosity)
+        materials_size = abs(law.rough_hardness) + abs(law.rough_material)
         return cls(
             smooth,
             rough,
-            speed_exponent * speed_size + material_exponent * abs(ln_G),
+            law.speed_exponent * speed_size + abs(law.smooth_material),
             ROUGHNESS_SPEED_EXPONENT * speed_size
-            + (1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V) + 0.977 * abs(ln_G)),
-            load_exponent,
-            load_exponent + ROUGHNESS_LOAD_EXPONENT,
-            speed_exponent / (ROUGHNESS_SPEED_EXPONENT - speed_exponent),
+            + (ROUGHNESS_EXPONENT * np.abs(ln_sigma) + materials_size),
+            law.load_exponent,
+            law.load_exponent + ROUGHNESS_LOAD_EXPONENT,
+            law.speed_exponent / (ROUGHNESS_SPEED_EXPONENT - law.speed_exponent),
         )
 
     def take(self, chosen) -> Film:
@@ -227,3 +223,32 @@ class Film:
         """ln W [1] below which H_c falls with viscosity."""
         excess = np.log(self.turning_ratio) + self.smooth - self.rough
         return excess / ROUGHNESS_LOAD_EXPONENT
+
+
+class _Law(NamedTuple):
+    """What is the same in Eq. 7 at all conditions [1]: logarithms of factors, and exponents."""
+
+    ln_speed: float  # U over the viscosity
+    smooth: float
+    smooth_material: float
+    rough: float
+    rough_hardness: float
+    rough_material: float  # of 1/G
+    load_exponent: float  # in the smooth film, as the next
+    speed_exponent: float
+
+
+@lru_cache(maxsize=256)
+def _law_of(parameters: Parameters) -> _Law:
+    kappa = parameters.ellipticity
+    ln_G, ln_V = math.log(parameters.material_parameter), math.log(parameters.hardness_parameter)
+    return _Law(
+        ln_speed=math.log(parameters.speed_per_viscosity),
+        smooth=math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa))),
+        smooth_material=0.502 * kappa**0.064 * ln_G,
+        rough=math.log(0.025 * kappa**0.081),
+        rough_hardness=0.119 * ln_V,
+        rough_material=0.977 * ln_G,
+        load_exponent=-0.045 * kappa**0.18,
+        speed_exponent=0.663 * kappa**0.025,
+    )

@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -218,6 +219,11 @@ class Parameters:
         >>> surface.summit_deviation, surface.summit_offset
         (3e-07, 0.0)
         """
+        if type(roughness) is float:
+            return _surface_of_one(self, roughness)
+        return self._surface(roughness)
+
+    def _surface(self, roughness):
         inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
         if np.count_nonzero(inside) < np.size(inside):
             bad = np.ravel(roughness)[np.argmin(inside)]
@@ -323,3 +329,6 @@ class Parameters:
     def as_dict(self) -> dict:
         """Plain mapping of all inputs."""
         return asdict(self)
+
+
+_surface_of_one = lru_cache(maxsize=512)(Parameters._surface)  # made once

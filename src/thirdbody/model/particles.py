@@ -119,7 +119,7 @@ class ParticleLayer:
         share = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         if parameters.readings.coverage_limits.contacting:
-            log_bare = np.zeros_like(share)
+            log_bare = np.zeros(share.shape, share.dtype)
         else:
             every = moment.of_all * share  # I(X_min, X_max)
             log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))

@@ -40,6 +40,8 @@ def check_variables(variables: Any, known: Collection[str] = VARIABLES) -> None:
 def check_names(argument: str, given: Any, known: Collection[str]) -> None:
     """Raises ``ValueError`` unless what an ``argument`` is given is a collection of names out of
     ``known``."""
+    if given is known:
+        return
     allowed = f"allowed: a list out of {', '.join(known)}"
     listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
     if not listed or isinstance(given, bytes):

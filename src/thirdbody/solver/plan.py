@@ -38,6 +38,7 @@ from thirdbody.solver.solution import OF_AREAS, SolvedPoints, type_of
 from thirdbody.solver.surfaces import (
     TABLE_SIZES,
     Sheet,
+    are_equal,
     cells_of,
     few_surfaces,
     log_yields,
@@ -69,7 +70,6 @@ THREADS_WORTH = SINGLE_WORTH = 100_000
 CHEAP_TABLES = 1e-5
 
 NONE = np.zeros(0, np.intp)  # no places
-NO_TURNS = nullcontext()
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 1024  # the same without tables, where each has some hundred nodes
 
@@ -227,7 +227,7 @@ def groups_of(
 
 def _runs(labels):
     """The places of equal ``labels``: a slice if all are equal, else arrays."""
-    if not np.count_nonzero(labels != labels[:1]):
+    if are_equal(labels):
         return [slice(0, labels.size)] if labels.size else []
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
@@ -375,18 +375,16 @@ class _Task:
         areas = not OF_AREAS.isdisjoint(self.result)
         reals = precisions(self.rtol)[0 if self.may_be_single else -1 :]
         threads = threads_worth(sum(group.size for group in groups))
-        turns = _Turns()
+        turns = _Turns() if threads > 1 else None
+        apart = turns.given_up if turns else nullcontext
 
         def solved(sheet, real, some):
-            return CompiledPoints(
-                sheet, some, self.parameters, self.rtol, real, areas, turns.given_up
-            )
+            return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas, apart)
 
         def left_of(group):
             places = group.places
             for real in reals:
-                solve = partial(solved, group.sheet, real)
-                places = self._settle(places, CHUNK, solve, threads, turns)
+                places = self._settle(places, CHUNK, partial(solved, group.sheet, real), threads, turns)
             return places
 
         return [
@@ -406,46 +404,49 @@ class _Task:
     def _solved(self, table_rtol, some):
         return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
 
-    def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
+    def _settle(self, places, size, solved, threads=1, turns=None):
         """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
         take ``turns`` at it."""
-        pieces, left = deque(enumerate(_pieces(places, size))), {}
+        pieces = list(_pieces(places, size))
+        if threads == 1:
+            left = [self._left_of(piece, solved) for piece in pieces]
+        else:
+            left = self._left_by_threads(pieces, solved, threads, turns)
+        return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
+
+    def _left_by_threads(self, pieces, solved, threads, turns):
+        """What ``_left_of`` each of ``pieces``, which ``threads`` solve by ``turns``."""
+        left, todo = [None] * len(pieces), deque(enumerate(pieces))
 
         def settle_pieces():
             with np.errstate(all="ignore"), turns:  # errors are those of a thread
-                while pieces:
-                    number, piece = pieces.popleft()
+                while todo:
+                    number, piece = todo.popleft()
                     left[number] = self._left_of(piece, solved)
 
-        threads = min(threads, len(pieces))
-        if threads > 1:
-            with ThreadPoolExecutor(threads) as pool:
-                working = [pool.submit(settle_pieces) for _ in range(threads)]
-                try:
-                    for each in working:
-                        each.result()
-                finally:
-                    pieces.clear()  # so that all end where one was interrupted
-        else:
-            settle_pieces()
-        return left[0] if len(left) == 1 else np.concatenate([NONE, *map(left.get, sorted(left))])
+        with ThreadPoolExecutor(threads) as pool:
+            working = [pool.submit(settle_pieces) for _ in range(threads)]
+            try:
+                for each in working:
+                    each.result()
+            finally:
+                todo.clear()  # so that all end where one was interrupted
+        return left
 
     def _left_of(self, piece, solved):
         """Solve the points of a ``piece`` and store them, all but those that are left."""
         found = solved(self.conditions.take(piece))
         left = _chosen(piece, found.left)
         if left.size:
-            self._store(_chosen(piece, ~found.left), found, ~found.left)
+            places, settled = _chosen(piece, ~found.left), ~found.left
+            for name, values in self.result.items():
+                values[places] = getattr(found, name)[settled]
         else:
-            self._store(piece, found, ...)
+            for name, values in self.result.items():
+                values[piece] = getattr(found, name)
         if self.settled is not None:
             self.settled(found.left.size - left.size)
         return left
-
-    def _store(self, places, found, chosen):
-        """Store at ``places`` what is ``found`` of the ``chosen`` points of a piece."""
-        for name, values in self.result.items():
-            values[places] = getattr(found, name)[chosen]
 
 
 def _pieces(places, size):

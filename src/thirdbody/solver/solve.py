@@ -151,11 +151,15 @@ def solve_arrays(
 ) -> Solution:
     """What ``solve`` returns for conditions, by name, that have been checked."""
     check_points(arrays)
-    columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
-    conditions = Conditions(**{name: column.ravel() for name, column in columns.items()})
+    columns = list(arrays.values())
+    if len({column.shape for column in columns}) > 1:
+        columns = np.broadcast_arrays(*columns)
+    shape = columns[0].shape
+    conditions = Conditions(
+        **{name: column.ravel() for name, column in zip(arrays, columns, strict=True)}
+    )
     # what cannot be computed gets a status
     with np.errstate(all="ignore"), Progress(conditions.size, "points", progress) as shown:
         found = solve_points(conditions, parameters, rtol, variables, way, shown.add)
-    shape = columns["load"].shape
     variables = {name: values.reshape(shape) for name, values in found.items()}
     return Solution(**variables, conditions=dict(arrays))

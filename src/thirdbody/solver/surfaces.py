@@ -108,10 +108,15 @@ def cells_of(log_yield: ArrayLike) -> NDArray:
     return np.clip(np.nan_to_num(np.floor(log_yield / CELL)), -LAST_CELL, LAST_CELL)
 
 
+def are_equal(values: NDArray) -> bool:
+    """Whether all ``values`` are equal, or there are none."""
+    return values.size < 2 or not np.count_nonzero(values != values[0])
+
+
 def few_surfaces(roughness: NDArray) -> NDArray | None:
     """All values of ``roughness`` in order, or None if these are too many to have tables of their
     own."""
-    if not np.count_nonzero(roughness != roughness[:1]):
+    if are_equal(roughness):
         return roughness[:1]
     for some in (roughness[:: max(roughness.size // (4 * FEW_SURFACES), 1)], roughness):
         values = np.unique(some)

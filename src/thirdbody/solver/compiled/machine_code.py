@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from contextlib import suppress
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
+from typing import Any
 
-from numba import config, njit
+from numba import config, njit, typeof
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 # A quotient by zero is infinite or nan; a product and a sum may be rounded once instead of twice.
@@ -17,18 +18,37 @@ OPTIONS = {"error_model": "numpy", "fastmath": {"contract"}, "nogil": True}
 stage = njit(**OPTIONS, no_cpython_wrapper=True, no_cfunc_wrapper=True)  # called by the loop alone
 
 
-@lru_cache(maxsize=1)
-def compiled(function: Callable) -> Callable:
-    """The function in machine code, compiled when it is first called with arguments of some type.
+class MachineCode:
+    """A function in machine code, compiled when it is first called with arguments of a kind.
+
+    numba would look at each call at what the arguments are, which takes longer than to solve a point.
+    So who calls says what arguments are of one kind: all of the same types.
 
     It is kept on disk where there is a folder that can be written to: in ``NUMBA_CACHE_DIR``, in
     ``__pycache__`` beside the file of the function, or in the user's cache.
     """
-    dispatcher = njit(**OPTIONS)(function)
-    with suppress(RuntimeError):  # no such folder
-        dispatcher._cache = KeptCode(function)
-    return dispatcher
 
+    def __init__(self, function: Callable):
+        self._dispatcher = njit(**OPTIONS)(function)
+        with suppress(RuntimeError):  # no such folder
+            self._dispatcher._cache = KeptCode(function)
+        self._entries: dict[Hashable, Callable] = {}
+
+    @property
+    def loaded(self) -> int:
+        """For how many kinds the code was found on disk."""
+        return sum(self._dispatcher.stats.cache_hits.values())
+
+    def __call__(self, kind: Hashable, *arguments: Any) -> Any:
+        """Call the function with ``arguments`` of a ``kind``."""
+        entry = self._entries.get(kind)
+        if entry is None:
+            entry = self._dispatcher.compile(tuple(map(typeof, arguments)))
+            self._entries[kind] = entry
+        return entry(*arguments)
+
+
+compiled = lru_cache(maxsize=1)(MachineCode)  # of a function: compiled once
 
 class KeptCode(FunctionCache):
     """Machine code on disk, which a process can do without.

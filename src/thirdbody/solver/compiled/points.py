@@ -93,7 +93,7 @@ class CompiledPoints:
     left : array of bool
         Points that are to be solved in another way; their other values have no meaning.
     total_contact_area, ... : array
-        The variables of ``Solution``.
+        The variables of ``Solution``; of one point numbers.
     """
 
     def __init__(
@@ -120,35 +120,34 @@ class CompiledPoints:
         self._parameters = parameters
         self._has_particles = bool(has_particles(first.particle_diameter, first.particle_density))
         self._has_film = bool(first.viscosity > 0.0)
-        columns = np.empty((GIVEN, points), real)
-        columns[PER_LOAD] = 1.0 / load.astype(real)
-        _fill_summits(columns, sheet, surface, summits)
-        self._covered = np.zeros(points, bool)
+        columns, results = np.empty((GIVEN, points), real), np.empty((RESULTS, points))
+        # numbers if there is one point
+        given, found = (columns[:, 0], results[:, 0]) if points == 1 else (columns, results)
+        given[PER_LOAD] = 1.0 / load.astype(real)
+        _fill_summits(given, sheet, surface, summits)
+        self._covered = np.zeros(load.shape, bool)
         if self._has_particles:
             sigma = roughness.astype(real) if sheet.is_cell else roughness
             sizes = diameter.astype(real), sigma, density.astype(real)
             layer = ParticleLayer.of(*sizes, parameters)
-            _fill_particles(columns, layer, sigma)
+            _fill_particles(given, layer, sigma)
             if real is DOUBLE:
                 self._covered = _are_covered(layer, load)
         self._has_values = not self._covered.any()
         film_is_known = self._has_film and not parameters.readings.film_load.depends_on_shares
         film_shares = self._has_film and not film_is_known
         if film_is_known:
-            self._means_nothing = _fill_known_film(columns, conditions, roughness, parameters)
+            self._means_nothing = _fill_known_film(given, conditions, roughness, parameters)
         if film_shares:
-            _fill_film(columns, roughness, viscosity.astype(real), parameters)
-        found = np.empty((RESULTS, points))
+            _fill_film(given, roughness, viscosity.astype(real), parameters)
         kind = self._has_particles, film_shares, film_is_known
-        model, block = (
-            prepare_model(sheet, parameters, rtol, real),
-            BLOCKS.of(real, INTEGERS[real], *kind),
-        )
+        model = prepare_model(sheet, parameters, rtol, real)
+        block = BLOCKS.of(real, INTEGERS[real], *kind)
         solve = compiled(solve_points)
         with apart():
-            solve(model, columns, *kind, areas, block, found)
+            solve(real, model, columns, *kind, areas, block, results)
         if not self._has_values:
-            found[:, self._covered] = np.nan
+            found[..., self._covered] = np.nan
         self.total_contact_area = found[TOTAL_AREA]
         self.particle_contact_area_ratio = found[PARTICLE_SHARE]
         self.surface_contact_area_ratio = found[SURFACE_SHARE]
@@ -156,14 +155,15 @@ class CompiledPoints:
         self.fluid_load_fraction = found[FLUID_SHARE]
         self.separation = found[GAP] * roughness
         self.error_bound = found[BOUND]
-        self.left = ~(self.error_bound <= rtol)
+        left = ~(self.error_bound <= rtol)
         if not self._has_values:
-            self.left &= ~self._covered
+            left &= ~self._covered
         if self._has_particles:
-            self.left |= load > greatest_single_load(parameters)
-        self.left |= load < LEAST_LOAD
+            left |= load > greatest_single_load(parameters)
+        left |= load < LEAST_LOAD
+        self.left = left.reshape(points)
         if film_shares:
-            over_crossing = found[GAP] * columns[PER_CROSSING]
+            over_crossing = found[GAP] * given[PER_CROSSING]
             self._means_nothing = over_crossing > _film_scales(parameters).thickest
 
     @property
@@ -231,9 +231,9 @@ def _fill_particles(columns, layer, roughness):
 def _are_covered(layer, load):
     """Points without a solution because particles cover everything at any separation (Eq. 4), unless
     their load F_t* might be more than the particles bear: then they have none for another reason."""
-    covered = np.atleast_1d(layer.log_bare < FULL)
+    covered = layer.log_bare < FULL
     if covered.any():
-        area, *_ = layer.contact(np.zeros(covered.size))
+        area, *_ = layer.contact(np.zeros(covered.shape))
         covered &= load < 0.5 * area * layer.parameters.particle_pressure
     return covered
 
