@@ -127,7 +127,7 @@ def grid_axes(parameters: Parameters, *given: ArrayLike) -> Axes:
         name: _checked_increasing(name, values, parameters)
         for name, values in zip(DIMENSIONS, given, strict=True)
     }
-    warn_beyond_usual(axes)
+    warn_beyond_usual({name: axis[-1] for name, axis in axes.items()})
     return axes
 
 
@@ -188,7 +188,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
 
 
 def _checked_increasing(name, values, parameters):
-    axis = np.atleast_1d(checked_axis(name, values, parameters))
+    axis = np.atleast_1d(checked_axis(name, values, parameters).values)
     if axis.ndim != 1 or axis.size == 0:
         raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
     back = np.flatnonzero(np.diff(axis) <= 0.0)

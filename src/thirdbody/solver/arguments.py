@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from itertools import zip_longest
 from math import prod
 from numbers import Real
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -89,8 +89,18 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
         raise ValueError(f"{told} in one call, and thirdbody.stream writes any number to a file")
 
 
-def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
-    """A condition as float64 in SI, or a ``ValueError`` that names it and its first bad value.
+class Axis(NamedTuple):
+    """A condition that was checked.
+
+    ``values`` are float64 in SI, of which ``greatest`` is the greatest, or 0 if there are none.
+    """
+
+    values: NDArray
+    greatest: float
+
+
+def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
+    """Check a condition: a ``ValueError`` names it and its first bad value.
 
     Parameters
     ----------
@@ -104,7 +114,7 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
     if type(values) in PLAIN_NUMBERS and least <= values <= MOST:
-        return np.asarray(values, float)  # for one the checks below would take longest
+        return Axis(np.asarray(values, float), values)  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         raise ValueError(
@@ -125,11 +135,12 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
         raise ValueError(f"{name} is of type {kind}; allowed: numbers")
     array = np.asarray(array, float)
-    if not (array.min(initial=1.0) >= least and array.max(initial=1.0) < np.inf):
+    greatest = array.max(initial=0.0)
+    if not (array.min(initial=1.0) >= least and greatest < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"
         raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
-    return array
+    return Axis(array, greatest)
 
 
 def _of_long_integers(name, array):

@@ -384,7 +384,9 @@ class _Task:
         def left_of(group):
             places = group.places
             for real in reals:
-                places = self._settle(places, CHUNK, partial(solved, group.sheet, real), threads, turns)
+                places = self._settle(
+                    places, CHUNK, partial(solved, group.sheet, real), threads, turns
+                )
             return places
 
         return [

@@ -130,8 +130,9 @@ def solve(
         "roughness": roughness,
         "particle_density": particle_density,
     }
-    arrays = {name: checked_axis(name, value, parameters) for name, value in given.items()}
-    warn_beyond_usual(arrays)
+    axes = {name: checked_axis(name, value, parameters) for name, value in given.items()}
+    warn_beyond_usual({name: axis.greatest for name, axis in axes.items()})
+    arrays = {name: axis.values for name, axis in axes.items()}
     if not any(map(is_labelled, given.values())):
         return solve_arrays(arrays, parameters, rtol, variables, way, progress)
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})

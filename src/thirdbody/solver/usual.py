@@ -11,8 +11,6 @@ import sys
 import warnings
 from collections.abc import Mapping
 
-from numpy.typing import NDArray
-
 MOST = {  # SI, with the unit that messages give
     "load": (2e-2, ""),
     "viscosity": (1e-2, " m2/s"),
@@ -43,12 +41,9 @@ class OutOfRangeWarning(UserWarning):
     """
 
 
-def warn_beyond_usual(conditions: Mapping[str, NDArray]) -> None:
-    """Issue one ``OutOfRangeWarning``, at the caller of the package, for what is beyond ``MOST``."""
-    greatest = {
-        name: values.max(initial=0.0) if values.ndim else values.item()
-        for name, values in conditions.items()
-    }
+def warn_beyond_usual(greatest: Mapping[str, float]) -> None:
+    """Issue one ``OutOfRangeWarning``, at the caller of the package, for what is beyond ``MOST`` of
+    the ``greatest`` values of conditions."""
     told = [
         f"{name} is {greatest[name]:g}{unit}; usual: up to {most:g}{unit}"
         for name, (most, unit) in MOST.items()

@@ -34,7 +34,7 @@ from thirdbody.solver.compiled.stages import (
     take_step,
 )
 
-STEPS = 8  # of Halley's method at most; who needs more is left to a slower way
+STEPS = 16  # of Halley's method at most; who needs more is left to a slower way
 
 
 def solve_points(model, columns, has_particles, has_film, film_is_known, wants_areas, block, found):

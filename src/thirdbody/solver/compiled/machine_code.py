@@ -50,6 +50,7 @@ class MachineCode:
 
 compiled = lru_cache(maxsize=1)(MachineCode)  # of a function: compiled once
 
+
 class KeptCode(FunctionCache):
     """Machine code on disk, which a process can do without.
 
