@@ -439,13 +439,13 @@ class _Task:
         """Solve the points of a ``piece`` and store them, all but those that are left."""
         found = solved(self.conditions.take(piece))
         left = _chosen(piece, found.left)
-        if left.size:
+        if not left.size:
+            for name, values in self.result.items():
+                values[piece] = getattr(found, name)
+        elif left.size < found.left.size:
             places, settled = _chosen(piece, ~found.left), ~found.left
             for name, values in self.result.items():
                 values[places] = getattr(found, name)[settled]
-        else:
-            for name, values in self.result.items():
-                values[piece] = getattr(found, name)
         if self.settled is not None:
             self.settled(found.left.size - left.size)
         return left
