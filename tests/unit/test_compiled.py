@@ -297,6 +297,17 @@ def test_points_beyond_the_tables_are_left(parameters):
         assert compiled(parameters, 1e-6, **point | given).left.all()
 
 
+def test_a_point_on_a_flat_part_of_the_load_is_settled():
+    """There the load of the summits fades away step by step, and what particles bear hardly falls."""
+    flat = {
+        "load": np.array([2.608075929341208e-05]),
+        "viscosity": 5.837166768228566e-05,
+        "particle_diameter": 4.5263135987791657e-07,
+        "particle_density": 689190164526.9723,
+    }
+    assert not compiled(tb.load_parameters(), 1e-9, **flat).left.any()
+
+
 def test_hardly_a_point_of_the_usual_ranges_is_left():
     """Not even where particles can just bear the load, all together."""
     inputs = tb.load_parameters()
