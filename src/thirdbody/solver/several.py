@@ -100,9 +100,10 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
     values = _where_room_is_left(points.contact.particles, excess, places, values)
-    count = np.maximum(_changes(values > 0.0, above | below), found)
+    count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
     np.add.at(count, pairs.point[pairs.certain], 2)
+    count = np.maximum(count, found)  # where it balances under full cover alone, or along a plateau
     for index, crest, foot, certain in zip(*pairs, strict=True):
         if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
             undecided[index] |= not certain
