@@ -141,3 +141,26 @@ def test_separations_at_which_particles_cover_everything_do_not_count(narrow, wa
     found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs, way=way)
     assert found.separation > outside
     assert found.separation_count == 2
+
+
+def test_nor_do_they_where_a_crest_elsewhere_bears_the_load(parameters):
+    inputs = replace(
+        parameters,
+        **{"coverage_limits": "contacting", "elastic_limits": "physical", "summit_offset": True},
+        **{"size_distribution": "uncentred", "spread_ratio": 0.3, "truncation": 5.4},
+        **{"particle_plane": "surface", "participation": 0.87, "elastic_depth_ratio": 1.3},
+        **{"elastic_modulus_surfaces": 1.1e10, "elastic_modulus_particle": 8e11},
+        **{"hardness_surface_1": 5e9, "hardness_surface_2": 1.3e8, "yield_pressure_ratio": 0.12},
+        **{"summit_parameter": 1.4, "summit_radius": 2e-6, "summit_radius_exponent": 0.0},
+    )
+    given = {"particle_diameter": 380e-9, "roughness": 380e-9, "particle_density": 2e16}
+    places = 380e-9 * np.linspace(1.2, 1.6, 1001)
+    loads = borne(inputs, places, **given)
+    crest = loads.argmax()
+    assert 0 < crest < 1000
+    load = 0.999 * loads[crest]
+    assert borne(inputs, [0.0], **given) > load
+    with pytest.warns(tb.OutOfRangeWarning):
+        found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs, way="quadrature")
+    assert found.separation_count == 2
+    assert found.separation > places[crest]
