@@ -1,12 +1,11 @@
-"""Products that appear whole or not at all, and failures of one line."""
+"""Products that appear whole or not at all."""
 
 import errno
 import os
-import sys
 
 import pytest
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 
 
 def listing(folder):
@@ -98,48 +97,6 @@ def test_leftovers_of_a_killed_run_do_no_harm(tmp_path):
     assert listing(tmp_path) == ["table.csv"]
 
 
-def test_what_is_printed_goes_to_the_log(tmp_path, capsys):
-    log = tmp_path / "log"
-    with logged(log):
-        print("solved")
-        print("slowly", file=sys.stderr)
-    assert log.read_text() == "solved\nslowly\n"
-    assert capsys.readouterr() == ("", "")
-
-
-@pytest.mark.parametrize("error", [ValueError("load is -1"), OSError("no room on the disk")])
-def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
-    log = tmp_path / "log"
-    with pytest.raises(SystemExit) as ended, logged(log):
-        raise error
-    assert ended.value.code == 1
-    assert log.read_text() == f"{error}\n"
-
-
-def test_any_other_failure_keeps_its_traceback(tmp_path):
-    with pytest.raises(ZeroDivisionError), logged(tmp_path / "log"):
-        1 / 0  # noqa: B018
-
-
-@pytest.mark.parametrize("error", [None, ValueError, ZeroDivisionError])
-def test_afterwards_output_goes_where_it_went_before(tmp_path, error):
-    before = sys.stdout, sys.stderr
-    try:
-        with logged(tmp_path / "log"):
-            if error:
-                raise error
-    except (SystemExit, ZeroDivisionError):
-        pass
-    assert (sys.stdout, sys.stderr) == before
-
-
-def test_the_log_is_utf_8_whatever_the_locale(tmp_path, monkeypatch):
-    monkeypatch.setenv("LC_ALL", "C")
-    with logged(tmp_path / "log"):
-        print("σ = 300 nm")
-    assert (tmp_path / "log").read_bytes() == f"σ = 300 nm{os.linesep}".encode()
-
-
 def test_what_a_killed_process_left_half_written_goes(tmp_path):
     (tmp_path / ".table.partial1.csv").write_text("half")
     with whole(tmp_path / "table.csv") as part:
@@ -192,11 +149,6 @@ def test_want_of_room_names_the_product(tmp_path):
 def test_an_input_that_is_missing_keeps_its_own_message(tmp_path):
     with pytest.raises(FileNotFoundError), whole(tmp_path / "table.csv"):
         (tmp_path / "input").read_text()
-
-
-def test_a_log_that_cannot_be_written_is_named(tmp_path):
-    with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
-        pass
 
 
 @pytest.mark.parametrize(

@@ -1,9 +1,11 @@
 """Copy calibrated inputs to where the default run reads them."""
 
+from thirdbody.run.job import logged
+
 import shutil
 from pathlib import Path
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 
 PLACE = Path("config/calibrated")
 

@@ -1,12 +1,14 @@
 """Build the explorer: one page for a browser, from figures, statements and inputs of the run."""
 
+from thirdbody.run.job import logged
+
 import json
 from dataclasses import asdict
 from pathlib import Path
 
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.explorer.content import page_content
 from thirdbody.explorer.page import page_text
 from thirdbody.study.claims import load_claims

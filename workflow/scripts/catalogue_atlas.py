@@ -1,7 +1,9 @@
 """Catalogue the chunks of the atlas, and gather what they cost."""
 
+from thirdbody.run.job import logged
+
 from thirdbody.atlas.catalogue import write_catalogue
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 
 

@@ -1,6 +1,8 @@
 """Solve the interfaces of one schematic and draw lots for the sections through them."""
 
-from thirdbody.data.files import logged, whole
+from thirdbody.run.job import logged
+
+from thirdbody.data.files import whole
 from thirdbody.data.schematic import write_sections
 from thirdbody.data.section import sections
 from thirdbody.model.parameters import Parameters

@@ -1,6 +1,8 @@
 """Total Sobol indices of results in the inputs that the paper does not print."""
 
-from thirdbody.data.files import logged, whole
+from thirdbody.run.job import logged
+
+from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.sensitivity import Subject, sensitivity_rows, varied_inputs

@@ -1,8 +1,10 @@
 """Pack the folder of a release into one archive file."""
 
+from thirdbody.run.job import logged
+
 from pathlib import Path
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.release.pack import pack
 
 

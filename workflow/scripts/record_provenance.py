@@ -1,9 +1,11 @@
 """Record when, where and by whom a release was made."""
 
+from thirdbody.run.job import logged
+
 import json
 from pathlib import Path
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.release.provenance import provenance
 

@@ -1,8 +1,9 @@
 """Draw errors against times; nothing is measured here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
-from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.accuracy import plot
 from thirdbody.figures.captions import caption_text

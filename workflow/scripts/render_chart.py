@@ -1,10 +1,11 @@
 """Draw a design chart from the atlas; nothing is solved here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
 from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import CHARTS, chart_panels
-from thirdbody.data.files import logged
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.charts import plot
 from thirdbody.figures.sheet.saving import save

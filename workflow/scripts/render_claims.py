@@ -1,8 +1,9 @@
 """Draw the verdicts on the paper's statements; nothing is judged here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
-from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.claims import plot

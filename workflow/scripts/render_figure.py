@@ -1,8 +1,9 @@
 """Draw one figure from its dataset; nothing is solved here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
-from thirdbody.data.files import logged
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text

@@ -1,11 +1,12 @@
 """Draw what it costs the other statements that one of them holds; nothing is solved here."""
 
+from thirdbody.run.job import logged
+
 from pathlib import Path
 
 import matplotlib.style
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import logged
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.fronts import plot
 from thirdbody.figures.sheet.saving import save

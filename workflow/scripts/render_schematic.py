@@ -1,8 +1,9 @@
 """Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
-from thirdbody.data.files import logged
 from thirdbody.data.schematic import read_sections
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.registry import SCHEMATICS

@@ -1,8 +1,9 @@
 """Draw the sensitivities of results to unpublished inputs; nothing is solved here."""
 
+from thirdbody.run.job import logged
+
 import matplotlib.style
 
-from thirdbody.data.files import logged
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sensitivity import plot

@@ -1,10 +1,12 @@
 """Search the unprinted inputs of one reading from one seed."""
 
+from thirdbody.run.job import logged
+
 import json
 
 import numpy as np
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Objective, Reading
 from thirdbody.study.claims import load_claims

@@ -1,5 +1,7 @@
 """Solve some surfaces of the atlas, for the default inputs and each member of the ensemble."""
 
+from thirdbody.run.job import logged
+
 import math
 import resource
 import time
@@ -7,7 +9,7 @@ from pathlib import Path
 
 from thirdbody.atlas.chunk import write_chunk
 from thirdbody.atlas.grid import AtlasGrid
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
 

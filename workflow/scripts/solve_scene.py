@@ -1,11 +1,13 @@
 """Solve one scene: its dataset, what its curves show, and the envelope of the ensemble around them."""
 
+from thirdbody.run.job import logged
+
 import time
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.extraction import tpca_rows, transition_rows
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import TABLES, write_csv

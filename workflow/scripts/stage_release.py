@@ -1,8 +1,9 @@
 """Fill the folder of a release with products, sources and their descriptions."""
 
+from thirdbody.run.job import logged
+
 from pathlib import Path
 
-from thirdbody.data.files import logged
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.staging import stage, whole_folder

@@ -1,5 +1,7 @@
 """The calibrated inputs of one reading from its searches."""
 
+from thirdbody.run.job import logged
+
 import json
 from functools import partial
 from pathlib import Path
@@ -7,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import yaml
 
-from thirdbody.data.files import logged, whole
+from thirdbody.data.files import whole
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.choice import most_held

@@ -1,6 +1,8 @@
 """What solving each dataset cost, and all of them together."""
 
-from thirdbody.data.files import logged, whole
+from thirdbody.run.job import logged
+
+from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 
 

@@ -1,6 +1,8 @@
 """Gather the parts of a table and write it as CSV with its Table Schema, Markdown, HTML and LaTeX."""
 
-from thirdbody.data.files import logged, whole
+from thirdbody.run.job import logged
+
+from thirdbody.data.files import whole
 from thirdbody.data.readable import markdown, page, readable
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema, write_text
 from thirdbody.model.parameters import Parameters

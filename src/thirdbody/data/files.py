@@ -1,13 +1,11 @@
-"""Products that appear whole or not at all, and scripts that say what went wrong in one line."""
+"""Products that appear whole or not at all."""
 
 from __future__ import annotations
 
 import errno
-import gc
 import glob
 import os
 import secrets
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -115,29 +113,3 @@ def _write_record(product: Path, parts: dict[Path, Path]) -> None:
     record.parent.mkdir(parents=True, exist_ok=True)
     with open(parts[product], "rb") as content:
         parts[record].write_text(record_text(product, content), encoding="utf-8")
-
-
-@contextmanager
-def logged(log: str | Path) -> Iterator[None]:
-    """Send what a script prints to the file ``log``.
-
-    Raises
-    ------
-    SystemExit
-        With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, whose message is then a
-        line of the log; with a message if the log itself cannot be written.
-    """
-    gc.freeze()  # what was imported stays: looking for garbage in it, also at the end, takes long
-    outer = sys.stdout, sys.stderr
-    try:
-        with open(log, "w", encoding="utf-8", buffering=1) as stream:
-            sys.stdout = sys.stderr = stream
-            try:
-                yield
-            except (ValueError, OSError, MemoryError) as error:
-                print(str(error) or type(error).__name__, file=stream)
-                raise SystemExit(1) from None
-            finally:
-                sys.stdout, sys.stderr = outer
-    except OSError as error:  # the log itself cannot be written
-        raise SystemExit(f"{log} cannot be written ({error.strerror})") from None

@@ -1,0 +1,71 @@
+"""What a script begins with: its log, one line for a foreseeable failure, and when garbage is searched for."""
+
+from thirdbody.run.job import logged
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+WHEN_GARBAGE_IS_SEARCHED_FOR = """
+import gc
+from thirdbody.run.job import logged
+print(gc.isenabled(), gc.get_freeze_count() > 0)
+with logged("log"):
+    found = gc.isenabled(), gc.get_freeze_count() > 0
+print(*found)
+"""
+
+
+def test_garbage_is_searched_for_after_imports_and_not_among_them(tmp_path):
+    command = [sys.executable, "-c", WHEN_GARBAGE_IS_SEARCHED_FOR]
+    told = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert told.stdout.splitlines() == ["False False", "True True"]
+
+
+def test_what_is_printed_goes_to_the_log(tmp_path, capsys):
+    log = tmp_path / "log"
+    with logged(log):
+        print("solved")
+        print("slowly", file=sys.stderr)
+    assert log.read_text() == "solved\nslowly\n"
+    assert capsys.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("error", [ValueError("load is -1"), OSError("no room on the disk")])
+def test_a_foreseeable_failure_is_one_line_and_exit_code_1(tmp_path, error):
+    log = tmp_path / "log"
+    with pytest.raises(SystemExit) as ended, logged(log):
+        raise error
+    assert ended.value.code == 1
+    assert log.read_text() == f"{error}\n"
+
+
+def test_any_other_failure_keeps_its_traceback(tmp_path):
+    with pytest.raises(ZeroDivisionError), logged(tmp_path / "log"):
+        1 / 0  # noqa: B018
+
+
+@pytest.mark.parametrize("error", [None, ValueError, ZeroDivisionError])
+def test_afterwards_output_goes_where_it_went_before(tmp_path, error):
+    before = sys.stdout, sys.stderr
+    try:
+        with logged(tmp_path / "log"):
+            if error:
+                raise error
+    except (SystemExit, ZeroDivisionError):
+        pass
+    assert (sys.stdout, sys.stderr) == before
+
+
+def test_the_log_is_utf_8_whatever_the_locale(tmp_path, monkeypatch):
+    monkeypatch.setenv("LC_ALL", "C")
+    with logged(tmp_path / "log"):
+        print("σ = 300 nm")
+    assert (tmp_path / "log").read_bytes() == f"σ = 300 nm{os.linesep}".encode()
+
+
+def test_a_log_that_cannot_be_written_is_named(tmp_path):
+    with pytest.raises(SystemExit, match="no/log cannot be written"), logged(tmp_path / "no/log"):
+        pass
