@@ -1,7 +1,11 @@
 # The explorer: one page for a browser that shows the figures and evaluates the equations.  It waits
 # for every figure: rules that it needs have priority, so that others run beside it at the end.
 
-EXPLORER = sorted(str(path) for path in Path(place_of("src/thirdbody/explorer")).glob("*/*.*"))
+EXPLORER = sorted(
+    str(path)
+    for folder in ("page", "vendor")  # beside them lies bytecode, which comes and goes
+    for path in Path(place_of(f"src/thirdbody/explorer/{folder}")).glob("*.*")
+)
 
 
 rule build_explorer:
