@@ -70,6 +70,7 @@ THREADS_WORTH = SINGLE_WORTH = 100_000
 CHEAP_TABLES = 1e-5
 
 NONE = np.zeros(0, np.intp)  # no places
+NO_TURNS = nullcontext()
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 1024  # the same without tables, where each has some hundred nodes
 
@@ -375,8 +376,10 @@ class _Task:
         areas = not OF_AREAS.isdisjoint(self.result)
         reals = precisions(self.rtol)[0 if self.may_be_single else -1 :]
         threads = threads_worth(sum(group.size for group in groups))
-        turns = _Turns() if threads > 1 else None
-        apart = turns.given_up if turns else nullcontext
+        turns, apart = NO_TURNS, nullcontext
+        if threads > 1:
+            turns = _Turns()
+            apart = turns.given_up
 
         def solved(sheet, real, some):
             return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas, apart)
@@ -406,14 +409,16 @@ class _Task:
     def _solved(self, table_rtol, some):
         return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
 
-    def _settle(self, places, size, solved, threads=1, turns=None):
+    def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
         """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
         take ``turns`` at it."""
         pieces = list(_pieces(places, size))
-        if threads == 1:
-            left = [self._left_of(piece, solved) for piece in pieces]
-        else:
+        threads = min(threads, len(pieces))
+        if threads > 1:
             left = self._left_by_threads(pieces, solved, threads, turns)
+        else:
+            with turns:
+                left = [self._left_of(piece, solved) for piece in pieces]
         return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
 
     def _left_by_threads(self, pieces, solved, threads, turns):
