@@ -116,7 +116,7 @@ def scene(parameters):
 
 @pytest.fixture(scope="module")
 def shown(scene, parameters):
-    return scene_dataset(scene, parameters)
+    return scene_dataset(scene, parameters).to_xarray()
 
 
 @pytest.fixture

@@ -79,6 +79,11 @@ INTERFACE = [
 ]  # fmt: skip
 
 
+def decoded(scene, parameters):
+    """The dataset of ``scene``, as it is read from a file."""
+    return xr.decode_cf(scene_dataset(scene, parameters, 1e-4).to_xarray())
+
+
 @pytest.fixture(scope="module")
 def datasets(parameters):
     """The paper's scenes on a few loads."""
@@ -87,7 +92,7 @@ def datasets(parameters):
         Scene.of(name, scenes[name] | {"load_axis": LOAD_AXIS}, parameters.newtons_per_load)
         for name in PANELS
     ]
-    return {scene.name: xr.decode_cf(scene_dataset(scene, parameters, 1e-4)) for scene in shown}
+    return {scene.name: decoded(scene, parameters) for scene in shown}
 
 
 @pytest.fixture(autouse=True)
@@ -534,7 +539,7 @@ def own(parameters, **varied):
     group = given | {"particle_density_per_m2": [1e11]} | varied
     scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
     made = Scene.of("mine", scene, parameters.newtons_per_load)
-    return xr.decode_cf(scene_dataset(made, parameters, 1e-4))
+    return decoded(made, parameters)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import whole
-from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
@@ -33,7 +33,7 @@ def solve(figure, scene, inputs, ensemble, dataset, cost, tpca_loads, transition
     with whole(*places) as (dataset_part, cost_part, tpca_part, transitions_part, envelope_part):
         write_dataset(solved, dataset_part)
         write_csv(cost_part, [row], TABLES["solver_cost"])
-        curves = read_dataset(dataset_part)
+        curves = read_plain(dataset_part)
         write_csv(tpca_part, tpca_rows(figure, curves, inputs), TABLES["tpca_loads"])
         write_csv(transitions_part, transition_rows(figure, curves, inputs), TABLES["transitions"])
         write_dataset(band(curves, inputs, ensemble), envelope_part)

@@ -70,7 +70,7 @@ class Lookup:
     @classmethod
     def read(cls, path: str | PathLike) -> Lookup:
         """The table in a file; ``OSError`` in one line if it cannot be read."""
-        return cls(load(path, GRIDS))
+        return cls(load(path, GRIDS).to_xarray())
 
     def __call__(
         self,

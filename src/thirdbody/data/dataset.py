@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.data.attributes import (
@@ -14,6 +14,7 @@ from thirdbody.data.attributes import (
     variable_attributes,
 )
 from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
@@ -30,6 +31,9 @@ from thirdbody.solver.arguments import check_parameters, check_rtol, check_varia
 from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.usual import warn_beyond_usual
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
@@ -112,7 +116,7 @@ def grid(
     axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
     solution = solve_arrays(crossed(axes), parameters, rtol, names, progress=progress)
     values = {name: getattr(solution, name) for name in names}
-    return described_grid(axes, values, parameters, rtol)
+    return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
 def with_status(variables: Collection[str]) -> list[str]:
@@ -138,13 +142,13 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
 
 def described_grid(
     axes: Axes, values: Mapping[str, NDArray], parameters: Parameters, rtol: float
-) -> xr.Dataset:
+) -> PlainDataset:
     """The dataset of ``grid`` around ``values``, an array over all ``axes`` for each variable."""
     request = {name: axis.tolist() for name, axis in axes.items()}
     return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
 
 
-def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> xr.Dataset:
+def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
     """The dataset of one figure.
 
     Parameters
@@ -158,7 +162,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
 
     Returns
     -------
-    xarray.Dataset
+    PlainDataset
         All variables of ``CONTRACT`` over the five axes of ``scene``; combinations that the
         figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.
 
@@ -199,7 +203,7 @@ def _checked_increasing(name, values, parameters):
     return axis
 
 
-def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
+def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:
     """Coordinates, variables and attributes of the data contract around solved ``values``."""
     variables = {
         name: (DIMENSIONS, values[name], variable_attributes(quantity))
@@ -212,4 +216,4 @@ def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
     newtons = axes["load"] * parameters.newtons_per_load
     coordinates["normal_load"] = ("load", newtons, coordinate_attributes(NORMAL_LOAD))
     attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
-    return xr.Dataset(variables, coordinates, attributes)
+    return PlainDataset(variables, coordinates, attributes)

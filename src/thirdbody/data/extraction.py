@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import shown_combinations
 from thirdbody.model.parameters import Parameters
 
 
-def curves_of(dataset: xr.Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """The curves that a dataset shows.
 
     Parameters
     ----------
-    dataset : xarray.Dataset
-        One of ``read_dataset``.
+    dataset : PlainDataset
+        One of ``read_plain``.
 
     Returns
     -------
@@ -35,15 +35,15 @@ def curves_of(dataset: xr.Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool
     return conditions, shown
 
 
-def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
+def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
     """Rows of the table ``tpca_loads``: one a curve that has a turning point.
 
     Parameters
     ----------
     figure : str
         Name of the figure, such as ``fig04``.
-    dataset : xarray.Dataset
-        One of ``read_dataset``.
+    dataset : PlainDataset
+        One of ``read_plain``.
     parameters : Parameters
         Inputs that it was solved with.
     """
@@ -62,7 +62,7 @@ def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[
     ]
 
 
-def transition_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
+def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
     """Rows of the table ``transitions``: one a crossing of a regime or mode limit.
 
     The arguments are those of ``tpca_rows``.

@@ -5,15 +5,20 @@ from __future__ import annotations
 import errno
 from collections.abc import Collection, Mapping
 from os import PathLike
+from typing import TYPE_CHECKING, Any
 
-import netCDF4  # noqa: F401  xarray would import it at the first file
-import xarray as xr
+import netCDF4
+import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import QUANTITIES
 
+if TYPE_CHECKING:
+    import xarray as xr
 
-def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
+
+def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
     """Write a dataset of points: the same dataset gives the same bytes.
 
     Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
@@ -21,7 +26,7 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
 
     Parameters
     ----------
-    dataset : xarray.Dataset
+    dataset : PlainDataset or xarray.Dataset
         One of ``grid``, ``scene_dataset`` or ``band``.
     path : path
         NetCDF-4 file to write; one that is there is replaced.
@@ -39,21 +44,26 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     write_dataset(points, f"{folder}/points.nc")
-    ...     again = read_dataset(f"{folder}/points.nc")
-    >>> bool(again["separation"] == points["separation"])
+    ...     again = read_plain(f"{folder}/points.nc")
+    >>> bool(again["separation"].values == points["separation"].values)
     True
     """
     # smallest of what every NetCDF-4 library reads, by benchmarks/measure_compression.py,
     # to 0.2 %: level 9 takes half as long again to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
-    encoding = {name: {"_FillValue": None} for name in dataset.coords}
-    encoding |= {
-        name: compressed | {"chunksizes": dataset[name].shape} for name in dataset.data_vars
+    storage = {
+        name: compressed | {"chunksizes": variable.values.shape}
+        for name, variable in dataset.data_vars.items()
     }
-    write_netcdf(dataset, path, encoding)
+    write_netcdf(dataset, path, storage)
 
 
 def read_dataset(path: str | PathLike) -> xr.Dataset:
+    """A dataset of ``write_dataset`` as one of xarray; errors as of ``read_plain``."""
+    return read_plain(path).to_xarray()
+
+
+def read_plain(path: str | PathLike) -> PlainDataset:
     """A dataset of ``write_dataset``, in memory; where it holds no point, nan and ``FILL_FLAG``.
 
     Parameters
@@ -71,31 +81,109 @@ def read_dataset(path: str | PathLike) -> xr.Dataset:
     See ``write_dataset``.
     """
     dataset = load(path)
-    missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in dataset.variables]
+    missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in dataset]
     if missing and not all(f"{name}_low" in dataset for name in QUANTITIES):
         raise unreadable(path, f"no {missing[0]}")
     return dataset
 
 
-def write_netcdf(dataset: xr.Dataset, path: str | PathLike, encoding: Mapping) -> None:
-    """Write any ``dataset`` with the ``encoding`` of each variable; ``OSError`` if that fails."""
+def write_netcdf(
+    dataset: PlainDataset | xr.Dataset, path: str | PathLike, storage: Mapping[str, Mapping]
+) -> None:
+    """Write any ``dataset``; ``OSError`` if that fails.
+
+    ``storage`` says how variables are stored, by name, in the words of ``add_variable``; what it does
+    not name is stored as it is.
+    """
     try:
-        dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=encoding)
+        with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
+            file.setncatts(dataset.attrs)
+            for name, size in dataset.sizes.items():
+                file.createDimension(name, size)
+            for name, variable in dataset.data_vars.items():
+                beside = _coordinates_beside(dataset, variable)
+                added = add_variable(file, name, variable, beside, **storage.get(name, {}))
+                added[:] = variable.values
+            for name, coordinate in dataset.coords.items():
+                add_variable(file, name, coordinate)[:] = coordinate.values
     except RuntimeError as error:
         raise OSError(errno.EIO, str(error), str(path)) from None
 
 
-def load(path: str | PathLike, needed: Collection[str] = ()) -> xr.Dataset:
+def _coordinates_beside(dataset, variable) -> str:
+    """Names of the coordinates along dimensions of ``variable`` that have other names than these."""
+    return " ".join(
+        name
+        for name, coordinate in dataset.coords.items()
+        if name not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
+    )
+
+
+def add_variable(
+    file: netCDF4.Dataset,
+    name: str,
+    variable: Variable | xr.DataArray,
+    coordinates: str = "",
+    **storage: Any,
+) -> netCDF4.Variable:
+    """Declare a variable in a file.
+
+    Parameters
+    ----------
+    file : netCDF4.Dataset
+        A file that is written and has the dimensions.
+    name : str
+        Name of the variable.
+    variable : Variable or xarray.DataArray
+        Its dimensions, type and attributes, of which ``_FillValue`` is one.
+    coordinates : str, optional
+        Names of what stands beside its dimensions.
+    **storage
+        How it is stored: arguments of ``netCDF4.Dataset.createVariable``.
+
+    Returns
+    -------
+    netCDF4.Variable
+        It is empty, and takes values as they are stored.
+    """
+    attributes = dict(variable.attrs)
+    fill = attributes.pop("_FillValue", None)
+    added = file.createVariable(name, variable.dtype, variable.dims, fill_value=fill, **storage)
+    added.setncatts(attributes | ({"coordinates": coordinates} if coordinates else {}))
+    added.set_auto_maskandscale(False)
+    return added
+
+
+def load(path: str | PathLike, needed: Collection[str] = ()) -> PlainDataset:
     """Any NetCDF file, in memory; ``OSError`` in one line if it cannot be read or lacks a name."""
     try:
-        with xr.open_dataset(path, engine="netcdf4") as dataset:
-            loaded = dataset.load()
+        with netCDF4.Dataset(path) as file:
+            loaded = _loaded(file)
     except Exception as error:  # each kind of damage has an exception of its own below
         raise unreadable(path, type(error).__name__) from None
     for name in needed:
-        if name not in loaded.variables:
+        if name not in loaded:
             raise unreadable(path, f"no {name}")
     return loaded
+
+
+def _loaded(file: netCDF4.Dataset) -> PlainDataset:
+    """All of ``file``, with nan for the fill values of numbers."""
+    file.set_auto_maskandscale(False)
+    coordinates, variables = set(file.dimensions), {}
+    for name, stored in file.variables.items():
+        attributes = _attributes(stored)
+        coordinates.update(attributes.pop("coordinates", "").split())
+        values, fill = stored[...], attributes.pop("_FillValue", None)
+        if fill is not None:
+            values[values == fill] = np.nan
+        variables[name] = Variable(stored.dimensions, values, attributes)
+    coords = {name: variables.pop(name) for name in [*variables] if name in coordinates}
+    return PlainDataset(variables, coords, _attributes(file))
+
+
+def _attributes(owner: netCDF4.Dataset | netCDF4.Variable) -> dict[str, Any]:
+    return {name: owner.getncattr(name) for name in owner.ncattrs()}
 
 
 def unreadable(path: str | PathLike, reason: str) -> OSError:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from thirdbody.data.plain import PlainDataset
 
 STATUS = "solution_status"  # the flag that says how to take all other variables
 # What stands where a dataset holds no point, which is another thing than a point without solution:
@@ -116,7 +116,7 @@ CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a
 VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS  # all that a dataset can hold
 
 
-def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
+def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
     """Which combinations of the four conditions a dataset holds: any point with a status.
 
     Returns

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from os import PathLike
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import load, write_netcdf
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.regimes import CONTACT_MODES
 
@@ -130,8 +130,8 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     variables[TOUCHES] = (("panel", "position"), touches, {"long_name": "whether they touch"})
     variables |= _particle_variables([section.particles for section in sections])
     position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
-    dataset = xr.Dataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
-    write_netcdf(dataset, path, {name: {"_FillValue": None} for name in dataset.variables})
+    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+    write_netcdf(dataset, path, {})
 
 
 def _particle_variables(of_panels) -> dict:
@@ -162,22 +162,24 @@ def read_sections(path: str | PathLike) -> list[Section]:
     particle_names = [name for name, _ in PARTICLE.values()]
     needed = (*Condition._fields, *NUMBERS, *SURFACES, *particle_names, "contact_mode", "position")
     data = load(path, (*needed, TOUCHES, BEARS_LOAD))
-    return [_section(data.isel(panel=index)) for index in range(data.sizes["panel"])]
+    return [_section(data, index) for index in range(data.sizes["panel"])]
 
 
-def _section(panel: xr.Dataset) -> Section:
+def _section(data: PlainDataset, index: int) -> Section:
     """The section of one panel of a file."""
+    panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
     state = State(
         Condition(*(float(panel[name]) for name in Condition._fields)),
         *(float(panel[name]) for name in NUMBERS),
         CONTACT_MODES[int(panel["contact_mode"])],
     )
-    columns = [panel[name].values.tolist() for name, _ in PARTICLE.values()]
-    bears = panel[BEARS_LOAD].values.astype(bool).tolist()
+    columns = [panel[name].tolist() for name, _ in PARTICLE.values()]
+    bears = panel[BEARS_LOAD].astype(bool).tolist()
     particles = [
         Particle(*numbers, bears_load)
         for *numbers, bears_load in zip(*columns, bears, strict=True)
         if not np.isnan(numbers[0])
     ]
-    surfaces = (panel[name].values for name in ("position", *SURFACES))
-    return Section(state, *surfaces, panel[TOUCHES].values.astype(bool), tuple(particles))
+    surfaces = (panel[name] for name in SURFACES)
+    touches = panel[TOUCHES].astype(bool)
+    return Section(state, data["position"].values, *surfaces, touches, tuple(particles))

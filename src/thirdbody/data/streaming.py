@@ -9,15 +9,17 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
+from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import Axes, crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
+from thirdbody.data.netcdf import add_variable
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
@@ -26,6 +28,9 @@ from thirdbody.solver.arguments import check_parameters, check_rtol
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solution import Solution, type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 EXACT: Mapping[str, int] = {}  # numbers are written with all digits
@@ -205,7 +210,7 @@ def sides(axes: Axes, block: tuple[slice, ...]) -> Axes:
 
 def declare(
     file: netCDF4.Dataset,
-    described: xr.Dataset,
+    described: PlainDataset | xr.Dataset,
     lengths: Mapping[str, int],
     compression: int,
     digits: Mapping[str, int] = EXACT,
@@ -216,7 +221,7 @@ def declare(
     ----------
     file : netCDF4.Dataset
         A new file: it gets the dimensions, coordinates and attributes.
-    described : xarray.Dataset
+    described : PlainDataset or xarray.Dataset
         What the file will hold.
     lengths : mapping
         Of the pieces in which variables are stored, by dimension.
@@ -234,29 +239,21 @@ def declare(
     for name, size in described.sizes.items():
         file.createDimension(name, size)
     for name, coordinate in described.coords.items():
-        variable = file.createVariable(name, coordinate.dtype, coordinate.dims)
-        variable.setncatts(coordinate.attrs)
-        variable[:] = coordinate.values
+        add_variable(file, name, coordinate)[:] = coordinate.values
     variables = {}
     for name, values in described.data_vars.items():
-        attributes = dict(values.attrs)
-        fill = attributes.pop("_FillValue", None)
-        if "load" in values.dims:
-            attributes["coordinates"] = "normal_load"
         rounded = name in digits
-        variables[name] = file.createVariable(
+        variables[name] = add_variable(
+            file,
             name,
-            values.dtype,
-            values.dims,
+            values,
+            coordinates="normal_load" if "load" in values.dims else "",
             zlib=compression > 0,
             complevel=compression,
             shuffle=rounded,  # digits that are left out, which are zeros, come together
             chunksizes=[lengths[each] for each in values.dims],
             chunk_cache=ONE_CHUNK,
-            fill_value=fill,
             significant_digits=digits.get(name),
             quantize_mode="GranularBitRound",
         )
-        variables[name].setncatts(attributes)
-        variables[name].set_auto_maskandscale(False)
     return variables

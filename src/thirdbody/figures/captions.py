@@ -21,7 +21,7 @@ from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.shown import shown_curves
 
 if TYPE_CHECKING:  # figures without a dataset do without
-    import xarray as xr
+    from thirdbody.data.plain import PlainDataset
 
 
 @dataclass(frozen=True)
@@ -165,7 +165,7 @@ CAPTIONS = {
 }
 
 
-def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> str:
+def caption_text(name: str, figure: Figure, data: PlainDataset | None = None) -> str:
     """Caption and alternative text of a figure.
 
     Parameters
@@ -174,7 +174,7 @@ def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> s
         One of ``CAPTIONS``, or that of a scene of one's own, whose dataset has a title.
     figure : Figure
         The figure as it is drawn.
-    data : xarray.Dataset, optional
+    data : PlainDataset, optional
         Of a figure of curves, their dataset.
 
     Returns
@@ -182,7 +182,9 @@ def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> s
     str
         Two paragraphs.
     """
-    caption = CAPTIONS[name] if data is None else CAPTIONS.get(name, Caption(data.title, ""))
+    caption = (
+        CAPTIONS[name] if data is None else CAPTIONS.get(name, Caption(data.attrs["title"], ""))
+    )
     told = [f"**{caption.title}.**"]
     if data is not None:
         told += [_panels(figure), _conditions(data), *_marks(figure)]

@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.marks import (
     TURNING_POINTS,
     WINDOW,
@@ -91,9 +91,9 @@ class CurveFigure:
 
     def plot(
         self,
-        data: xr.Dataset,
+        data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
-        band: xr.Dataset | None = None,
+        band: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Figure:
@@ -101,11 +101,11 @@ class CurveFigure:
 
         Parameters
         ----------
-        data : xarray.Dataset
-            One of ``read_dataset``.
+        data : PlainDataset
+            One of ``read_plain``.
         turning_points : sequence of Mapping
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        band : xarray.Dataset, optional
+        band : PlainDataset, optional
             ``<variable>_low`` and ``_high`` on the axes of ``data``, drawn behind the curves.
         printed : sequence of Mapping
             Rows of the table ``printed``: the paper's numbers for this figure.
@@ -129,7 +129,7 @@ class CurveFigure:
         common = shared_notes(conditions)
         newtons_per_load = None
         if "normal_load" in data:
-            newtons_per_load = float(data["normal_load"][-1] / data["load"][-1])
+            newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         figure = panel_figure([(content.x, content.y) for content in contents])
         marked: set[Condition] = set()
         for panel, content in zip(figure.axes, contents, strict=True):
@@ -176,7 +176,7 @@ class CurveFigure:
         return self.two_body or not condition.is_two_body
 
 
-def draw_curve(panel: Panel, data: xr.Dataset, curve: Curve, styles: Styles) -> Line2D:
+def draw_curve(panel: Panel, data: PlainDataset, curve: Curve, styles: Styles) -> Line2D:
     """Draw ``curve`` into ``panel``."""
     x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
     return panel.add_line(Line2D(x, y, label=curve.label, **styles.of(curve.condition)))
@@ -241,7 +241,7 @@ def _staggered(free, stagger) -> list[int]:
     return [int(longest.mean())]
 
 
-def draw_bands(panel: Panel, band: xr.Dataset, curves: Sequence[Curve], styles: Styles) -> None:
+def draw_bands(panel: Panel, band: PlainDataset, curves: Sequence[Curve], styles: Styles) -> None:
     """Draw the envelopes of ``curves`` at each load, in a tint of their colours.
 
     The tints are opaque: many curves lie on one another, and so would their bands.

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -12,13 +11,11 @@ from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
 from thirdbody.figures.shown import Curve
-
-if TYPE_CHECKING:  # figures without a dataset do without
-    import xarray as xr
 
 TURNING_POINTS = {
     "linestyle": "none",
@@ -93,7 +90,7 @@ def turning_points_of(
 
 def mark_turning_points(
     panel: Panel,
-    data: xr.Dataset,
+    data: PlainDataset,
     marked: Sequence[tuple[Curve, Mapping]],
     label: str = "turning points",
 ) -> None:
@@ -103,7 +100,7 @@ def mark_turning_points(
     ----------
     panel : Panel
         Where to draw.
-    data : xarray.Dataset
+    data : PlainDataset
         The dataset of the curves.
     marked : sequence of (Curve, Mapping)
         Pairs of ``turning_points_of``.
@@ -122,7 +119,7 @@ def mark_turning_points(
         panel.add_line(Line2D(x, y, label=label, zorder=3, **MARKS[label][1]))
 
 
-def mark_statuses(panel: Panel, data: xr.Dataset, curves: Sequence[Curve]) -> None:
+def mark_statuses(panel: Panel, data: PlainDataset, curves: Sequence[Curve]) -> None:
     """Draw marks along ``curves`` where the status of their points is not plain ``converged``."""
     status = data["solution_status"].attrs
     values = dict(zip(status["flag_meanings"].split(), status["flag_values"], strict=True))

@@ -9,10 +9,10 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.extraction import curves_of
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import REPEATABLE
@@ -35,8 +35,8 @@ COMMENT = (
 
 
 def band(
-    dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
-) -> xr.Dataset:
+    dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
+) -> PlainDataset:
     """Lowest and highest value of each quantity over an ensemble of inputs, along given curves.
 
     Every member of the ensemble is solved at the conditions and loads F_t* of ``dataset``.  The
@@ -44,8 +44,8 @@ def band(
 
     Parameters
     ----------
-    dataset : xarray.Dataset
-        Points of a figure, one of ``thirdbody.data.netcdf.read_dataset``, solved with ``base``.
+    dataset : PlainDataset
+        Points of a figure, one of ``thirdbody.data.netcdf.read_plain``, solved with ``base``.
     base : Parameters
         Inputs of the model.
     ensemble : sequence of mapping
@@ -54,7 +54,7 @@ def band(
 
     Returns
     -------
-    xarray.Dataset
+    PlainDataset
         Variables ``<quantity>_low`` and ``<quantity>_high`` for each of ``QUANTITIES``, with the
         dimensions, shape and units that the quantity has in ``dataset``.
 
@@ -71,9 +71,9 @@ def band(
     >>> points = tb.grid(load=[1e-6, 1e-5], **axes, parameters=inputs)
     >>> stiffer = {"apparent_area": 0.9 * inputs.apparent_area}
     >>> envelope = band(points, inputs, [stiffer])
-    >>> bool((envelope["separation_low"] <= points["separation"]).all())
+    >>> bool((envelope["separation_low"].values <= points["separation"].values).all())
     True
-    >>> bool((envelope["separation_high"] >= points["separation"]).all())
+    >>> bool((envelope["separation_high"].values >= points["separation"].values).all())
     True
     """
     conditions, shown = curves_of(dataset)
@@ -99,11 +99,11 @@ def band(
         for end, (extreme, _) in ENDS.items()
         for name in QUANTITIES
     }
-    return xr.Dataset(variables, dataset.coords, _attributes(dataset, ensemble))
+    return PlainDataset(variables, dataset.coords, _attributes(dataset, ensemble))
 
 
 def _variable(values, attributes, shown, extreme):
-    """A variable as xarray takes it: dimensions, values and attributes.
+    """A variable as a dataset takes it: dimensions, values and attributes.
 
     ``values`` [load, curve] go to the combinations of conditions that are ``shown``; all others
     hold the fill value.
