@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
 from thirdbody.run.home import HOME, PACKAGE, is_current_folder
 
 HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME}  # where each package lies
+BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")  # of a statement
 
 
 def import_closure(script) -> list[str]:
@@ -33,7 +35,7 @@ def import_closure(script) -> list[str]:
 def _imported(path: Path) -> tuple[Path, ...]:
     """Modules of this repository that stand in the import statements of ``path``."""
     names: set[str] = set()
-    for node in ast.walk(ast.parse(path.read_bytes())):
+    for node in _statements(ast.parse(path.read_bytes())):
         if isinstance(node, ast.ImportFrom) and _package(node.module or "") in HOMES:
             names.add(node.module)
             names.update(f"{node.module}.{alias.name}" for alias in node.names)
@@ -41,6 +43,14 @@ def _imported(path: Path) -> tuple[Path, ...]:
             names.update(alias.name for alias in node.names)
     files = (_file(each) for name in names for each in _with_parents(name))
     return tuple(file for file in files if file is not None)
+
+
+def _statements(block: ast.AST) -> Iterator[ast.AST]:
+    """The statements of ``block`` and of all blocks in it; what they compute is not looked at."""
+    for part in BLOCKS:
+        for node in getattr(block, part, ()):
+            yield node
+            yield from _statements(node)
 
 
 def _package(name: str) -> str:
@@ -53,6 +63,7 @@ def _with_parents(name: str) -> list[str]:
     return [".".join(words[: count + 1]) for count in range(len(words))]
 
 
+@cache
 def _file(name: str) -> Path | None:
     """The file of a module of this repository; None for any other name."""
     if _package(name) not in HOMES:
