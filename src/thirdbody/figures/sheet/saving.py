@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import contextmanager
 from os import PathLike
 from pathlib import Path
-from unittest.mock import patch
 
 # the canvases that ``savefig`` takes for the formats below
 import matplotlib.backends.backend_agg
 import matplotlib.backends.backend_pdf
 import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
-from fontTools.subset import Options
+from fontTools import subset
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
@@ -49,15 +49,32 @@ def save(figure: Figure, stem: str | PathLike, caption: str) -> None:
     OSError
         If there is no room or no right to write.
     """
-    dropped = [*Options._drop_tables_default, *PLACING]
     with (
-        patch.object(Options, "_drop_tables_default", dropped),
+        _fonts_without_placing(),
         whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data, text),
     ):
         for drawing, (kind, options) in zip(drawings, OPTIONS.items(), strict=True):
             figure.savefig(drawing, format=kind, **options)
         write_drawn_data(figure, data)
         Path(text).write_text(caption, encoding="utf-8")
+
+
+@contextmanager
+def _fonts_without_placing() -> Iterator[None]:
+    """Have matplotlib cut down fonts that never had the tables ``PLACING``."""
+    load = subset.load_font
+
+    def load_font(*given, **options):
+        font = load(*given, **options)
+        for table in {*PLACING} & {*font.keys()}:
+            del font[table]
+        return font
+
+    subset.load_font = load_font
+    try:
+        yield
+    finally:
+        subset.load_font = load
 
 
 def write_drawn_data(figure: Figure, path: str | PathLike) -> None:
