@@ -3,15 +3,17 @@ SENSITIVITY = settings["sensitivity"]
 UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
 
 
-rule compute_elasticities:
+# both in one process, as loading what solves takes about as long as either
+rule compute_sensitivities:
     input:
-        modules=import_closure("workflow/scripts/compute_elasticities.py"),
+        modules=import_closure("workflow/scripts/compute_sensitivities.py"),
     output:
-        rows="<results>/extracted/sensitivity/elasticities.csv",
+        elasticities="<results>/extracted/sensitivity/elasticities.csv",
+        indices="<results>/extracted/sensitivity/sobol_indices.csv",
     log:
-        "<logs>/compute_elasticities.log",
+        "<logs>/compute_sensitivities.log",
     benchmark:
-        "<logs>/compute_elasticities.tsv"
+        "<logs>/compute_sensitivities.tsv"
     priority: 1
     conda:
         "../envs/thirdbody.yaml"
@@ -21,32 +23,9 @@ rule compute_elasticities:
         unpublished=UNPUBLISHED,
         parameters=settings["parameters"],
     message:
-        "Differentiating results with respect to each unpublished input"
+        "Computing how results respond to each unpublished input"
     script:
-        "../scripts/compute_elasticities.py"
-
-
-rule compute_sobol_indices:
-    input:
-        modules=import_closure("workflow/scripts/compute_sobol_indices.py"),
-    output:
-        rows="<results>/extracted/sensitivity/sobol_indices.csv",
-    log:
-        "<logs>/compute_sobol_indices.log",
-    benchmark:
-        "<logs>/compute_sobol_indices.tsv"
-    priority: 1
-    conda:
-        "../envs/thirdbody.yaml"
-    threads: 1
-    params:
-        settings=SENSITIVITY,
-        unpublished=UNPUBLISHED,
-        parameters=settings["parameters"],
-    message:
-        "Dividing the variance of results among the unpublished inputs"
-    script:
-        "../scripts/compute_sobol_indices.py"
+        "../scripts/compute_sensitivities.py"
 
 
 rule render_sensitivity:

@@ -1,0 +1,41 @@
+"""Elasticities and total Sobol indices of results in the inputs that the paper does not print."""
+
+from thirdbody.run.job import logged
+
+from thirdbody.data.files import whole
+from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.sensitivity import (
+    Subject,
+    default_elasticities,
+    sensitivity_rows,
+    varied_inputs,
+)
+from thirdbody.study.sobol import default_indices
+
+
+def compute(settings, unpublished, parameters, elasticities, indices):
+    """Write the ``elasticities`` and the ``indices`` of what ``settings`` ask about; inputs of value 0
+    are left out."""
+    subject, defaults = Subject.of(settings), Parameters(**parameters)
+    inputs = varied_inputs(defaults, unpublished)
+    found = (
+        default_elasticities(subject, defaults, inputs),
+        default_indices(subject, defaults, inputs, settings["sobol"]),
+    )
+    with whole(elasticities, indices) as parts:
+        for part, (base, measured) in zip(parts, found, strict=True):
+            rows = sensitivity_rows(subject, base, inputs, measured)
+            write_csv(part, rows, TABLES["sensitivity"])
+    print(f"{len(subject.outputs)} results, {len(inputs)} inputs: {', '.join(inputs)}")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        compute(
+            snakemake.params.settings,
+            snakemake.params.unpublished,
+            snakemake.params.parameters,
+            snakemake.output.elasticities,
+            snakemake.output.indices,
+        )
