@@ -20,16 +20,17 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
 
     ``calibration`` are the settings of the search for inputs, ``tables`` the paper's as printed.
     """
-    entries = {
+    entries = read_entries()
+    readings = [read_calibrated(path, entries) for path in calibrated]
+    inputs = {
         name: entry | calibration["unknowns"].get(name, {}) | {"value": parameters[name]}
-        for name, entry in read_entries().items()
+        for name, entry in entries.items()
     }
-    readings = [read_calibrated(path) for path in calibrated]
     content = page_content(
         zip(points, captions, strict=True),
         [asdict(claim) for claim in load_claims(claims)],
         json.loads(Path(verdicts).read_text(encoding="utf-8")),
-        entries,
+        inputs,
         {each["reading"]: each["inputs"] for each in readings},
         {row["symbol"]: row["printed"] for row in read_yaml(tables)["table2"]},
     )

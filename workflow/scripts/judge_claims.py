@@ -2,7 +2,7 @@
 
 from thirdbody.run.job import logged
 
-from thirdbody.configuration.inputs import read_calibrated
+from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.model.parameters import Parameters
@@ -18,7 +18,8 @@ def judge_claims(
     """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
     under those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
-    main, readings = read_calibrated(default), [read_calibrated(path) for path in calibrated]
+    entries = read_entries()
+    main, *readings = (read_calibrated(path, entries) for path in (default, *calibrated))
     main["inputs"] |= laid_over
     main["ensemble"] = [member | laid_over for member in main["ensemble"]]
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)

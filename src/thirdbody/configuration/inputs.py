@@ -142,19 +142,21 @@ def choose_inputs(
         calibrated, content = given, {}
     validate(content, _overlay_schema(entries), shown_file(given) if is_file else "inputs")
     laid_over = _plain_values(content)
-    found = _read_calibrated(calibrated, entries)
+    found = read_calibrated(calibrated, entries)
     values = uncalibrated(entries) | _plain_values(found["inputs"]) | laid_over
     ensemble = [_plain_values(member) | laid_over for member in found["ensemble"]]
     return ChosenInputs(values, str(calibrated), found["reading"], ensemble, laid_over)
 
 
-def read_calibrated(path: str | Path) -> dict:
+def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
     """Read a file that ``snakemake calibrate`` writes: a reading, its best inputs, their ensemble.
 
     Parameters
     ----------
     path : str or Path
         A file of ``config/calibrated/``.
+    entries : Mapping, optional
+        Those of ``read_entries``, by whoever has them.
 
     Returns
     -------
@@ -166,17 +168,13 @@ def read_calibrated(path: str | Path) -> dict:
     ValueError
         In one line: the file, the key at fault, its value and what is allowed.
     """
-    return _read_calibrated(path, read_entries())
+    return read_valid(path, "calibrated", input_values=values_schema(entries or read_entries()))
 
 
 def values_schema(entries: Entries) -> dict:
     """JSON Schema of plain values of some of the inputs; in it, ``$defs/name`` is that of their names."""
     values = _closed({name: _value_schema(name, entry) for name, entry in entries.items()})
     return values | {"$defs": {"name": {"enum": list(entries)}}}
-
-
-def _read_calibrated(path: str | Path, entries: Entries) -> dict:
-    return read_valid(path, "calibrated", input_values=values_schema(entries))
 
 
 def _value_schema(name: str, entry: Mapping) -> dict:

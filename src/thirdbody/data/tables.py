@@ -32,11 +32,10 @@ class Column:
     unit: str
     description: str
 
-    def parse(self, text: str) -> float | str | None:
-        """The value that a CSV field stands for; None where it is empty."""
-        if text == "":
-            return None
-        return float(text) if self.kind == "number" else text
+    def parse(self, texts: Iterable[str]) -> list[float | str | None]:
+        """The values that fields of a CSV file stand for; None where one is empty."""
+        value = float if self.kind == "number" else str
+        return [None if text == "" else value(text) for text in texts]
 
     def format(self, value: float | str | None, digits: int) -> str:
         """Text of ``value``, a number with so many significant digits; empty for None."""
@@ -318,10 +317,9 @@ def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
             header, *lines = csv.reader(stream)
         if header != names:
             raise ValueError(f"its columns are {header}")
-        return [
-            {column.name: column.parse(text) for column, text in zip(columns, line, strict=True)}
-            for line in lines
-        ]
+        fields = zip(header, *lines, strict=True)
+        values = [column.parse(each[1:]) for column, each in zip(columns, fields, strict=True)]
+        return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
     except (ValueError, csv.Error) as error:
         reason = " ".join(str(error).split())
         raise OSError(
