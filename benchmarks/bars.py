@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from benchmarks.classes import HEAVIEST
+from benchmarks.omissions import FLUID, TOTAL
 from benchmarks.points import CLASS
 from benchmarks.starts import AUTOMATIC
 from benchmarks.surfaces import READY
@@ -65,6 +66,7 @@ BARS = {
     "memory": Bar("MB resident while streaming", 1000.0, False),
     "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
     "call": Bar("microseconds of a call that solves one point", 100.0, False),
+    "film_load": Bar("time with film_load total over that with fluid, heaviest class", 1.1, False),
     "starts": Bar("time to an answer over that of the best way, few to many points", 1.2, False),
     "errors": Bar("largest error over the error asked for", 1.0, False),
     "extremes": Bar("extremes with a wrong answer", 0.0, False),
@@ -77,8 +79,8 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     Parameters
     ----------
     tables : mapping
-        Rows of the tables ``errors``, ``extremes``, ``times``, ``scaling``, ``surfaces``,
-        ``starts`` and ``streaming``, by these names.
+        Rows of the tables ``errors``, ``extremes``, ``times``, ``omissions``, ``scaling``,
+        ``surfaces``, ``starts`` and ``streaming``, by these names.
 
     Returns
     -------
@@ -88,6 +90,7 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     measured = {
         **_of_times(tables["times"]),
         **_of_scaling(tables["scaling"]),
+        "film_load": _over_fluid(tables["omissions"]),
         "surfaces": max(row["ratio"] for row in tables["surfaces"] if row["tables"] == READY),
         **_of_streaming(tables["streaming"]),
         "starts": max(
@@ -124,6 +127,11 @@ def _of_scaling(rows):
         "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
         "threads": max(row["ratio"] for row in rows if row["axis"] == "threads"),
     }
+
+
+def _over_fluid(rows):
+    cost = {row["left_out"]: row["microseconds_per_point"] for row in rows}
+    return cost[TOTAL] / cost[FLUID]
 
 
 def _of_streaming(rows):

@@ -109,6 +109,8 @@ def test_sweeps_hold_what_was_asked_for(tables):
     assert numbers == 2 * BUDGET["surfaces"]["surfaces"]
     assert [row["ratio"] for row in tables["surfaces"] if row["surfaces"] == 1] == [1.0, 1.0]
     assert tables["omissions"][0]["left_out"] == "nothing"
+    readings = ["nothing, film_load fluid", "nothing, film_load total"]
+    assert [row["left_out"] for row in tables["omissions"][-2:]] == readings
     assert [row["what"] for row in tables["streaming"]] == ["streaming", "solving", "writing"]
     assert tables["streaming"][0]["points"] == 1000
     assert tables["streaming"][0]["resident_memory_MB"] < 1000.0
@@ -130,7 +132,7 @@ def test_every_start_is_timed_by_every_way_or_said_to_be_left_out(tables):
 
 
 def test_every_bar_is_judged_by_what_was_measured(tables):
-    assert len(tables["bars"]) == 14
+    assert len(tables["bars"]) == 15
     for row in tables["bars"]:
         holds = (
             row["measured"] >= row["bar"]
@@ -145,6 +147,10 @@ def test_every_bar_is_judged_by_what_was_measured(tables):
     }
     ratio = times["nested_roots", None] / times["library", 1e-9]
     assert tables["bars"][0]["measured"] == pytest.approx(ratio)
+    fluid, total = (row["microseconds_per_point"] for row in tables["omissions"][-2:])
+    (bar,) = (row for row in tables["bars"] if "film_load" in row["what"])
+    assert bar["measured"] == pytest.approx(total / fluid)
+    assert (bar["sense"], bar["bar"]) == ("at most", 1.1)
 
 
 def test_the_dataset_holds_the_tables(measured, tables):

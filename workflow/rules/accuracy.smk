@@ -62,6 +62,7 @@ rule gather_accuracy:
         errors="<results>/accuracy/errors.csv",
         extremes="<results>/accuracy/extremes.csv",
         times="<results>/accuracy/times.csv",
+        omissions="<results>/accuracy/omissions.csv",
         scaling="<results>/accuracy/scaling.csv",
         surfaces="<results>/accuracy/surfaces.csv",
         starts="<results>/accuracy/starts.csv",

@@ -219,7 +219,9 @@ TABLES = {
         Column("peak_memory_MB", "number", "MB", "most memory held in arrays while solving"),
     ),
     "omissions": (
-        Column("left_out", "string", "", "what the points do not require"),
+        Column(
+            "left_out", "string", "", "what the points do not require; and what the load in Eq. 8 is"
+        ),
         Column("points", "number", "1", "points solved as one array"),
         RTOL,
         POINT_COST,
