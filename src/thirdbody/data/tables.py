@@ -70,6 +70,12 @@ POINT_CLASS = (
 METHOD = Column("method", "string", "", "library, or the baseline that it is measured against")
 RTOL = Column("rtol", "number", "1", "relative error asked for; empty: a method that is not asked")
 POINT_COST = Column("microseconds_per_point", "number", "us", "time over the number of points")
+STATUS_THERE = Column(
+    "solution_status",
+    "string",
+    "",
+    "how to take the values, as in the datasets: status of the point",
+)
 LIMIT = (  # of a design chart
     Column("load_N", "number", "N", "normal load F_t"),
     Column("load", "number", "1", "F_t* of the default inputs"),
@@ -77,6 +83,12 @@ LIMIT = (  # of a design chart
     Column("low", "number", "SI", "quantile of 5 % of the calibrated ensemble"),
     Column("median", "number", "SI", "its median"),
     Column("high", "number", "SI", "its quantile of 95 %"),
+    Column(
+        "solution_status",
+        "string",
+        "",
+        "status of the atlas's point next to the limit; of its last one where the limit is not known",
+    ),
 )
 TABLES = {
     "largest_particle": (
@@ -94,6 +106,7 @@ TABLES = {
         Column("peak_ratio", "number", "1", "A_sa,t* at the turning point"),
         Column("solid_load_fraction", "number", "1", "L_s at the turning point"),
         Column("separation_m", "number", "m", "mean separation d at the turning point"),
+        STATUS_THERE,
     ),
     "transitions": (
         *CURVE,
@@ -102,6 +115,7 @@ TABLES = {
         Column("direction", "string", "", "rising or falling with the load"),
         Column("load", "number", "1", "F_t* of the crossing"),
         Column("load_error", "number", "1", "bound on the numerical error of load"),
+        STATUS_THERE,
     ),
     "tpca_windows": (
         CONDITIONS["roughness"],
@@ -220,7 +234,10 @@ TABLES = {
     ),
     "omissions": (
         Column(
-            "left_out", "string", "", "what the points do not require; and what the load in Eq. 8 is"
+            "left_out",
+            "string",
+            "",
+            "what the points do not require; and what the load in Eq. 8 is",
         ),
         Column("points", "number", "1", "points solved as one array"),
         RTOL,
