@@ -223,6 +223,34 @@ TABLES = {
         Column("largest_error", "number", "1", "largest relative error of the solved points"),
         Column("percentile_99_error", "number", "1", "99th percentile of these errors"),
     ),
+    "oracle": (
+        Column(
+            "place", "string", "", "where points are drawn: anywhere, or next to kinks of F_s(d)"
+        ),
+        Column("way", "string", "", "how the library solves them"),
+        RTOL,
+        *(
+            Column(name, "string", "", "reading, as in config/inputs.yaml")
+            for name in (
+                *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
+                "film_load",
+            )
+        ),
+        Column("points", "number", "1", "points compared with extended precision"),
+        Column("without_values", "number", "1", "those that have no values, here or there"),
+        Column("not_converged", "number", "1", "those with values and the status not_converged"),
+        Column("beyond_bound", "number", "1", "those with an error above error_bound"),
+        Column(
+            "wrong",
+            "number",
+            "1",
+            "those with a good status and an error above rtol, a false number of separations, or none",
+        ),
+        Column(
+            "largest_error", "number", "1", "largest relative error of those with a good status"
+        ),
+        Column("over_rtol", "number", "1", "this over the error asked for"),
+    ),
     "times": (
         METHOD,
         RTOL,

@@ -8,7 +8,8 @@ from pathlib import Path
 
 from thirdbody.run.home import HOME, PACKAGE, is_current_folder
 
-HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME}  # where each package lies
+# where each package lies
+HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME, "tests": HOME}
 
 
 def import_closure(script) -> list[str]:
