@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from benchmarks.classes import HEAVIEST
+from benchmarks.omissions import FLUID, TOTAL
 from benchmarks.points import CLASS
 from benchmarks.starts import AUTOMATIC
 from benchmarks.surfaces import READY
@@ -35,21 +36,26 @@ class Bar:
     limit: float
     least: bool
 
-    def row(self, value: float) -> dict[str, Any]:
-        """Row of the table ``bars`` for a measured ``value`` in the unit of the bar.
+    def row(self, value: float | None) -> dict[str, Any]:
+        """Row of the table ``bars`` for a measured ``value`` in the unit of the bar, None if there is
+        none.
 
         Examples
         --------
         >>> Bar("seconds to prepare a surface", 0.2, least=False).row(0.1)["verdict"]
         'holds'
         """
-        holds = value >= self.limit if self.least else value <= self.limit
+        if value is None:
+            verdict = "not measured"
+        else:
+            holds = value >= self.limit if self.least else value <= self.limit
+            verdict = "holds" if holds else "fails"
         return {
             "what": self.what,
             "sense": "at least" if self.least else "at most",
             "bar": self.limit,
             "measured": value,
-            "verdict": "holds" if holds else "fails",
+            "verdict": verdict,
         }
 
 
@@ -65,9 +71,11 @@ BARS = {
     "memory": Bar("MB resident while streaming", 1000.0, False),
     "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
     "call": Bar("microseconds of a call that solves one point", 100.0, False),
+    "film_load": Bar("time with film_load total over that with fluid, heaviest class", 1.1, False),
     "starts": Bar("time to an answer over that of the best way, few to many points", 1.2, False),
     "errors": Bar("largest error over the error asked for", 1.0, False),
     "extremes": Bar("extremes with a wrong answer", 0.0, False),
+    "oracle": Bar("points of all readings that are wrong or beyond their bound", 0.0, False),
 }
 
 
@@ -77,8 +85,8 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     Parameters
     ----------
     tables : mapping
-        Rows of the tables ``errors``, ``extremes``, ``times``, ``scaling``, ``surfaces``,
-        ``starts`` and ``streaming``, by these names.
+        Rows of the tables ``errors``, ``extremes``, ``times``, ``omissions``, ``scaling``,
+        ``surfaces``, ``starts``, ``streaming`` and ``oracle``, by these names.
 
     Returns
     -------
@@ -88,6 +96,7 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
     measured = {
         **_of_times(tables["times"]),
         **_of_scaling(tables["scaling"]),
+        "film_load": _over_fluid(tables["omissions"]),
         "surfaces": max(row["ratio"] for row in tables["surfaces"] if row["tables"] == READY),
         **_of_streaming(tables["streaming"]),
         "starts": max(
@@ -99,6 +108,7 @@ def bar_rows(tables: Mapping[str, Sequence[Mapping[str, Any]]]) -> list[dict[str
             if row["method"] == "library"
         ),
         "extremes": sum(row["verdict"].startswith("wrong") for row in tables["extremes"]),
+        "oracle": _at_fault(tables["oracle"]),
     }
     return [bar.row(measured[name]) for name, bar in BARS.items()]
 
@@ -124,6 +134,15 @@ def _of_scaling(rows):
         "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
         "threads": max(row["ratio"] for row in rows if row["axis"] == "threads"),
     }
+
+
+def _over_fluid(rows):
+    cost = {row["left_out"]: row["microseconds_per_point"] for row in rows}
+    return cost[TOTAL] / cost[FLUID]
+
+
+def _at_fault(rows):
+    return sum(row["beyond_bound"] + row["wrong"] for row in rows) if rows else None
 
 
 def _of_streaming(rows):

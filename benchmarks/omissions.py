@@ -1,8 +1,10 @@
-"""Time that is saved because nothing is computed which is not asked for."""
+"""Time that is saved because nothing is computed which is not asked for, and what either reading of
+the film's load takes."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -24,10 +26,14 @@ VARIABLES = {
     "all variables but L_s": ("solid_load_fraction",),
     "all variables but A_t*": ("total_contact_area",),
 }
+# With everything, under each reading of the load in Eq. 8.
+FILM_LOADS = {f"nothing, film_load {name}": name for name in ("fluid", "total")}
+FLUID, TOTAL = FILM_LOADS
 
 
 def omission_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Measure the time of a point with everything, and where something is left out.
+    """Measure the time of a point with everything, where something is left out, and by either reading
+    of the film's load.
 
     Parameters
     ----------
@@ -44,9 +50,9 @@ def omission_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dic
     settings = budget["omissions"]
     count = settings["points"]
 
-    def solving(given, **wanted):
+    def solving(given, **changed):
         asked = {"parameters": parameters, "rtol": settings["rtol"], "way": COMPILED}
-        return partial(solve, **given, **wanted, **asked)
+        return partial(solve, **given, **asked | changed)
 
     runs = {
         name: solving(random_conditions(kind, count, parameters)) for name, kind in BODIES.items()
@@ -54,6 +60,13 @@ def omission_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dic
     runs |= {
         name: solving(random_conditions(HEAVIEST, count, parameters), variables=wanted)
         for name, wanted in VARIABLES.items()
+    }
+    runs |= {
+        name: solving(
+            random_conditions(HEAVIEST, count, parameters),
+            parameters=replace(parameters, film_load=film_load),
+        )
+        for name, film_load in FILM_LOADS.items()
     }
     times = least_seconds(runs, budget["rounds"])
     return [

@@ -25,7 +25,8 @@ NEGLIGIBLE = 80.0  # exp(-80) of the greatest weight is nothing in float64
 RESOLUTION = 1e-7  # of the range searched: two separations closer than this are passed over
 NEARLY_ALL = 0.99  # L_f; beyond it, 1 - L_f has fewer digits than the load that solids bear at d
 FILM_AT_WORK = 1e-3  # L_f; what a film is like that bears less matters to nothing else
-THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies
+THICKEST_FILM = 0.01  # h_c/R_x; Eq. 7 is for films that are thin against the bodies,
+# and for bodies that bear its mean pressure F/A_n without yielding as a whole
 
 
 class Point(NamedTuple):
@@ -455,11 +456,14 @@ def log_load_in_w(log_fluid_fraction, model, point):
 def outside_film_formula(fluid_fraction, model, point):
     """Whether a film that is at work is outside of the meaning of Eq. 7.
 
-    There H_c falls with rising viscosity, dH_c/dU <= 0, or the film is not thin.
+    There H_c falls with rising viscosity, dH_c/dU <= 0, the film is not thin, or the load in W would
+    press on A_n with more than the hardness of the softer surface.
     """
     if point.dry or fluid_fraction <= FILM_AT_WORK:
         return False
     log_load = log_load_in_w(math.log(fluid_fraction), model, point)
+    if log_load > math.log(softer(model) / model["E_ss"]):
+        return True
     smooth, rough = film_terms(log_load, model, point)
     rise = 0.663 * model["kappa"] ** 0.025
     return rise * (1.0 + rough) <= 0.884 * rough or smooth * (1.0 + rough) > THICKEST_FILM

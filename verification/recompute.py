@@ -19,6 +19,7 @@ QUANTITIES = (
     "separation",
     "film_thickness",
 )
+COUNT = "separation_count"  # where a point has several
 FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
 NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
@@ -60,6 +61,8 @@ def read(path):
         shown = {name: values[name] != fill(file[name]) for name in QUANTITIES}
         values |= {name: flag_names(file[name]) for name in FLAGS}
         shown |= {name: values[name] != NOT_SHOWN for name in FLAGS}
+        if COUNT in file.variables:
+            values[COUNT] = file[COUNT][:]
         model = json.loads(file.model_parameters)
         tolerance = max(SOLUTION, 10.0 * float(file.rtol))
     first = shown["separation"]
@@ -151,6 +154,8 @@ def solved(row, point, data):
     if not agrees and (row["solution_status"] != "not_converged" or solution.state is None):
         yield f"solution_status (here {solution.status})", math.inf, 0.0
         return
+    if row[COUNT] not in (None, solution.count):
+        yield f"{COUNT} (here {solution.count})", math.inf, 0.0
     if without_values(row):
         return
     for name, expected in (
@@ -187,7 +192,7 @@ def check(path, count, rng):
     sample = set(rng.sample(data.points, min(count, len(data.points))))
     worst = 0.0
     for index in data.points:
-        row = {name: data.values[name].item(index) for name in (*QUANTITIES, *FLAGS)}
+        row = {COUNT: None} | {name: data.values[name].item(index) for name in data.values}
         point = point_at(data, index)
         where = f"at {','.join(map(str, map(int, index)))}"
         anew = index in sample or row["solution_status"] in UNSEEN

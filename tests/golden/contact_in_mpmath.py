@@ -262,11 +262,13 @@ def film_separation(load, p):
 
 
 def film_counts(in_film, solution, p):
-    """Whether the film bears more than a thousandth, and grows with falling viscosity or is thicker than R_x/100."""
+    """Whether the film bears more than a thousandth, and grows with falling viscosity, is thicker than R_x/100, or is
+    under more pressure than the softer surface bears."""
     e = mp.mpf("0.663") * p.kappa ** mp.mpf("0.025")
     falls = film_terms(in_film, p)[1] >= e / (mp.mpf("0.884") - e)
     thick = solution["film_thickness"] > mp.mpf("0.01")
-    return solution["fluid_load_fraction"] > mp.mpf("0.001") and (falls or thick)
+    presses = in_film * p.E_ss > softer(p)
+    return solution["fluid_load_fraction"] > mp.mpf("0.001") and (falls or thick or presses)
 
 
 def may_rise(p):

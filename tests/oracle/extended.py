@@ -71,16 +71,17 @@ def compiler():
 
 
 class Oracle:
-    """``contact.c``, compiled into ``folder``."""
+    """``contact.c``, compiled into ``folder``, to be run by so many ``threads``."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, threads=2):
         library = Path(folder) / "contact.so"
         command = [compiler(), "-std=c11", "-O2", "-shared", "-fPIC", "-o", library, SOURCE, "-lm"]
         subprocess.run(command, check=True, capture_output=True, text=True)
         self._library = ctypes.CDLL(str(library))
         self._library.prepare()
+        self._threads = threads
 
-    def solve(self, model, *, everywhere=False, threads=2, **conditions):
+    def solve(self, model, *, everywhere=False, **conditions):
         """Every separation that balances the forces, at each of n points.
 
         Parameters
@@ -91,8 +92,6 @@ class Oracle:
             F_t* [1], the rest in SI units; all broadcast, also against the numbers of ``model``.
         everywhere : bool
             Look for several roots also where F_s is known to fall everywhere: slow, for tests.
-        threads : int
-            Cores to use.
 
         Returns
         -------
@@ -114,7 +113,7 @@ class Oracle:
                 address(count[here]),
             )
 
-        with ThreadPoolExecutor(threads) as pool:
+        with ThreadPoolExecutor(self._threads) as pool:
             list(pool.map(solve_some, range(0, n, CHUNK)))
         return Solved({name: roots[..., i] for i, name in enumerate(QUANTITIES)}, count)
 

@@ -49,7 +49,7 @@ def draw(n, seed):
     model["sigma_a_ratio"] = mostly(0.8, rng.uniform(0.1, 2.0, n), logarithmic(1e-5, 3.0))
     model["truncation"] = rng.uniform(0.5, 10.0, n)
     model["participation"] = logarithmic(1e-4, 1.0)
-    model["h_e_ratio"] = mostly(0.9, logarithmic(1e-3, 3.0), 0.0)
+    model["h_e_ratio"] = mostly(0.9, logarithmic(1e-3, 5.0), 0.0)
 
     roughness = mostly(0.7, logarithmic(1e-7, 1e-6), logarithmic(1e-9, 1e-5))
     model["R"] = logarithmic(1e-7, 1e-2)
@@ -126,8 +126,9 @@ def move_to_kinks(model, conditions, inputs, oracle, seed):
     """The conditions, with loads that bring the surfaces next to a kink of F_s(d).
 
     Kinks are where the largest particles lose touch, and where the elastic ones end; each separation
-    lies between 1e-14 and 3e-2 of one, on either side.  ``model``, ``conditions`` and ``inputs`` are
-    those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
+    lies between 1e-14 and 3e-2 of one, on either side.  A film of the total load stands there under that
+    load, where it is more than the solids bear; else these bear all.  ``model``, ``conditions`` and
+    ``inputs`` are those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
     """
     rng = np.random.default_rng(seed)
     n, sigma = conditions["load"].size, conditions["roughness"]
@@ -145,20 +146,21 @@ def move_to_kinks(model, conditions, inputs, oracle, seed):
     kink = kink + np.where(model["particle_plane"] == "summit", model["y_s"], 0.0)
     separation = np.abs(kink * (1.0 + apart))
     others = {name: values for name, values in conditions.items() if name != "load"}
-    load = oracle.evaluate(model, separation, **others)[0].astype(float)
-    load += films_bear(model, conditions, inputs, separation)
+    solid = oracle.evaluate(model, separation, **others)[0].astype(float)
+    film = films_bear(conditions, inputs, separation)
+    load = np.where(model["film_load"] == "total", np.maximum(solid, film), solid + film)
     usual = (load > 1e-300) & (load < 1e3)
     return conditions | {"load": np.where(usual, load, conditions["load"])}
 
 
-def films_bear(model, conditions, inputs, separation):
-    """F_f* of films of the thickness ``separation``; none where the film is of the total load."""
+def films_bear(conditions, inputs, separation):
+    """F* of films of the thickness ``separation``."""
     load = np.zeros(separation.size)
     per_surface = separation.size // len(inputs)
-    shares = (conditions["viscosity"] > 0.0) & (model["film_load"] == "fluid")
+    wet = conditions["viscosity"] > 0.0
     for index, parameters in enumerate(inputs):
         here = np.arange(index * per_surface, (index + 1) * per_surface)
-        here = here[shares[here]]
+        here = here[wet[here]]
         if here.size:
             film = Film.of(conditions["viscosity"][here], conditions["roughness"][here], parameters)
             log_parameter = film.load_parameter(separation[here] / parameters.ball_radius)

@@ -136,6 +136,9 @@ CROWDED = {"participation": 1.0, "particle_density": 1e14}
         ("several_separations", SOFT),
         ("outside_film_formula", {"viscosity": 1e-6, "load": 1e-10}),  # thinner under more oil
         ("outside_film_formula", {"viscosity": 1e-1}),  # thicker than a hundredth of the ball
+        ("outside_film_formula", {"viscosity": 90e-6, "load": 0.05}),  # more than the surfaces bear
+        ("outside_film_formula", {"viscosity": 90e-6, "load": 1.0, "film_load": "total"}),
+        ("converged", {"viscosity": 90e-6, "load": 0.04}),
         ("converged", {"viscosity": 1e-6}),  # a film that bears next to nothing
         ("area_exceeded", {"eta_s": 1e12, "load": 0.05}),
         ("area_exceeded", {"eta_s": 1e12, "load": 0.05, "viscosity": 1e-6}),

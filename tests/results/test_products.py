@@ -15,6 +15,7 @@ from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import FILL_FLAG
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
@@ -108,6 +109,17 @@ def test_the_papers_numbers_stand_beside_those_of_the_model(results):
     for row in printed:
         if row["quantity"].startswith("window") and row["roughness_m"] in (1e-7, 3e-7, 5e-7):
             assert f"{row['value']:.3g} ± " in windows
+
+
+@pytest.mark.parametrize("name", ["tpca_loads", "transitions"])
+def test_each_row_says_how_to_take_it(results, tables, defaults, name):
+    conditions = Condition(*columns(tables[name], CONDITIONS))._asdict()
+    (load,) = columns(tables[name], ("load",))
+    status = tb.solve(load=load, **conditions, parameters=defaults).solution_status
+    named = [SOLUTION_STATUSES[index] for index in status]
+    assert [row["solution_status"] for row in tables[name]] == named
+    text = (results / "tables" / f"{name}.md").read_text(encoding="utf-8")
+    assert ("status" in text.splitlines()[2]) == (set(named) != {"converged"})
 
 
 # ---- turning points

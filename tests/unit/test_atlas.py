@@ -165,6 +165,28 @@ def test_charts_read_the_atlas(atlas):
     assert rows[-1]["limit"] == float(at["largest_particle_diameter"])
     assert rows[-1]["high"] == float(at["largest_particle_diameter_range"][-1])
     assert rows[-1]["roughness_m"] == 3e-7 and rows[-1]["load_N"] == 80
+    assert {row["solution_status"] for row in rows} == {"converged"}
+
+
+def test_a_chart_has_the_status_of_the_point_next_to_its_limit(atlas):
+    surface = atlas.sel(roughness=[3e-7]).isel(particle_density=[1]).load()
+    diameters = surface["particle_diameter"].values
+    limit = np.full(surface["largest_particle_diameter"].shape, np.inf)
+    limit[:4, 0, 0, 0] = 0.0, 1.01 * diameters[7], np.nan, np.inf
+    surface["largest_particle_diameter"][:] = limit
+    surface["solution_status"][:] = 0
+    for load, place, status in ((0, 1, 1), (1, 7, 5), (2, -1, 2), (3, -1, 6)):
+        surface["solution_status"][load, 0, place, 0, 0] = status
+    charts = {
+        "roughness_nm": [300],
+        "largest_particle": [{"viscosity_cSt": 0, "particle_density_per_m2": 1e11}],
+    }
+    newtons = surface["normal_load"].values[:5]
+    rows = chart_rows(chart_panels(surface, "largest_particle", charts), newtons)
+    assert [row["solution_status"] for row in rows] == [
+        *("outside_film_formula", "area_exceeded", "coverage_exceeded", "load_exceeded"),
+        "converged",
+    ]
 
 
 PICKED = (

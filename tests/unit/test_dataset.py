@@ -181,9 +181,41 @@ def test_each_status_is_explained_in_the_file(dataset):
     assert all(f"{name}: {meaning}" in comment for name, meaning in STATUS_MEANINGS.items())
 
 
-def test_the_number_of_separations_is_no_variable_of_a_dataset(parameters):
-    with pytest.raises(ValueError, match="variables has 'separation_count'; allowed: "):
-        grid(parameters, variables=["separation_count"])
+# elastic particles that press more than plastic ones
+SOFT = {"elastic_modulus_particle": 5e9, "elastic_depth_ratio": 0.5}
+
+
+def test_the_number_of_separations_is_there_where_it_is_asked_for(parameters):
+    one = tb.grid(**AXES, parameters=parameters, variables=["separation_count"])
+    assert set(one.data_vars) == {"separation_count", "solution_status"}
+    assert (one["separation_count"] == 1).all()
+
+
+def test_a_dataset_with_several_separations_holds_their_number(parameters, tmp_path):
+    inputs = replace(parameters, **SOFT)
+    given = {"load": np.geomspace(1e-7, 1e-3, 40), "particle_diameter": [0.0, 5e-7]}
+    several = grid(inputs, **given)
+    count, status = several["separation_count"], several["solution_status"]
+    assert (count.dtype, count.dims) == (np.int8, DIMENSIONS)
+    assert np.array_equal(count > 1, status == SOLUTION_STATUSES.index("several_separations"))
+    solution = tb.solve(**crossed(AXES | given), parameters=inputs)
+    assert np.array_equal(count, solution.separation_count)
+    write_dataset(several, tmp_path / "several.nc")
+    xr.testing.assert_identical(
+        read_dataset(tmp_path / "several.nc")[["separation_count"]], several[["separation_count"]]
+    )
+    tb.stream(tmp_path / "streamed.nc", **AXES | given, parameters=inputs, variables=list(several))
+    streamed = read_dataset(tmp_path / "streamed.nc")
+    xr.testing.assert_equal(streamed["separation_count"], count)
+
+
+def test_so_does_that_of_a_figure_and_tells_what_is_not_shown(scene, parameters, shown):
+    several = scene_dataset(scene, replace(parameters, **SOFT))
+    count, hidden_ones = several["separation_count"], hidden(several["solution_status"])
+    assert (count.values[hidden_ones] == FILL_FLAG).all()
+    assert (count.values[~hidden_ones] > 0).all() and (count > 1).any()
+    assert f"{FILL_FLAG}: not shown" in count.attrs["comment"]
+    assert "separation_count" not in shown
 
 
 def test_the_normal_load_is_the_load_in_newtons(dataset, parameters):

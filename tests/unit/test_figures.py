@@ -14,6 +14,7 @@ from matplotlib.transforms import Bbox
 
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
 from thirdbody.data.section import sections
 from thirdbody.figures import charts
@@ -245,6 +246,25 @@ def test_points_that_are_not_plainly_converged_are_marked(datasets):
         ends = [(x[place], y[place]) for place in (5, 7)]
         np.testing.assert_array_equal(marked["outside_film_formula"], ends)
         np.testing.assert_array_equal(marked["several_separations"], [(x[20], y[20])])
+
+
+@pytest.mark.parametrize("status", ["coverage_exceeded", "load_exceeded"])
+def test_a_curve_that_ends_without_a_solution_is_marked_at_its_end(datasets, status):
+    data = datasets["fig11"].load().copy(deep=True)
+    attributes = data["solution_status"].attrs
+    flags = dict(zip(attributes["flag_meanings"].split(), attributes["flag_values"], strict=True))
+    missing = np.s_[-4:, -1]  # the last loads of the last viscosity
+    data["solution_status"][missing] = flags[status]
+    for name in QUANTITIES:
+        data[name][missing] = np.nan
+    figure = CURVE_FIGURES["fig11"].plot(data)
+    assert "none beyond" in " ".join(text.get_text() for text in figure.texts)
+    curve = shown_curves(data)[-1]
+    for panel in figure.axes:
+        marked = [points for label, points in drawn_points(panel) if label.startswith(status)]
+        x, y = (curve.values(data, name) for name in (panel.x_name, panel.y_name))
+        np.testing.assert_array_equal(marked, [[(x[-5], y[-5])]])
+    assert "none beyond" in caption_text("fig11", figure, data)
 
 
 @pytest.mark.parametrize("name", PANELS)

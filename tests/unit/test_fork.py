@@ -5,9 +5,11 @@ import threading
 import time
 import warnings
 
+import numpy as np
 import pytest
 
 import thirdbody as tb
+from thirdbody.solver import plan
 
 POINT = {
     "load": 1e-5,
@@ -16,7 +18,7 @@ POINT = {
     "roughness": 300e-9,
     "particle_density": 1e11,
 }
-FORKS = 100
+FORKS, FORKS_OF_TWO = 100, 50
 PATIENCE = 20.0  # [s] for a child that takes some milliseconds
 
 
@@ -33,28 +35,51 @@ def ends_well(child):
     return False
 
 
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
-def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
+def forks_that_end_well(solved_by_a_thread, solved_by_a_child, forks):
+    """How many of so many children end well, forked while a thread solves again and again."""
     enough = threading.Event()
 
     def keep_solving():
         while not enough.is_set():
-            tb.solve(**POINT, parameters=parameters)
+            tb.solve(**solved_by_a_thread)
 
     thread = threading.Thread(target=keep_solving)
     thread.start()
     try:
-        for _ in range(FORKS):
+        for number in range(forks):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)  # of forks among threads
                 child = os.fork()
             if child == 0:
                 try:
-                    tb.solve(**POINT, parameters=parameters)
+                    for given in solved_by_a_child:
+                        tb.solve(**given)
                     os._exit(0)
                 finally:
                     os._exit(1)
-            assert ends_well(child)
+            if not ends_well(child):
+                return number
     finally:
         enough.set()
         thread.join()
+    return forks
+
+
+FORK = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+
+
+@FORK
+def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
+    given = POINT | {"parameters": parameters}
+    assert forks_that_end_well(given, [given], FORKS) == FORKS
+
+
+@FORK
+def test_a_child_that_was_forked_while_two_threads_of_the_loop_solved_can_solve(
+    parameters, monkeypatch
+):
+    monkeypatch.setattr(plan, "threads_worth", lambda points: 2)
+    one = POINT | {"parameters": parameters, "way": plan.COMPILED}
+    many = one | {"load": np.geomspace(1e-7, 1e-4, 2 * plan.THREADS_WORTH)}
+    tb.solve(**many)  # loads the loop
+    assert forks_that_end_well(many, [one, many], FORKS_OF_TWO) == FORKS_OF_TWO

@@ -26,6 +26,7 @@ POINT = {
     "peak_ratio": 0.20049,
     "solid_load_fraction": 0.21094,
     "separation_m": 1.1496e-6,
+    "solution_status": "converged",
 }
 
 
@@ -98,6 +99,7 @@ def test_a_windows_ends_stand_in_one_row_beside_the_papers():
 
 def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     common = {"figure": "fig05", "load_error": 0.0, "level": 0.05} | CURVE
+    common |= {"solution_status": "converged"}
     common |= {"quantity": "particle_contact_area_ratio"}
     rows = [
         common | {"direction": "rising", "load": 2e-6},
@@ -108,6 +110,27 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     (sheet,) = readable("transitions", rows, numbers, NEWTONS)
     ((*_, mixed, full, upper, lower),) = sheet.rows
     assert (mixed, full, upper, lower) == ("(paper: 10 ± 3)", "", "", "↑ 0.200, ↓ 9.00")
+
+
+@pytest.mark.parametrize("table", ["tpca_loads", "transitions"])
+def test_a_status_is_shown_where_not_all_have_converged(table):
+    row = CURVE | POINT | {"figure": "fig05", "direction": "rising", "level": 0.9}
+    rows = [row | {"quantity": "solid_load_fraction"}]
+    (sheet,) = readable(table, rows, (), NEWTONS)
+    assert "status" not in sheet.headings
+    rows.append(rows[0] | OTHER | {"solution_status": "several_separations"})
+    (sheet,) = readable(table, rows, (), NEWTONS)
+    assert sheet.headings[-1] == "status"
+    assert {line[0]: line[-1] for line in sheet.rows} == {"0": "several separations", "90": ""}
+
+
+def test_a_limit_says_how_to_take_it():
+    row = {name: CURVE[name] for name in CURVE if name != "particle_diameter_m"}
+    row |= {"load_N": 1.0, "limit": 3e-7, "low": 2e-7, "high": 4e-7}
+    rows = [row | {"solution_status": "converged"}]
+    rows.append(row | {"load_N": 9.0, "solution_status": "area_exceeded"})
+    (sheet,) = readable("largest_particle", rows, (), NEWTONS)
+    assert sheet.rows[0][-2:] == ["300 (200 to 400)", "300 (200 to 400), area exceeded"]
 
 
 def test_sensitivities_are_inputs_by_results():

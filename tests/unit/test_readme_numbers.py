@@ -101,6 +101,22 @@ def test_the_page_tells_what_each_rtol_costs_and_buys(tool, tmp_path):
     assert header.count("|") == 6 and empty == ""
 
 
+def test_the_page_tells_how_many_points_of_all_readings_are_wrong(tool, tmp_path):
+    tool["ACCURACY"] = tmp_path
+    assert not tool["is_compared"]()
+    reading = dict(zip(tool["OF_READING"], ["centred", "summit", "printed", "printed", "total"]))
+    row = {"place": "anywhere", "way": "tables", "rtol": 1e-9, **reading, "points": 1000}
+    row |= {"without_values": 40, "not_converged": 15, "beyond_bound": 0, "wrong": 0}
+    row |= {"largest_error": 5e-10, "over_rtol": 0.5}
+    other = row | {"film_load": "fluid", "beyond_bound": 2, "wrong": 1, "over_rtol": 0.71}
+    write_csv(tmp_path / "oracle.csv", [row, other], TABLES["oracle"])
+    assert tool["is_compared"]() and not tool["is_measured"]()
+    text = tool["oracle_block"]()
+    assert "of 2,000 solutions in all 2 combinations of readings" in text
+    assert "1 are wrong and 2 beyond their bound. 1.5 % are" in text
+    assert "4.0 % have no values" in text and "the others is 0.71 of that asked for" in text
+
+
 def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, capsys):
     page = tmp_path / "page.md"
     page.write_text(BLOCK.format("old"), encoding="utf-8")

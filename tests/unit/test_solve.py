@@ -371,6 +371,25 @@ def test_the_status_says_where_the_film_formula_has_lost_its_meaning(
     assert not meaningless.all()
 
 
+@pytest.mark.parametrize("film_load", ["fluid", "total"])
+@pytest.mark.parametrize("particle_diameter", [0.0, 3e-7])
+@pytest.mark.parametrize("rtol", [1e-3, RTOL])
+def test_no_film_presses_harder_than_the_softer_surface_is(
+    defaults, way, rtol, film_load, particle_diameter
+):
+    inputs = replace(defaults, film_load=film_load, hardness_surface_2=3e9)
+    hardest = 3e9 / inputs.elastic_modulus_surfaces
+    loads = np.array([0.99 * hardest, 1.05 * hardest, 1.0, 1e10, 1e308])
+    given = {"particle_diameter": particle_diameter, "way": way, "rtol": rtol}
+    together = solve(inputs, load=loads, **given)
+    # at the first load but one the film bears some 98 %: more than it can, all or its share
+    assert together.solution_status.tolist() == [CONVERGED, *[OUTSIDE] * 4]
+    assert (together.fluid_load_fraction > 0.97).all()
+    for load, status in zip(loads, together.solution_status):
+        assert solve(inputs, load=load, **given).solution_status == status
+    assert (solve(inputs, load=loads[1:], viscosity=0.0).solution_status == EXCEEDED).all()
+
+
 def test_an_area_larger_than_the_apparent_one_is_said(parameters):
     # plastic summits have twice the area of what they are cut off by
     soft = replace(parameters, hardness_surface_1=1e6, hardness_surface_2=1e6)

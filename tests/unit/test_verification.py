@@ -293,6 +293,16 @@ def test_false_status_is_found_though_all_sums_agree(copy, verify, release, stat
     assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
 
 
+@pytest.mark.parametrize(("count", "wrong"), [(1, False), (2, True)])
+def test_a_false_number_of_separations_is_found(copy, verify, release, count, wrong):
+    with netCDF4.Dataset(copy / "data/datasets/fig04.nc", "a") as dataset:
+        status = dataset["solution_status"]
+        counts = dataset.createVariable("separation_count", "i1", status.dimensions)
+        counts[:] = count
+    mend_sums(copy, release)
+    assert list(found(verify, copy, points=2)) == ["data/datasets/fig04.nc"] * wrong
+
+
 @pytest.mark.parametrize("unsolved", [False, True])
 def test_point_that_is_said_not_to_have_converged_may_have_values(copy, verify, release, unsolved):
     restate(copy / "data/datasets/fig04.nc", "not_converged", unsolved)

@@ -6,10 +6,24 @@ import pytest
 import yaml
 from workspace import ROOT
 
+from benchmarks.oracle import WORDS
+from tests.oracle.comparison import PLACES, ROUND
+from tests.oracle.extended import why_not
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.solver.plan import WAYS
 
 NAMES = (
-    *("errors", "extremes", "times", "omissions", "scaling", "surfaces", "starts", "streaming"),
+    *(
+        "errors",
+        "extremes",
+        "oracle",
+        "times",
+        "omissions",
+        "scaling",
+        "surfaces",
+        "starts",
+        "streaming",
+    ),
     "bars",
 )
 PRODUCTS = {
@@ -97,6 +111,22 @@ def test_every_extreme_has_a_verdict_at_each_rtol(tables):
     assert {"right", "refused"} <= kinds <= {"right", "refused", "wrong"}
 
 
+def test_all_readings_are_compared_with_extended_precision(tables):
+    if why_not() is not None:
+        assert not tables["oracle"]
+        return
+    rows = tables["oracle"]
+    names = "place", "way", "rtol", *WORDS
+    assert len({tuple(row[name] for name in names) for row in rows}) == len(rows)
+    assert len(rows) == len(PLACES) * len(WAYS) * ROUND
+    assert {row["points"] for row in rows} == {BUDGET["oracle"]["points"]}
+    assert not [row for row in rows if row["beyond_bound"] or row["wrong"]]
+    assert not [row for row in rows if row["over_rtol"] > 1.0]
+    assert sum(row["without_values"] + row["not_converged"] for row in rows) < 0.5 * len(rows)
+    (bar,) = (row for row in tables["bars"] if "all readings" in row["what"])
+    assert (bar["measured"], bar["verdict"]) == (0.0, "holds")
+
+
 def test_sweeps_hold_what_was_asked_for(tables):
     sizes = [row["points"] for row in tables["scaling"] if row["axis"] == "points"]
     assert sizes == BUDGET["sizes"]["points"]
@@ -109,6 +139,8 @@ def test_sweeps_hold_what_was_asked_for(tables):
     assert numbers == 2 * BUDGET["surfaces"]["surfaces"]
     assert [row["ratio"] for row in tables["surfaces"] if row["surfaces"] == 1] == [1.0, 1.0]
     assert tables["omissions"][0]["left_out"] == "nothing"
+    readings = ["nothing, film_load fluid", "nothing, film_load total"]
+    assert [row["left_out"] for row in tables["omissions"][-2:]] == readings
     assert [row["what"] for row in tables["streaming"]] == ["streaming", "solving", "writing"]
     assert tables["streaming"][0]["points"] == 1000
     assert tables["streaming"][0]["resident_memory_MB"] < 1000.0
@@ -130,8 +162,11 @@ def test_every_start_is_timed_by_every_way_or_said_to_be_left_out(tables):
 
 
 def test_every_bar_is_judged_by_what_was_measured(tables):
-    assert len(tables["bars"]) == 14
+    assert len(tables["bars"]) == 16
     for row in tables["bars"]:
+        if row["measured"] is None:
+            assert why_not() is not None and row["verdict"] == "not measured"
+            continue
         holds = (
             row["measured"] >= row["bar"]
             if row["sense"] == "at least"
@@ -145,6 +180,10 @@ def test_every_bar_is_judged_by_what_was_measured(tables):
     }
     ratio = times["nested_roots", None] / times["library", 1e-9]
     assert tables["bars"][0]["measured"] == pytest.approx(ratio)
+    fluid, total = (row["microseconds_per_point"] for row in tables["omissions"][-2:])
+    (bar,) = (row for row in tables["bars"] if "film_load" in row["what"])
+    assert bar["measured"] == pytest.approx(total / fluid)
+    assert (bar["sense"], bar["bar"]) == ("at most", 1.1)
 
 
 def test_the_dataset_holds_the_tables(measured, tables):

@@ -57,11 +57,36 @@ rule judge_extremes:
         "../scripts/judge_extremes.py"
 
 
+rule compare_oracle:
+    input:
+        oracle=place_of("tests/oracle/contact.c"),
+        modules=import_closure("workflow/scripts/compare_oracle.py"),
+    output:
+        table="<results>/accuracy/oracle.csv",
+    log:
+        "<logs>/compare_oracle.log",
+    benchmark:
+        "<logs>/compare_oracle.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    threads: 2
+    resources:
+        runtime=60,
+    params:
+        settings=ACCURACY["oracle"],
+    message:
+        "Comparing all readings with extended precision"
+    script:
+        "../scripts/compare_oracle.py"
+
+
 rule gather_accuracy:
     input:
         errors="<results>/accuracy/errors.csv",
         extremes="<results>/accuracy/extremes.csv",
+        oracle="<results>/accuracy/oracle.csv",
         times="<results>/accuracy/times.csv",
+        omissions="<results>/accuracy/omissions.csv",
         scaling="<results>/accuracy/scaling.csv",
         surfaces="<results>/accuracy/surfaces.csv",
         starts="<results>/accuracy/starts.csv",
@@ -110,6 +135,7 @@ rule accuracy:
     input:
         "<results>/accuracy/errors.csv",
         "<results>/accuracy/extremes.csv",
+        "<results>/accuracy/oracle.csv",
         "<results>/accuracy/times.csv",
         "<results>/accuracy/omissions.csv",
         "<results>/accuracy/scaling.csv",

@@ -7,7 +7,8 @@ from benchmarks.bars import bar_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_text
 
-NAMES = ("errors", "extremes", "times", "scaling", "surfaces", "starts", "streaming")
+MEASURED = "errors", "extremes", "oracle"
+TIMED = "times", "omissions", "scaling", "surfaces", "starts", "streaming"
 
 
 def gather(paths, dataset, bars, text):
@@ -25,7 +26,7 @@ def gather(paths, dataset, bars, text):
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         gather(
-            {name: snakemake.input[name] for name in NAMES},
+            {name: snakemake.input[name] for name in (*MEASURED, *TIMED)},
             snakemake.output.dataset,
             snakemake.output.bars,
             snakemake.output.text,

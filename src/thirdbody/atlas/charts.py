@@ -12,6 +12,8 @@ import xarray as xr
 
 from thirdbody.atlas.surfaces import LIMITED
 from thirdbody.data.conditions import AXES, CONDITION_AXES
+from thirdbody.data.quantities import STATUS
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 CHARTS = {  # the variable of the atlas that each shows
     "largest_particle": "largest_particle_diameter",
@@ -35,8 +37,9 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
     -------
     list of xarray.Dataset
         In memory, for each panel: ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over
-        ``quantile`` besides; the conditions of the panel are coordinates, and the attribute ``ends``
-        is what the atlas spans of the limit.
+        ``quantile`` besides; ``solution_status`` of the point of the atlas that is nearest to the limit;
+        the conditions of the panel are coordinates, and the attribute ``ends`` is what the atlas spans
+        of the limit.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
@@ -47,11 +50,13 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
         held = {
             axis.name: axis.to_si(given[axis.key]) for axis in CONDITION_AXES if axis.key in given
         }
-        found = {"limit": atlas[variable], "range": atlas[f"{variable}_range"]}
-        shown = (
-            xr.Dataset(found).sel(held, method="nearest").sel(roughness=curves, method="nearest")
-        )
-        panels.append(shown.load().assign_attrs(ends=ends))
+        found = {"limit": variable, "range": f"{variable}_range", STATUS: STATUS}
+        shown = xr.Dataset({name: atlas[of] for name, of in found.items()})
+        shown = shown.sel(held, method="nearest").sel(roughness=curves, method="nearest").load()
+        # a limit that is not known: of what is missing the last is
+        nearest = shown["limit"].fillna(ends[1]).clip(*ends)
+        status = shown[STATUS].sel({along: nearest}, method="nearest").drop_vars(along)
+        panels.append(shown.drop_dims(along).assign({STATUS: status}).assign_attrs(ends=ends))
     return panels
 
 
@@ -72,4 +77,5 @@ def chart_rows(panels: Sequence[xr.Dataset], newtons: Sequence[float]) -> Iterat
                     "low": low,
                     "median": median,
                     "high": high,
+                    STATUS: SOLUTION_STATUSES[int(point[STATUS])],
                 }

@@ -87,8 +87,7 @@ def _number_attributes(quantity):
         "equation": quantity.equation,
         "ancillary_variables": STATUS,
         "coverage_content_type": "modelResult",
-        "_FillValue": FILL_FLOAT,
-    }
+    } | ({} if quantity.counts else {"_FillValue": FILL_FLOAT})
 
 
 def _flag_attributes(flag):

@@ -22,10 +22,13 @@ from thirdbody.data.quantities import (
     FLAGS,
     NORMAL_LOAD,
     QUANTITIES,
+    SEPARATION_COUNT,
+    STATUS,
     VARIABLES,
 )
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.arguments import check_parameters, check_rtol, check_variables, checked_axis
 from thirdbody.solver.plan import REPEATABLE
@@ -35,6 +38,7 @@ from thirdbody.solver.usual import warn_beyond_usual
 if TYPE_CHECKING:
     import xarray as xr
 
+SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
@@ -70,7 +74,8 @@ def grid(
     rtol : float, optional
         Relative error asked for in every variable [1].
     variables : collection of str, optional
-        Those of ``Solution`` that are wanted; ``solution_status`` is always given.
+        Those of ``Solution`` that are wanted; ``solution_status`` is always given, and
+        ``separation_count`` where a point has the status ``several_separations``.
     progress : bool, optional
         Whether a call that takes long says how far it has come, as ``solve``.
 
@@ -114,8 +119,11 @@ def grid(
     check_progress(progress)
     names = with_status(variables)
     axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
-    solution = solve_arrays(crossed(axes), parameters, rtol, names, progress=progress)
-    values = {name: getattr(solution, name) for name in names}
+    solved = dict.fromkeys([*names, SEPARATION_COUNT.name])
+    solution = solve_arrays(crossed(axes), parameters, rtol, solved, progress=progress)
+    values = {name: getattr(solution, name) for name in solved}
+    if SEPARATION_COUNT.name not in names:
+        _keep_counts_of_several(values)
     return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
@@ -163,8 +171,9 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     Returns
     -------
     PlainDataset
-        All variables of ``CONTRACT`` over the five axes of ``scene``; combinations that the
-        figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.
+        All variables of ``CONTRACT`` over the five axes of ``scene``, and ``separation_count`` where
+        a point has several; combinations that the figure does not show hold ``FILL_FLOAT`` or
+        ``FILL_FLAG``.
 
     Raises
     ------
@@ -174,13 +183,14 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())
     values = {name: np.full(shape, FILL_FLOAT) for name in QUANTITIES}
-    values |= {name: np.full(shape, FILL_FLAG) for name in FLAGS}
+    values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)
         sides = {"load": scene.load} | {name: getattr(group, name) for name in Condition._fields}
         solution = solve(**crossed(sides), parameters=parameters, rtol=rtol, way=REPEATABLE)
         for name in values:
             values[name][place] = getattr(solution, name)
+    _keep_counts_of_several(values)
     request = {
         "load": scene.load.tolist(),
         "groups": [
@@ -189,6 +199,12 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
         ],
     }
     return _dataset(axes, values, parameters, rtol, scene.title, request)
+
+
+def _keep_counts_of_several(values):
+    """Drop the counts of separations from ``values`` if no point has several."""
+    if not (values[STATUS] == SEVERAL).any():
+        del values[SEPARATION_COUNT.name]
 
 
 def _checked_increasing(name, values, parameters):

@@ -9,8 +9,11 @@ from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.quantities import shown_combinations
+from thirdbody.data.quantities import STATUS, shown_combinations
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.plan import REPEATABLE
+from thirdbody.solver.solve import solve_arrays
 
 
 def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
@@ -49,6 +52,8 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
     """
     conditions, shown = curves_of(dataset)
     found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
+    curves = np.flatnonzero(found.exists)
+    statuses = _statuses(found.load[curves], conditions[:, curves], dataset, parameters)
     return [
         {
             **_place(figure, conditions[:, curve]),
@@ -57,8 +62,9 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
             "peak_ratio": found.peak_ratio[curve],
             "solid_load_fraction": found.solid_load_fraction[curve],
             "separation_m": found.separation[curve],
+            STATUS: status,
         }
-        for curve in np.flatnonzero(found.exists)
+        for curve, status in zip(curves, statuses, strict=True)
     ]
 
 
@@ -71,6 +77,8 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
     crossings = transitions(dataset["load"].values, values, conditions, parameters, rtol)
+    _, curves, loads, *_ = crossings
+    statuses = _statuses(loads, conditions[:, curves], dataset, parameters)
     return [
         {
             **_place(figure, conditions[:, curve]),
@@ -79,9 +87,20 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
             "direction": "rising" if rising else "falling",
             "load": load,
             "load_error": error,
+            STATUS: status,
         }
-        for limit, curve, load, error, rising in zip(*crossings, strict=True)
+        for (limit, curve, load, error, rising), status in zip(
+            zip(*crossings, strict=True), statuses, strict=True
+        )
     ]
+
+
+def _statuses(load, conditions, dataset, parameters) -> list[str]:
+    """Statuses of points, by name: their loads F_t*, and ``conditions`` as of ``curves_of``."""
+    given = {"load": load} | dict(zip(Condition._fields, conditions, strict=True))
+    rtol = float(dataset.attrs["rtol"])
+    status = solve_arrays(given, parameters, rtol, [STATUS], REPEATABLE).solution_status
+    return [SOLUTION_STATUSES[index] for index in status]
 
 
 def _place(figure: str, values) -> dict:

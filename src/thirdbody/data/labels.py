@@ -10,13 +10,12 @@ import xarray as xr
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import FLAGS, SEPARATION_COUNT, VARIABLES
+from thirdbody.data.quantities import FLAGS, VARIABLES
 
 if TYPE_CHECKING:
     import pandas as pd
 
 POINT = "point"  # a dimension along which several conditions vary, or none
-KNOWN = VARIABLES | {SEPARATION_COUNT.name: SEPARATION_COUNT}
 
 
 def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]) -> xr.Dataset:
@@ -46,7 +45,7 @@ def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():
-        attributes = variable_attributes(KNOWN[name])
+        attributes = variable_attributes(VARIABLES[name])
         attributes.pop("_FillValue", None)  # every point is there
         described[name] = (dimensions, np.asarray(values), attributes)
     return xr.Dataset(described, coordinates)

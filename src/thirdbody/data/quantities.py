@@ -45,6 +45,8 @@ class Quantity:
         Of a flag, what its values 0, 1, ... stand for; empty for a number.
     comment : str
         What else there is to say of it, or nothing.
+    counts : bool
+        Whether it is a whole number, a byte as flags are.
     """
 
     name: str
@@ -54,6 +56,7 @@ class Quantity:
     equation: str
     meanings: tuple[str, ...] = ()
     comment: str = ""
+    counts: bool = False
 
 
 NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
@@ -61,7 +64,13 @@ ERROR_BOUND = Quantity(
     "error_bound", "none", "1", "bound on the relative error of every variable", "none"
 )
 SEPARATION_COUNT = Quantity(
-    "separation_count", "none", "1", "at how many separations the forces balance", "1-2"
+    "separation_count",
+    "none",
+    "1",
+    "at how many separations the forces balance",
+    "1-2",
+    comment=f"0: without values; {FILL_FLAG}: not shown",
+    counts=True,
 )
 
 
@@ -113,7 +122,8 @@ FLAGS = _by_name(
     ),
 )
 CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a figure
-VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS  # all that a dataset can hold
+# all that a dataset can hold
+VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS | _by_name(SEPARATION_COUNT)
 
 
 def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:

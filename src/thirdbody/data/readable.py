@@ -41,6 +41,8 @@ CROSSINGS = (  # columns of the transitions: quantity, level, heading
     ("particle_contact_area_ratio", 0.05, "Aₛₐ,ₜ* = 0.05 [N]"),
 )
 FIGURES, PAPER = "figures", "paper"  # headings of what curves of one's own do not have
+STATUS = "status"  # heading of what is left out where it is converged everywhere
+CONVERGED = "converged"
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
 
 
@@ -193,7 +195,7 @@ def _paper_table(title) -> Callable[..., list[Sheet]]:
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     numbers = _by_curve(printed)
     headings = [*CURVE_HEADINGS, "F_TPCA* [10⁻⁶]", PAPER, "F_TPCA [N]", "Aₛₐ,ₜ*", PAPER]
-    headings += ["Lₛ [%]", PAPER, "d [nm]"]
+    headings += ["Lₛ [%]", PAPER, "d [nm]", STATUS]
     lines = []
     for key, some in _curves(rows):
         row, paper = some[0], numbers.get(key, {})
@@ -209,6 +211,7 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
                 rounded(100.0 * row["solid_load_fraction"]),
                 _paper(paper, "turning_point_solid_load_fraction", 0.01),
                 rounded(row["separation_m"] / 1e-9),
+                _status(some),
             ]
         )
     title = "Turning points of the contact area"
@@ -243,7 +246,7 @@ def _windows(rows, printed, _) -> list[Sheet]:
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
     numbers = [number for number in printed if number["quantity"] == "load"]
-    headings = [*CURVE_HEADINGS, *(heading for *_, heading in CROSSINGS)]
+    headings = [*CURVE_HEADINGS, *(heading for *_, heading in CROSSINGS), STATUS]
     lines = []
     for key, some in _curves(rows):
         line = _curve_cells(some)
@@ -260,7 +263,7 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
                 and (number["at_quantity"], number["at_level"]) == (quantity, level)
             ]
             line.append(", ".join([arrow + load for load, arrow in found.items()] + paper))
-        lines.append(line)
+        lines.append([*line, _status(some)])
     title = "Loads at which the regime or mode changes"
     note = "A row is a curve. ↓ the quantity falls with the load, ↑ it rises."
     return [_sheet_beside(printed, title, note, headings, lines)]
@@ -301,7 +304,8 @@ def _chart(title, note, limited, below, beyond) -> Callable[..., list[Sheet]]:
             key = tuple(_shown(axis.name, row[axis.column]) for axis in held)
             ends = [told(row[name]) for name in ("low", "high")]
             span = f" ({ends[0]} to {ends[1]})" if ends[0] != ends[1] else f" ({ends[0]})"
-            lines.setdefault(key, {})[row["load_N"]] = told(row["limit"]) + span
+            status = f", {_status([row])}" if _status([row]) else ""
+            lines.setdefault(key, {})[row["load_N"]] = told(row["limit"]) + span + status
         headings = [f"{axis.sign} [{axis.unit}]" for axis in held]
         headings += [f"{load:g} N" for load in loads]
         cells = [[*key, *(line[load] for load in loads)] for key, line in lines.items()]
@@ -338,11 +342,19 @@ CURVE_HEADINGS = [FIGURES, *(f"{axis.sign} [{axis.unit}]" for axis in CONDITION_
 
 
 def _sheet_beside(printed, title, note, headings, lines) -> Sheet:
-    """A table of curves; where nothing is printed of them, without columns for what the paper says."""
-    absent = () if printed else (FIGURES, PAPER)
+    """A table of curves; where nothing is printed of them, without columns for what the paper says,
+    and where all have converged, without one that says so."""
+    absent = set() if printed else {FIGURES, PAPER}
+    absent |= set() if any(line[headings.index(STATUS)] for line in lines) else {STATUS}
     kept = [place for place, heading in enumerate(headings) if heading not in absent]
     shown = [[line[place] for place in kept] for line in lines]
     return Sheet(title, note, [headings[place] for place in kept], shown)
+
+
+def _status(rows) -> str:
+    """Statuses of some points, but for that of those that have converged."""
+    statuses = dict.fromkeys(row["solution_status"] for row in rows)
+    return ", ".join(each.replace("_", " ") for each in statuses if each != CONVERGED)
 
 
 def _ends(low, high) -> str:

@@ -66,7 +66,8 @@ def stream(
     rtol : float, optional
         Relative error asked for in every variable [1].
     variables : collection of str, optional
-        Those of ``Solution`` that are wanted; ``solution_status`` is always given.
+        Those of ``Solution`` that are wanted; ``solution_status`` is always given.  A count of
+        separations, which ``grid`` gives where there are several, is given if it is among them.
     compression : int, optional
         Level of zlib, from 0 to 9.  Nothing is compressed at 0: it would take longer than solving.
     progress : bool, optional

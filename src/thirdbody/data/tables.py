@@ -69,6 +69,12 @@ POINT_CLASS = (
 METHOD = Column("method", "string", "", "library, or the baseline that it is measured against")
 RTOL = Column("rtol", "number", "1", "relative error asked for; empty: a method that is not asked")
 POINT_COST = Column("microseconds_per_point", "number", "us", "time over the number of points")
+STATUS_THERE = Column(
+    "solution_status",
+    "string",
+    "",
+    "how to take the values, as in the datasets: status of the point",
+)
 LIMIT = (  # of a design chart
     Column("load_N", "number", "N", "normal load F_t"),
     Column("load", "number", "1", "F_t* of the default inputs"),
@@ -76,6 +82,12 @@ LIMIT = (  # of a design chart
     Column("low", "number", "SI", "quantile of 5 % of the calibrated ensemble"),
     Column("median", "number", "SI", "its median"),
     Column("high", "number", "SI", "its quantile of 95 %"),
+    Column(
+        "solution_status",
+        "string",
+        "",
+        "status of the atlas's point next to the limit; of its last one where the limit is not known",
+    ),
 )
 TABLES = {
     "largest_particle": (
@@ -93,6 +105,7 @@ TABLES = {
         Column("peak_ratio", "number", "1", "A_sa,t* at the turning point"),
         Column("solid_load_fraction", "number", "1", "L_s at the turning point"),
         Column("separation_m", "number", "m", "mean separation d at the turning point"),
+        STATUS_THERE,
     ),
     "transitions": (
         *CURVE,
@@ -101,6 +114,7 @@ TABLES = {
         Column("direction", "string", "", "rising or falling with the load"),
         Column("load", "number", "1", "F_t* of the crossing"),
         Column("load_error", "number", "1", "bound on the numerical error of load"),
+        STATUS_THERE,
     ),
     "tpca_windows": (
         CONDITIONS["roughness"],
@@ -208,6 +222,34 @@ TABLES = {
         Column("largest_error", "number", "1", "largest relative error of the solved points"),
         Column("percentile_99_error", "number", "1", "99th percentile of these errors"),
     ),
+    "oracle": (
+        Column(
+            "place", "string", "", "where points are drawn: anywhere, or next to kinks of F_s(d)"
+        ),
+        Column("way", "string", "", "how the library solves them"),
+        RTOL,
+        *(
+            Column(name, "string", "", "reading, as in config/inputs.yaml")
+            for name in (
+                *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
+                "film_load",
+            )
+        ),
+        Column("points", "number", "1", "points compared with extended precision"),
+        Column("without_values", "number", "1", "those that have no values, here or there"),
+        Column("not_converged", "number", "1", "those with values and the status not_converged"),
+        Column("beyond_bound", "number", "1", "those with an error above error_bound"),
+        Column(
+            "wrong",
+            "number",
+            "1",
+            "those with a good status and an error above rtol, a false number of separations, or none",
+        ),
+        Column(
+            "largest_error", "number", "1", "largest relative error of those with a good status"
+        ),
+        Column("over_rtol", "number", "1", "this over the error asked for"),
+    ),
     "times": (
         METHOD,
         RTOL,
@@ -218,7 +260,12 @@ TABLES = {
         Column("peak_memory_MB", "number", "MB", "most memory held in arrays while solving"),
     ),
     "omissions": (
-        Column("left_out", "string", "", "what the points do not require"),
+        Column(
+            "left_out",
+            "string",
+            "",
+            "what the points do not require; and what the load in Eq. 8 is",
+        ),
         Column("points", "number", "1", "points solved as one array"),
         RTOL,
         POINT_COST,

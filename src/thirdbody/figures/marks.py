@@ -16,6 +16,7 @@ from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
 from thirdbody.figures.shown import Curve
+from thirdbody.model.regimes import WITHOUT_VALUES
 
 TURNING_POINTS = {
     "linestyle": "none",
@@ -26,13 +27,15 @@ TURNING_POINTS = {
 }
 LOCUS = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1"}
 STATUS_STEP = 6  # points of a curve from one mark of their status to the next
-# of those with values, where the status of a point is not plain ``converged``: text of the key,
-# marker
+# where the status of a point is not plain ``converged``: text of the key, marker; points without
+# values have it at the end of the curve beside them
 STATUS_MARKS = {
     "several_separations": ("several balances: the widest", "+"),
     "outside_film_formula": ("film outside its formula", "x"),
     "area_exceeded": ("contact area above 1", "1"),
     "not_converged": ("less exact than asked", "2"),
+    "coverage_exceeded": ("none beyond: particles cover all", "3"),
+    "load_exceeded": ("none beyond: load not borne", "4"),
 }
 STATUS_LOOK = {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A", "zorder": 3.2}
 # open marks of what the paper prints, over bars as far as its tolerance
@@ -120,13 +123,17 @@ def mark_turning_points(
 
 
 def mark_statuses(panel: Panel, data: PlainDataset, curves: Sequence[Curve]) -> None:
-    """Draw marks along ``curves`` where the status of their points is not plain ``converged``."""
+    """Draw marks along ``curves`` where the status of their points is not plain ``converged``, and at
+    the ends next to points without values."""
     status = data["solution_status"].attrs
     values = dict(zip(status["flag_meanings"].split(), status["flag_values"], strict=True))
     for meaning, (_, marker) in STATUS_MARKS.items():
         points, names = [], []
         for curve in curves:
-            places = np.flatnonzero(curve.values(data, "solution_status") == values[meaning])
+            marked = curve.values(data, "solution_status") == values[meaning]
+            if meaning in WITHOUT_VALUES:
+                marked = _beside(marked) & np.isfinite(curve.values(data, panel.y_name))
+            places = np.flatnonzero(marked)
             for place in _some_of_each_run(places):
                 names.append(f"{meaning}; {curve.label}")
                 points.append(
@@ -134,6 +141,11 @@ def mark_statuses(panel: Panel, data: PlainDataset, curves: Sequence[Curve]) -> 
                 )
         if points:
             panel.add_line(NamedPoints(points, names, label=meaning, marker=marker, **STATUS_LOOK))
+
+
+def _beside(these) -> NDArray[np.bool_]:
+    """Which points are next to some of ``these``."""
+    return np.convolve(these, [1, 0, 1], "same") > 0
 
 
 def _some_of_each_run(places) -> NDArray[np.intp]:

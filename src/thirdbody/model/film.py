@@ -47,6 +47,14 @@ def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
     return log_load + np.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
+def greatest_film_load(parameters: Parameters) -> float:
+    """F_f* [1] under which a film presses on all of the interface as hard as the softer surface is.
+
+    Eq. 7 is of bodies that yield to a film as elastic ones do: no more than this do they bear of it.
+    """
+    return parameters.softer_hardness / parameters.elastic_modulus_surfaces
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
@@ -65,6 +73,8 @@ class Film:
         rounding grows with them.
     turning_ratio : float
         Ratio of the second term to the first where H_c is least over the speed U [1].
+    greatest : float
+        ln W [1] under ``greatest_film_load``.
     """
 
     smooth: NDArray
@@ -74,6 +84,7 @@ class Film:
     smooth_exponent: float
     rough_exponent: float
     turning_ratio: float
+    greatest: float
 
     @classmethod
     def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
@@ -125,6 +136,7 @@ class Film:
             law.load_exponent,
             law.load_exponent + ROUGHNESS_LOAD_EXPONENT,
             law.speed_exponent / (ROUGHNESS_SPEED_EXPONENT - law.speed_exponent),
+            law.greatest,
         )
 
     def take(self, chosen) -> Film:
@@ -137,6 +149,7 @@ class Film:
             self.smooth_exponent,
             self.rough_exponent,
             self.turning_ratio,
+            self.greatest,
         )
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
@@ -212,12 +225,13 @@ class Film:
         return log_parameter
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does.
+        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does, and the
+        surfaces are hard enough to bear it (``greatest_film_load``).
 
         Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
         meaning.  At kappa = 1 that is where the roughness term exceeds 3.
         """
-        return log_load_parameter > self.turning()
+        return (log_load_parameter > self.turning()) & (log_load_parameter <= self.greatest)
 
     def turning(self) -> NDArray:
         """ln W [1] below which H_c falls with viscosity."""
@@ -236,6 +250,7 @@ class _Law(NamedTuple):
     rough_material: float  # of 1/G
     load_exponent: float  # in the smooth film, as the next
     speed_exponent: float
+    greatest: float
 
 
 @lru_cache(maxsize=256)
@@ -251,4 +266,5 @@ def _law_of(parameters: Parameters) -> _Law:
         rough_material=0.977 * ln_G,
         load_exponent=-0.045 * kappa**0.18,
         speed_exponent=0.663 * kappa**0.025,
+        greatest=float(log_load_parameter(math.log(greatest_film_load(parameters)), parameters)),
     )

@@ -17,7 +17,8 @@ STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
     "outside_film_formula": (
         "the film bears more than a thousandth of the load where Eq. 7 has no meaning: it would "
-        "grow with falling viscosity, or is thicker than a hundredth of the ball's radius"
+        "grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses "
+        "harder on the interface than the softer surface is"
     ),
     "coverage_exceeded": "particles would cover the whole interface, in Eq. 4 or in Eq. 5",
     "not_converged": (

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from thirdbody.run.home import HOME, PACKAGE, is_current_folder
 
-HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME}  # where each package lies
+# where each package lies
+HOMES = {"thirdbody": PACKAGE.parent, "benchmarks": HOME, "tests": HOME}
 BLOCKS = ("body", "orelse", "finalbody", "handlers", "cases")  # of a statement
 
 

@@ -250,6 +250,9 @@ function filmOf(inputs, viscosity, roughness) {
   // where both terms are equal: seen from there, all films of one ellipticity are one curve
   const middle = (smooth - rough) / (b - a);
   const level = smooth + a * middle;
+  const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
+  const pressed = (softer * inputs.apparent_area) / inputs.elastic_modulus_surfaces;
+  const greatest = Math.log(pressed / inputs.ball_radius ** 2); // ln W
   const inverse = inverseFilm(a, b);
   return {
     thickness,
@@ -257,8 +260,10 @@ function filmOf(inputs, viscosity, roughness) {
     loadParameter: (target) => middle + inverse(Math.log(target) - level),
     // error that rounding leaves in ln H_c, a sum of so large terms [EPSILON]
     rounding: (lnW) => Math.abs(smooth) + Math.abs(rough) + 2 * Math.abs(b * lnW),
-    // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0
-    isMeaningful: (lnW) => lnW > (Math.log(rise / (0.884 - rise)) + smooth - rough) / -0.133,
+    // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0; and the softer surface is as
+    // hard as the mean pressure of the load
+    isMeaningful: (lnW) =>
+      lnW > (Math.log(rise / (0.884 - rise)) + smooth - rough) / -0.133 && lnW <= greatest,
   };
 }
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.film import THICKEST, Film, log_load_parameter
+from thirdbody.model.film import THICKEST, Film, greatest_film_load, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import FULL, ParticleLayer, has_particles
 from thirdbody.model.regimes import (
@@ -165,6 +165,8 @@ class CompiledPoints:
         if film_shares:
             over_crossing = found[GAP] * given[PER_CROSSING]
             self._means_nothing = over_crossing > _film_scales(parameters).thickest
+            in_film = self.fluid_load_fraction * load
+            self._means_nothing |= in_film > greatest_film_load(parameters)
 
     @property
     def film_thickness(self):

@@ -1,0 +1,142 @@
+"""The library beside the extended-precision oracle over the whole domain, in all readings.
+
+Tests hold it to what is found here; ``benchmarks.oracle`` counts it.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+import thirdbody as tb
+from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, Oracle, Solved
+from tests.oracle.points import draw_for_library, move_to_kinks
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.several import ROUNDED
+
+RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
+# surfaces that have all readings, which are in turn too, with all of them
+ROUND = np.prod([len(words) for words in READINGS.values()]).item() * len(RTOLS)
+PLACES = "anywhere", "next to kinks"
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
+SMALLEST = np.finfo(float).tiny  # below which numbers lose their digits
+# of a load: differences that may decide whether there is a separation (that within which samples tell no
+# side, and the noise of solids beside), and how many there are; of both also so much times the elastic
+# factor, by which rounding of what particles bear is magnified
+ROUNDING, LEAST_TURN, MAGNIFIED = 1.5 * ROUNDED, 1e-9, 1e-13
+BEYOND_BOUND = "beyond its bound"
+
+
+class Drawn(NamedTuple):
+    """Numbers and conditions of all points, the inputs of each surface, and what the oracle finds."""
+
+    model: dict
+    conditions: dict
+    inputs: list
+    expected: Solved
+
+    @property
+    def rtols(self):
+        """What each surface is solved to."""
+        return np.resize(RTOLS, len(self.inputs))
+
+    def per_point(self, of_surfaces):
+        """Values of surfaces, for each of their points."""
+        return np.repeat(of_surfaces, self.conditions["load"].size // len(self.inputs))
+
+
+class Compared(NamedTuple):
+    """What was found at the points of ``Drawn`` by one way.
+
+    Attributes
+    ----------
+    found : dict of array
+        The variables of ``Solution``.
+    known : array of bool
+        Which points have values, here and by the oracle.
+    good : array of bool
+        Which have them as exact as asked for.
+    error : dict of array
+        Relative error of each quantity [1].
+    problems : dict of array of int
+        By what is wrong, the points at which it is: none should be.
+    """
+
+    found: dict
+    known: np.ndarray
+    good: np.ndarray
+    error: dict
+    problems: dict
+
+
+def draw_points(oracle: Oracle, surfaces: int, points: int, seed: int, place: str) -> Drawn:
+    """``points`` points on each of so many ``surfaces``, lying as ``place`` of ``PLACES`` says."""
+    model, conditions, inputs = draw_for_library(surfaces, points, seed)
+    if place != PLACES[0]:
+        conditions = move_to_kinks(model, conditions, inputs, oracle, seed + 1)
+    return Drawn(model, conditions, inputs, oracle.solve(model, **conditions))
+
+
+def compare(drawn: Drawn, oracle: Oracle, way: str) -> Compared:
+    """Solve all points by a ``way`` of the library, and say what differs from the oracle."""
+    found = _solved(drawn, way)
+    rtol, bound = drawn.per_point(drawn.rtols), found["error_bound"]
+    count = _counted(drawn.expected)
+    good = found["solution_status"] != NOT_CONVERGED
+    has_values, exists = np.isfinite(found["separation"]), count > 0
+    known = has_values & exists
+    elastic = drawn.per_point([parameters.elastic_factor for parameters in drawn.inputs])
+    differs = np.flatnonzero(has_values != exists)
+    by_rounding = np.maximum(ROUNDING, MAGNIFIED * elastic)
+    problems = {
+        "exists": _decided(oracle, drawn, differs, by_rounding),
+        "is good without a separation": np.flatnonzero(has_values & good & ~exists),
+    }
+    errors = {}
+    for name in QUANTITIES:
+        error = errors[name] = relative_error(found[name], drawn.expected.first(name))
+        problems[f"{name} {BEYOND_BOUND}"] = np.flatnonzero(known & ~(error <= bound))
+        problems[f"{name} beyond rtol"] = np.flatnonzero(known & good & ~(error <= rtol))
+    other = np.flatnonzero(known & good & (found["separation_count"] != count))
+    apart = np.maximum(LEAST_TURN, MAGNIFIED * elastic)
+    problems["separation_count"] = _decided(oracle, drawn, other, apart)
+    return Compared(found, known, good, errors, problems)
+
+
+def relative_error(found, expected):
+    """Of numbers that float64 holds with all their digits; the others count as equal."""
+    vanishes = (np.abs(found) < SMALLEST) & (np.abs(expected) < SMALLEST)
+    error = np.abs((found - expected) / expected)
+    return np.where(vanishes | (found == expected), 0.0, error).astype(float)
+
+
+def _solved(drawn, way):
+    """The variables of all points, each surface solved in one call."""
+    found = []
+    points = drawn.conditions["load"].size // len(drawn.inputs)
+    for index, (parameters, rtol) in enumerate(zip(drawn.inputs, drawn.rtols, strict=True)):
+        here = slice(index * points, (index + 1) * points)
+        given = {name: drawn.conditions[name][here] for name in CONDITIONS}
+        found.append(tb.solve(**given, parameters=parameters, rtol=rtol, way=way))
+    variables = vars(found[0]).keys() - {"conditions"}
+    return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
+
+
+def _counted(expected):
+    """How many separations there are that are not negative."""
+    return (expected.roots["separation"] >= 0.0).sum(axis=1)
+
+
+def _decided(oracle, drawn, places, apart):
+    """Those of ``places`` where as many separations balance loads ``apart`` by so much [1]."""
+    apart = np.broadcast_to(apart, drawn.conditions["load"].shape)[places]
+    model, conditions = (
+        {name: values[places] for name, values in given.items()}
+        for given in (drawn.model, drawn.conditions)
+    )
+    counts = [
+        _counted(oracle.solve(model, **conditions | {"load": conditions["load"] * factor}))
+        for factor in (1.0 - apart, 1.0, 1.0 + apart)
+    ]
+    return places[(counts[0] == counts[1]) & (counts[1] == counts[2])]

@@ -1,0 +1,39 @@
+"""Rows of turning points and transitions: each says how its values are to be taken."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import thirdbody as tb
+from thirdbody.data.conditions import Condition
+from thirdbody.data.extraction import tpca_rows, transition_rows
+from thirdbody.data.tables import CONDITIONS
+from thirdbody.model.regimes import SOLUTION_STATUSES
+
+AXES = {
+    "load": np.geomspace(1e-8, 1e-2, 80),
+    "viscosity": [0.0, 2e-7, 9e-5],
+    "particle_diameter": [3e-7, 5e-7],
+    "roughness": [1e-7, 3e-7],
+    "particle_density": [1e11],
+}
+# surfaces so soft that films press harder than they are, and summits soon cover more than there is
+SOFT = {"hardness_surface_1": 1e7, "hardness_surface_2": 1e7}
+
+
+@pytest.mark.parametrize("rows_of", [tpca_rows, transition_rows])
+def test_each_row_has_the_status_of_its_point(parameters, rows_of):
+    statuses = set()
+    for changes in ({}, SOFT):
+        inputs = replace(parameters, **changes)
+        rows = rows_of("mine", tb.grid(**AXES, parameters=inputs), inputs)
+        assert rows
+        columns = [CONDITIONS[name].name for name in Condition._fields]
+        given = Condition(*np.array([[row[name] for name in columns] for row in rows]).T)
+        load = np.array([row["load"] for row in rows])
+        solution = tb.solve(load=load, **given._asdict(), parameters=inputs)
+        named = [SOLUTION_STATUSES[index] for index in solution.solution_status]
+        assert [row["solution_status"] for row in rows] == named
+        statuses |= set(named)
+    assert "converged" in statuses and len(statuses) > 1

@@ -1,0 +1,23 @@
+"""The library against an implementation in extended precision, in all readings."""
+
+from thirdbody.run.job import logged
+
+from benchmarks.oracle import oracle_rows
+from thirdbody.data.files import whole
+from thirdbody.data.tables import TABLES, write_csv
+
+
+def measure(settings, threads, table):
+    """Write what is found at as many points as ``settings`` say."""
+    rows = oracle_rows(settings, threads)
+    with whole(table) as part:
+        write_csv(part, rows, TABLES["oracle"])
+    points, beyond, wrong = (
+        sum(row[name] for row in rows) for name in ("points", "beyond_bound", "wrong")
+    )
+    print(f"{points} points by all ways: {beyond} beyond their bound, {wrong} wrong")
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        measure(snakemake.params.settings, snakemake.threads, snakemake.output.table)
