@@ -103,6 +103,15 @@ class Cluster:
         self.start("unshare", "--uts", "--mount", "sh", "-c", ANOTHER_HOST, "sh", str(own))
         wait_until(lambda: self.ask("sinfo", "--noheader", "--format=%T") == "idle")
 
+    def kill_controller(self):
+        """Kill the controller at once, when its file of jobs has what it knows of that which runs."""
+        (job,) = self.jobs("running")
+        mark = f"kept-of-{job}"
+        self.ask("scontrol", "update", f"jobid={job}", f"admincomment={mark}")
+        wait_until(lambda: mark.encode() in (self.place / "state/job_state").read_bytes())
+        self.daemons["slurmctld"].kill()
+        self.daemons["slurmctld"].wait()
+
     def start_controller(self):
         """Start the controller, with what it knew when it was stopped."""
         self.start("slurmctld", "-D")

@@ -147,6 +147,17 @@ def test_the_controller_may_stop_and_start(cluster, held, begin, finished):
     complete(run, held, finished)
 
 
+def test_the_controller_may_be_killed_and_started(cluster, held, begin, finished):
+    run = begin()
+    job = cluster.running()
+    cluster.kill_controller()
+    (held.root / "go").touch()
+    wait_until((held.root / "results/extracted/table1/all.csv").exists)
+    cluster.start_controller()
+    complete(run, held, finished)
+    assert job in cluster.jobs("completed")
+
+
 def test_a_killed_run_is_started_again(cluster, held, begin, finished):
     run = begin()
     first = cluster.running()
