@@ -5,7 +5,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.atlas.lookup import Lookup
-from thirdbody.atlas.smallest import ALLOWED, Counts, search_lookup
+from thirdbody.atlas.smallest import ALLOWED, Counts, allowed_misses, search_lookup
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.netcdf import write_netcdf
@@ -52,6 +52,7 @@ def test_it_keeps_the_error_at_other_conditions(lookup, defaults):
     )
     assert told["error_quantile_0.99"] <= told["error_quantile_0.999"] <= told["largest_error"]
     assert told["checked_conditions"] == SETTINGS["check_points"]
+    assert told["error_kept_in_share"] >= SETTINGS["share"]
 
 
 def test_it_is_small(lookup):
@@ -107,3 +108,13 @@ def test_every_reading_has_a_table_or_is_refused(reading):
 
 def test_numbers_are_counted():
     assert Counts(3, 2, 5, 4).numbers == 2 * 3 * 2 + 2 + 3 * 5 + 4 + 8
+
+
+def test_a_table_is_better_at_the_search_than_it_has_to_be():
+    searched, checked = 50_000, 100_000
+    misses = allowed_misses(0.999, searched, checked)
+    for count, keeps in ((misses, True), (misses + 1, False)):
+        share = count / searched
+        chance = 3.0 * np.sqrt(share / searched + share / checked)
+        assert (share + chance <= 1e-3) == keeps
+    assert allowed_misses(1.0, searched, checked) == 0

@@ -1,9 +1,20 @@
-"""One full run on the minimal configuration; every test gets a copy of it to harm."""
+"""Runs on the minimal configuration, each made once; every test gets a copy to harm."""
 
 import fcntl
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
 
 import pytest
-from workspace import Workspace
+import yaml
+from workspace import MINIMAL, READINGS, Workspace
+
+BUDGET = {"scattered": 3, "population": 5, "evaluations": 10, "walkers": 18, "steps": 2}
+KEPT = "kept.json"  # what there was of the atlas when its run was killed
 
 
 @pytest.fixture(scope="session")
@@ -13,20 +24,83 @@ def sources(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def finished(sources, tmp_path_factory, worker_id):
-    """The repository after a full minimal run, the same for all processes that test; not to be
-    written to."""
+def made_once(sources, tmp_path_factory, worker_id):
+    """Function that gives what ``make`` makes of a copy of the repository, the same for all processes
+    that test; not to be written to."""
     own = tmp_path_factory.getbasetemp()
     shared = own if worker_id == "master" else own.parent
-    made = shared / "finished"
-    with open(shared / "finished.lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not made.exists():
-            workspace = sources.copied_to(own / "running")
-            run = workspace.snakemake()
-            assert run.returncode == 0, run.stdout + run.stderr
-            workspace.root.rename(made)
-    return Workspace(made)
+
+    def once(name, make):
+        made = shared / name
+        with open(shared / f"{name}.lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            if not made.exists():
+                workspace = sources.copied_to(own / f"making_{name}")
+                make(workspace)
+                workspace.root.rename(made)
+        return Workspace(made)
+
+    return once
+
+
+def succeed(workspace, *targets):
+    """A run that has to succeed."""
+    run = workspace.snakemake(*targets)
+    assert run.returncode == 0, run.stdout + run.stderr
+
+
+@pytest.fixture(scope="session")
+def finished(made_once):
+    """The repository after a full minimal run."""
+    return made_once("finished", succeed)
+
+
+@pytest.fixture(scope="session")
+def charted(made_once):
+    """The repository after a run of the atlas that was killed when two chunks were there, and went
+    on; and when the products were written that the kill left."""
+    workspace = made_once("charted", _make_atlas)
+    return workspace, json.loads((workspace.root / KEPT).read_text(encoding="utf-8"))
+
+
+def _make_atlas(workspace):
+    first = subprocess.Popen(
+        [Path(sys.executable).with_name("snakemake"), "-c1", "atlas", *MINIMAL],
+        cwd=workspace.root,
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, workspace.packages))},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    chunks = workspace.root / "results" / "atlas" / "chunks"
+    while len(list(chunks.glob("[0-9]*.nc"))) < 2:  # then Snakemake has recorded the first
+        assert first.poll() is None, "it ended before"
+        time.sleep(0.05)
+    os.killpg(first.pid, signal.SIGKILL)
+    first.wait()
+    (workspace.root / KEPT).write_text(json.dumps(workspace.stamps()), encoding="utf-8")
+    succeed(workspace, "atlas")
+
+
+@pytest.fixture(scope="session")
+def calibrated(made_once):
+    """The repository after the calibration of two readings."""
+    return made_once("calibrated", _calibrate)
+
+
+def _calibrate(workspace):
+    workspace.with_machine_code()
+
+    def smaller(text):
+        settings = yaml.safe_load(text)
+        settings["budget"], settings["seeds"] = BUDGET, [1, 2]
+        settings["readings"] = {name: settings["readings"][name] for name in READINGS}
+        for reading in settings["readings"].values():
+            reading.pop("budget", None)
+        return yaml.safe_dump(settings)
+
+    workspace.rewrite("config/calibration.yaml", smaller)
+    succeed(workspace, "calibrate")
 
 
 @pytest.fixture(scope="session")

@@ -1,16 +1,9 @@
 """`snakemake atlas` on few points: its products, and a run that is killed and goes on."""
 
-import os
-import signal
-import subprocess
-import sys
-import time
-from pathlib import Path
-
 import pytest
 import xarray as xr
 import yaml
-from workspace import MINIMAL, ROOT
+from workspace import ROOT
 
 import thirdbody as tb
 from thirdbody.atlas.lookup import Lookup
@@ -33,31 +26,6 @@ PRODUCTS = {
         for kind in ("csv", "json", "md", "html", "tex")
     ),
 }
-
-
-@pytest.fixture(scope="module")
-def charted(sources, tmp_path_factory):
-    """The repository after a run of the atlas that was killed when two chunks were there, and went
-    on; and when the products were written that the kill left."""
-    workspace = sources.copied_to(tmp_path_factory.mktemp("charted") / "thirdbody")
-    first = subprocess.Popen(
-        [Path(sys.executable).with_name("snakemake"), "-c1", "atlas", *MINIMAL],
-        cwd=workspace.root,
-        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, workspace.packages))},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
-    chunks = workspace.root / "results" / "atlas" / "chunks"
-    while len(list(chunks.glob("[0-9]*.nc"))) < 2:  # then Snakemake has recorded the first
-        assert first.poll() is None, "it ended before"
-        time.sleep(0.05)
-    os.killpg(first.pid, signal.SIGKILL)
-    first.wait()
-    kept = workspace.stamps()
-    run = workspace.snakemake("atlas")
-    assert run.returncode == 0, run.stdout + run.stderr
-    return workspace, kept
 
 
 def test_what_was_solved_before_the_kill_is_not_solved_again(charted):

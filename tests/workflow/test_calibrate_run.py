@@ -2,33 +2,7 @@
 
 import shutil
 
-import pytest
-import yaml
-from workspace import Workspace
-
-READINGS = ("uncentred_summit_wide_full_total", "uncentred_surface_wide_full")
-BUDGET = {"scattered": 3, "population": 5, "evaluations": 10, "walkers": 18, "steps": 2}
-
-
-@pytest.fixture(scope="module")
-def calibrated(sources, tmp_path_factory):
-    """The repository after the calibration of two readings."""
-    workspace = sources.copied_to(
-        tmp_path_factory.mktemp("calibrated") / "thirdbody"
-    ).with_machine_code()
-
-    def smaller(text):
-        settings = yaml.safe_load(text)
-        settings["budget"], settings["seeds"] = BUDGET, [1, 2]
-        settings["readings"] = {name: settings["readings"][name] for name in READINGS}
-        for reading in settings["readings"].values():
-            reading.pop("budget", None)
-        return yaml.safe_dump(settings)
-
-    workspace.rewrite("config/calibration.yaml", smaller)
-    run = workspace.snakemake("calibrate")
-    assert run.returncode == 0, run.stdout + run.stderr
-    return workspace
+from workspace import READINGS, Workspace
 
 
 def files(workspace: Workspace, pattern):

@@ -16,6 +16,10 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
+READINGS = (
+    "uncentred_summit_wide_full_total",
+    "uncentred_surface_wide_full",
+)  # calibrated in tests
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
 MACHINE_CODE = Path("src/thirdbody/solver/compiled/__pycache__")  # where numba keeps it

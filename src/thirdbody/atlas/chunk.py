@@ -134,6 +134,7 @@ def write_chunk(
     members: Sequence[Mapping[str, Any]],
     kept: Collection[str],
     rtol: float,
+    conditions: int | None = None,
 ) -> Clock:
     """Solve the surfaces of ``grid`` for all inputs and write what is found, little by little.
 
@@ -151,6 +152,8 @@ def write_chunk(
         Quantities kept of each point under the default inputs, beside the flags.
     rtol : float
         Relative error asked for.
+    conditions : int, optional
+        How many the whole atlas has, of which ``grid`` is a part that a process of its own solves.
 
     Returns
     -------
@@ -160,7 +163,8 @@ def write_chunk(
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
-    way = way_of(math.prod(grid.shape) * len(sets))
+    own = math.prod(grid.shape)
+    way = way_of(*(count * len(sets) for count in (own, conditions or own)))
     clock = Clock(len(sets))
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
         described = _described(grid, default, members, kept, rtol)

@@ -30,7 +30,7 @@ from thirdbody.model.regimes import (
 )
 from thirdbody.solver import availability
 from thirdbody.solver.bracketing import Known
-from thirdbody.solver.plan import COMPILED, COMPILING_WORTH, REPEATABLE
+from thirdbody.solver.plan import COMPILED, COMPILING_WORTH, LOADING_WORTH, REPEATABLE
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
 
@@ -122,10 +122,19 @@ def solve_surface(
     return values | counts | _summed_up(found, weights)
 
 
-def way_of(points: int) -> str:
-    """How so many points are solved: as fast as can be, but whatever else a process has solved."""
-    worth = points >= COMPILING_WORTH and availability.is_installed()
-    return COMPILED if worth else REPEATABLE
+def way_of(points: int, together: int | None = None) -> str:
+    """How so many points are solved: as fast as can be, but whatever else a process has solved.
+
+    Parameters
+    ----------
+    points : int
+        Those that a process solves, which pay for loading the compiled loop.
+    together : int, optional
+        Those of all processes that share what one of them compiles, which pay for that.
+    """
+    compiling = together or points
+    worth = points >= LOADING_WORTH and compiling >= COMPILING_WORTH
+    return COMPILED if worth and availability.is_installed() else REPEATABLE
 
 
 def _timed(clock, what, function, *given):

@@ -8,6 +8,7 @@ import signal
 import socket
 import subprocess
 import time
+from collections import Counter
 from pathlib import Path
 
 PROGRAMS = "munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "scontrol"
@@ -45,6 +46,7 @@ AccountingStorageType=accounting_storage/none
 ReturnToService=2
 MessageTimeout=2
 KillWait=2
+MinJobAge=3600
 SchedulerParameters=sched_interval=1,bf_interval=1
 NodeName={node} NodeAddr=127.0.0.1 CPUs=2 RealMemory=4000
 PartitionName=all Nodes=ALL Default=YES State=UP
@@ -101,6 +103,15 @@ class Cluster:
         self.start("unshare", "--uts", "--mount", "sh", "-c", ANOTHER_HOST, "sh", str(own))
         wait_until(lambda: self.ask("sinfo", "--noheader", "--format=%T") == "idle")
 
+    def kill_controller(self):
+        """Kill the controller at once, when its file of jobs has what it knows of that which runs."""
+        (job,) = self.jobs("running")
+        mark = f"kept-of-{job}"
+        self.ask("scontrol", "update", f"jobid={job}", f"admincomment={mark}")
+        wait_until(lambda: mark.encode() in (self.place / "state/job_state").read_bytes())
+        self.daemons["slurmctld"].kill()
+        self.daemons["slurmctld"].wait()
+
     def start_controller(self):
         """Start the controller, with what it knew when it was stopped."""
         self.start("slurmctld", "-D")
@@ -129,6 +140,12 @@ class Cluster:
         """Numbers of the jobs that are in one of these states, in order."""
         wanted = f"--states={','.join(states)}"
         return self.ask("squeue", "--noheader", "--format=%A", "--sort=i", wanted).split()
+
+    def purposes(self, but):
+        """How many jobs, all ``but`` those with these numbers, were submitted for each rule or group."""
+        told = self.ask("squeue", "--noheader", "--format=%A %k", "--states=all").splitlines()
+        jobs = dict(line.split(" ", 1) for line in told)
+        return Counter(jobs[job].rpartition(" ")[0] for job in jobs.keys() - set(but))
 
     def running(self, but=None):
         """Wait until a job runs, another than ``but``; its number."""

@@ -1,11 +1,12 @@
 """Runs whose jobs are in the queue of a real SLURM, and what they survive there."""
 
 import os
+import shutil
 import signal
 
 import pytest
 from single_node import NODE, wait_until
-from workspace import ended, start
+from workspace import MADE_BY_RUNS, ended, is_product, start
 
 PROFILE = ("--profile", "workflow/profiles/slurm", "--seconds-between-status-checks", "1")
 FIGURE, TABLE = "results/figures/fig09.png", "results/tables/table1.md"
@@ -79,6 +80,45 @@ def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
     assert "Nothing to be done" in fresh.snakemake("--dry-run", FIGURE).stdout
 
 
+def test_the_atlas_goes_out_by_chunk(cluster, fresh, charted):
+    before = cluster.jobs("all")
+    run = fresh.snakemake("atlas", *PROFILE)
+    assert run.returncode == 0, run.stdout + run.stderr
+    assert cluster.purposes(but=before) == {"solve_chunk": 3, "find_lookup": 1, "chart": 1}
+    here, _ = charted
+    agree(fresh, here, "results", but="atlas/cost")
+
+
+def test_the_calibration_goes_out_by_reading_and_seed(cluster, calibrated, sources, tmp_path):
+    there = calibrated.copied_to(tmp_path / "thirdbody")
+    for name in (*MADE_BY_RUNS, "config/calibrated"):
+        shutil.rmtree(there.root / name)
+    shutil.copytree(sources.root / "config/calibrated", there.root / "config/calibrated")
+    before = cluster.jobs("all")
+    run = there.snakemake("calibrate", *PROFILE)
+    assert run.returncode == 0, run.stdout + run.stderr
+    # two readings, each searched and sampled from two seeds
+    jobs = {"search_reading": 4, "sample_reading": 4, "summarise_reading": 2}
+    assert cluster.purposes(but=before) == jobs
+    agree(there, calibrated, "results")
+    agree(there, calibrated, "config/calibrated")
+
+
+def agree(one, other, folder, but="nothing"):
+    """Require the same files with the same bytes in a folder, ``but`` those that begin so."""
+    contents = [
+        {
+            str(path.relative_to(each.root / folder)): path.read_bytes()
+            for path in (each.root / folder).rglob("*")
+            if is_product(path)
+        }
+        for each in (one, other)
+    ]
+    assert contents[0].keys() == contents[1].keys()
+    for name, content in contents[0].items():
+        assert name.startswith(but) or content == contents[1][name], name
+
+
 def test_a_job_may_be_cancelled_and_its_node_go_down(cluster, held, begin, finished):
     run = begin()
     first = cluster.running()
@@ -105,6 +145,17 @@ def test_the_controller_may_stop_and_start(cluster, held, begin, finished):
     wait_until((held.root / "results/extracted/table1/all.csv").exists)
     cluster.start_controller()
     complete(run, held, finished)
+
+
+def test_the_controller_may_be_killed_and_started(cluster, held, begin, finished):
+    run = begin()
+    job = cluster.running()
+    cluster.kill_controller()
+    (held.root / "go").touch()
+    wait_until((held.root / "results/extracted/table1/all.csv").exists)
+    cluster.start_controller()
+    complete(run, held, finished)
+    assert job in cluster.jobs("completed")
 
 
 def test_a_killed_run_is_started_again(cluster, held, begin, finished):
