@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import netCDF4
 import numpy as np
@@ -421,6 +422,16 @@ def test_another_user_place_time_zone_and_hash_seed_give_the_same_bytes(
         env=os.environ | stranger,
     )
     assert digest(tmp_path / "other.nc") == digest(on_disk)
+
+
+def test_what_solves_and_draws_figures_does_not_load_xarray():
+    code = "import compute_schematic, render_figure, render_schematic, solve_scene, sys; print(*sys.modules)"
+    scripts = Path(__file__).parents[2] / "workflow" / "scripts"
+    run = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=scripts
+    )
+    assert "netCDF4" in run.stdout.split()
+    assert {"pandas", "xarray"}.isdisjoint(run.stdout.split())
 
 
 def digest(path):
