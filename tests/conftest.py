@@ -1,5 +1,7 @@
-"""Inputs that tests share, and the paper's equations as the verification has them."""
+"""Inputs that tests share, the paper's equations as the verification has them, and the checkers of CF
+and ACDD."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -60,6 +62,8 @@ READINGS = {
         "ellipticity": 2.5,
     },
 }
+# what does not apply to data without a place, a time or a name in the table of standard names
+INAPPLICABLE = re.compile(r"(geospatial_\w+|time_coverage_\w+|standard_name)\b")
 
 
 def pytest_configure(config):
@@ -117,3 +121,34 @@ def equations():
     from plain_equations import PlainEquations
 
     return PlainEquations
+
+
+@pytest.fixture(scope="session")
+def findings_in():
+    """Function that gives what the checkers of CF-1.11 and ACDD-1.3 have to say of a NetCDF file, but
+    what does not apply; their own errors would be said by none."""
+    from compliance_checker.runner import CheckSuite
+
+    suite = CheckSuite()
+    suite.load_all_available_checkers()
+
+    def found_in(path):
+        opened = suite.load_dataset(str(path))
+        found = {}
+        for convention in ("cf:1.11", "acdd:1.3"):
+            scores, errors = suite.run_all(opened, [convention])[convention]
+            assert not errors
+            found[convention] = [text for score in scores for text in shortcomings(score)]
+        opened.close()
+        said = [text for text in found["acdd:1.3"] if not INAPPLICABLE.match(text)]
+        return {"CF": found["cf:1.11"], "ACDD": said}
+
+    return found_in
+
+
+def shortcomings(score):
+    """The messages of a check without full marks, or its name if it gives no reason."""
+    value = score.value
+    if value is True or (isinstance(value, tuple) and value[0] == value[1]):
+        return []
+    return score.msgs or [score.name]

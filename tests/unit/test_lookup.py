@@ -50,7 +50,8 @@ def test_it_keeps_the_error_at_other_conditions(lookup, defaults):
     assert (errors <= SETTINGS["error"]).mean() == pytest.approx(
         told["error_kept_in_share"], abs=0.01
     )
-    assert told["error_quantile_0.99"] <= told["error_quantile_0.999"] <= told["largest_error"]
+    quantiles = (told[f"error_quantile_{percent}_percent"] for percent in ("99", "99_9"))
+    assert 0.0 < next(quantiles) <= next(quantiles) <= told["largest_error"]
     assert told["checked_conditions"] == SETTINGS["check_points"]
     assert told["error_kept_in_share"] >= SETTINGS["share"]
 

@@ -1,5 +1,7 @@
 """`snakemake atlas` on few points: its products, and a run that is killed and goes on."""
 
+import re
+
 import pytest
 import xarray as xr
 import yaml
@@ -12,6 +14,10 @@ from thirdbody.data.tables import TABLES, read_csv
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
 CHARTS = "largest_particle", "least_viscosity"
 CHUNKS = [f"{number}-of-{SETTINGS['chunks']}" for number in range(1, SETTINGS["chunks"] + 1)]
+# the library notes by a name of its own to how many digits it has rounded
+WRITTEN_BY_NETCDF = re.compile(
+    r"attribute \w+:_QuantizeGranularBitRoundNumberOfSignificantDigits\b"
+)
 PRODUCTS = {
     "atlas/catalogue.json",
     "atlas/cost.csv",
@@ -61,6 +67,23 @@ def test_every_point_of_every_member_is_counted(charted):
     assert sum(row["conditions"] for row in rows) == 9 * 4 * 6 * 3 * 2
     assert all(row["points"] == 16 * row["conditions"] for row in rows)
     assert all(row["resident_memory_MB"] < 1000 for row in rows)
+
+
+@pytest.fixture
+def written(charted, tmp_path):
+    """Files of the atlas by what they hold: one chunk, all chunks together, the table for real time."""
+    atlas = charted[0].root / "results" / "atlas"
+    with tb.open_atlas(atlas / "catalogue.json") as whole:
+        whole.to_netcdf(tmp_path / "whole.nc")
+    chunk, lookup = atlas / "chunks" / f"{CHUNKS[1]}.nc", atlas / "lookup.nc"
+    return {"chunk": chunk, "whole": tmp_path / "whole.nc", "lookup": lookup}
+
+
+@pytest.mark.parametrize("holding", ["chunk", "whole", "lookup"])
+def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, written, holding):
+    found = findings_in(written[holding])
+    assert [text for text in found["CF"] if not WRITTEN_BY_NETCDF.match(text)] == []
+    assert found["ACDD"] == []
 
 
 @pytest.mark.parametrize("chart", CHARTS)

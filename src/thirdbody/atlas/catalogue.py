@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from xarray.backends import BackendArray
 from xarray.core import indexing
 
+from thirdbody.data.attributes import identity
 from thirdbody.data.netcdf import unreadable
 
 CHUNKS, FILE, ROUGHNESS = "chunks", "file", "roughness_m"  # keys
@@ -99,10 +100,13 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
     attributes = first.attrs | {
         "title": "Atlas of three-body contact",
         "model_parameters": _joined_parameters(parts),
+        **identity(" ".join(part.attrs["configuration_sha256"] for part in parts)),
     }
-    for of_one_file in ("id", "configuration_sha256"):
-        del attributes[of_one_file]
     dataset = xr.Dataset(variables, coordinates, attributes)
+    for name in dataset.coords:
+        dataset.variables[name].encoding["_FillValue"] = (
+            None  # where it is written: none is missing
+        )
     dataset.set_close(lambda: [part.close() for part in parts])
     return dataset
 

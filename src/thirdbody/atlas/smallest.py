@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from thirdbody.atlas.lookup import GRIDS, PIECE, Lookup
 from thirdbody.atlas.surfaces import way_of
 from thirdbody.configuration.axes import axis_values
+from thirdbody.data.attributes import global_attributes
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
@@ -27,6 +28,18 @@ TABLES = {
     "crossing": "ln W, ln H_c where both terms of Eq. 7 are equal",
     "film": "ln W over that of the crossing",
 }
+OF_TABLES = {"units": "1", "coverage_content_type": "modelResult"}
+TITLE = "Table for L_s and A_sa,t* in real time"
+SUMMARY = (
+    "What summits, particles and film between two rough surfaces bear by themselves over their "
+    "separation: where they hold the load together, their shares of it and of the real contact area are "
+    "read off. Computed from the equations printed by Chen & Horng (2024) with the parameters in "
+    "model_parameters."
+)
+COMMENT = (
+    "thirdbody.atlas.lookup says how it is interpolated. range_ attributes: between which values it "
+    "holds, SI; error_ attributes: the larger error of both shares at random conditions between them"
+)
 UNITS = {
     "gap_squared": "(d/sigma)^2",
     "log_roughness": "ln(sigma/m)",
@@ -143,12 +156,17 @@ def search_lookup(parameters: Parameters, axes: Mapping[str, Mapping], settings:
     for factor in THINNED:
         counts = _thinned(counts, factor, keeps)
     found = lookup_of(parameters, ranges, counts)
+    request = {"axes": axes, "settings": settings}
+    described = global_attributes(
+        TITLE, parameters, np.array(ranges.roughness), SOLVED_RTOL, request
+    )
+    found.tables.attrs |= described | {"summary": SUMMARY, "comment": COMMENT}
     at_check = checked.errors(found)
     found.tables.attrs |= {
         "error_asked_for": settings["error"],
         "error_kept_in_share": float((at_check <= settings["error"]).mean()),
-        "error_quantile_0.99": float(np.quantile(at_check, 0.99)),
-        "error_quantile_0.999": float(np.quantile(at_check, 0.999)),
+        "error_quantile_99_percent": float(np.quantile(at_check, 0.99)),
+        "error_quantile_99_9_percent": float(np.quantile(at_check, 0.999)),
         "largest_error": float(at_check.max()),
         "checked_conditions": len(at_check),
         "numbers": counts.numbers,
@@ -302,7 +320,7 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
     names = dict.fromkeys(name for axes in GRIDS.values() for name in axes)
     tables = xr.Dataset(
         {
-            name: (axes, table, {"long_name": TABLES[name], "units": "1"})
+            name: (axes, table, {"long_name": TABLES[name], **OF_TABLES})
             for (name, axes), table in zip(columns.items(), values, strict=True)
         },
         {
@@ -311,7 +329,6 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
         },
         {
             **{f"range_{name}": np.array(ends) for name, ends in ranges._asdict().items()},
-            "title": "Table for L_s and A_sa,t* in real time",
             "film_load": parameters.film_load,
             "newtons_per_load": parameters.newtons_per_load,
             "ball_radius": parameters.ball_radius,
@@ -319,6 +336,8 @@ def lookup_of(parameters: Parameters, ranges: Ranges, counts: Counts) -> Lookup:
             "particle_pressure": parameters.particle_pressure,
         },
     )
+    for name in tables.coords:
+        tables.variables[name].encoding["_FillValue"] = None  # where it is written: none is missing
     return Lookup(tables)
 
 

@@ -105,6 +105,12 @@ def _flag_attributes(flag):
     }
 
 
+def identity(origin: str) -> dict[str, str]:
+    """Attributes that are the same for datasets of the same origin only, told in one text."""
+    digest = hashlib.sha256(origin.encode()).hexdigest()
+    return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
+
+
 def global_attributes(
     title: str,
     parameters: Parameters,
@@ -129,6 +135,7 @@ def global_attributes(
     """
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
     canonical = json.dumps(configuration, sort_keys=True)
+    own = identity(canonical)
     conventions = "CF-1.11, ACDD-1.3"
     return {
         "Conventions": conventions,
@@ -147,10 +154,10 @@ def global_attributes(
         "standard_name_vocabulary": "CF Standard Name Table v93",
         "schema_version": SCHEMA_VERSION,
         "software_version": software_version(),
-        "configuration_sha256": hashlib.sha256(canonical.encode()).hexdigest(),
+        "configuration_sha256": own["configuration_sha256"],
         "rtol": rtol,
         **DISCOVERY,
-        "id": f"thirdbody-{hashlib.sha256(canonical.encode()).hexdigest()[:16]}",
+        "id": own["id"],
         "product_version": software_version(),
         "model_parameters": parameters.as_attribute(roughness),
     }
