@@ -9,6 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import (
+    Found,
     Objective,
     Reading,
     Unknown,
@@ -34,10 +35,10 @@ READING = Reading("two", {}, (LINEAR, LOGARITHMIC))
 class Valley:
     """Misses of two inputs that are to be 1.5 and 1e-4, the second hardly seen."""
 
-    def misses(self, reading, positions):
+    def found(self, reading, positions):
         values = reading.values(positions)
         second = np.log10(values["summit_radius"]) + 4.0
-        return np.array([4.0 * (values["gap_ratio"] - 1.5), 0.02 * second])
+        return Found(np.array([4.0 * (values["gap_ratio"] - 1.5), 0.02 * second]))
 
 
 # ---- the objective
@@ -79,13 +80,26 @@ def test_validation_statements_never_enter_the_objective(parameters):
     assert objective.asked == referenced_conditions(objective.claims)
 
 
+def test_statements_that_are_watched_change_nothing_of_what_is_minimised(parameters):
+    reading = Reading.of("uncentred_summit_wide_full_total", SETTINGS)
+    middle = np.full(len(reading.unknowns), 0.5)
+    alone, beside = (
+        Objective.of(CLAIMS, SETTINGS, parameters, watched=watched).found(reading, middle)
+        for watched in (False, True)
+    )
+    assert np.array_equal(alone.misses, beside.misses)
+    assert alone.beside.size == 0
+    assert beside.beside.size == sum(claim.role == VALIDATION for claim in CLAIMS)
+    assert (beside.beside >= 0.0).all()
+
+
 def test_inputs_without_a_surface_miss_every_statement(parameters):
     reading = Reading.of("uncentred_summit_wide_full", SETTINGS)
     reading = replace(reading, fixed=reading.fixed | {"summit_offset": True})
     objective = Objective.of(CLAIMS, SETTINGS, replace(parameters, summit_parameter_exponent=0.0))
     corner = np.zeros(len(reading.unknowns))  # summits too few for the offset to leave a variance
     corner[1] = 1.0
-    misses = objective.misses(reading, corner)
+    misses = objective.found(reading, corner).misses
     assert np.isfinite(misses).all()
     assert_allclose(misses[len(reading.unknowns) :] ** 2, objective.weights * loss(MISSING_SCORE))
 
@@ -147,7 +161,7 @@ def test_a_search_of_the_real_model_repeats_itself(parameters):
         for _ in range(2)
     ]
     assert np.array_equal(*drawn)
-    assert drawn[0].shape == (6, len(reading.unknowns) + 1)
+    assert drawn[0].shape == (12, len(reading.unknowns) + 1)
 
 
 # ---- what it found

@@ -9,8 +9,8 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.figures import fronts as drawing
-from thirdbody.study.calibration import Objective, loss
-from thirdbody.study.claims import load_claims
+from thirdbody.study.calibration import Found, Objective, loss
+from thirdbody.study.claims import VALIDATION, load_claims
 from thirdbody.study.fronts import POINTS, Witness, merged
 
 ROOT = Path(__file__).parents[2]
@@ -24,9 +24,10 @@ def objective(parameters):
     return Objective.of(CLAIMS, SETTINGS, parameters)
 
 
-def misses_of(objective, scores):
-    """Misses of two unknowns and of all statements, whose scores are given."""
-    return np.sqrt(np.concatenate([[0.3, 0.2], objective.weights * loss(scores)]))
+def found_with(objective, scores, beside=()):
+    """What is found of two unknowns and of all statements, whose scores are given."""
+    misses = np.sqrt(np.concatenate([[0.3, 0.2], objective.weights * loss(scores)]))
+    return Found(misses, np.array(beside))
 
 
 def test_a_witness_keeps_what_no_other_evaluation_surpasses(objective):
@@ -36,7 +37,7 @@ def test_a_witness_keeps_what_no_other_evaluation_surpasses(objective):
     cluster = objective.claims[place].counted_as
     own = np.array([claim.counted_as == cluster for claim in objective.claims])
     for score, others in ((0.8, 0.9), (1.6, 0.5), (1.7, 0.6), (0.9, 1.2)):
-        witness.see(misses_of(objective, np.where(own, score, others)))
+        witness.see(found_with(objective, np.where(own, score, others)))
     front = witness.fronts[name][np.argsort(witness.fronts[name][:, 0])]
     assert_allclose(front[:, 0], [0.8, 1.6], rtol=1e-3)
     rest = 0.5 + (objective.weights[~own, None] * loss(np.array([0.9, 0.5]))).sum(axis=0)
@@ -47,6 +48,19 @@ def test_a_witness_leaves_out_statements_that_are_not_fitted(objective):
     fitted = {claim.id for claim in objective.claims}
     other = next(claim.id for claim in CLAIMS if claim.id not in fitted)
     assert list(Witness(objective, [*CHIEF, other]).fronts) == [n for n in CHIEF if n in fitted]
+
+
+def test_a_witness_sees_the_validation_against_all_that_is_fitted(parameters):
+    objective = Objective.of(CLAIMS, SETTINGS, parameters, watched=True)
+    names = [claim.id for claim in CLAIMS if claim.role == VALIDATION]
+    assert [claim.id for claim in objective.beside] == names
+    witness, fitted = Witness(objective, CHIEF), np.full(objective.weights.size, 0.9)
+    for beside, scores in ((2.0, fitted), (0.5, 1.2 * fitted), (0.6, 1.3 * fitted)):
+        witness.see(found_with(objective, scores, np.full(len(names), beside)))
+    seen = [found_with(objective, scores).objective for scores in (1.2 * fitted, fitted)]
+    for name in names:
+        front = witness.fronts[name][np.argsort(witness.fronts[name][:, 0])]
+        assert_allclose(front, np.column_stack([[0.5, 2.0], seen]))
 
 
 def test_a_merged_front_falls_and_is_thinned_to_its_ends():

@@ -1,7 +1,10 @@
 """Tables of the summits, of one surface or shared by many, against quadrature."""
 
+from functools import partial
+
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.model.asperity import SummitPopulation
@@ -13,7 +16,9 @@ from thirdbody.solver.surfaces import (
     TABLE_END,
     RoughSurfaces,
     Sheet,
+    few_surfaces,
     prepare_tables,
+    shared_tables,
 )
 
 MATERIALS = (0.02, 0.4, 54.0)  # H/E, k and omega_2/omega_1
@@ -97,3 +102,18 @@ def test_points_on_many_surfaces_are_those_of_each_in_any_order(parameters, way)
         known = np.isfinite(exact) & (exact > 1e-300)
         error = np.abs(found[known] / exact[known] - 1.0)
         assert (error <= together.error_bound[known] + 1e-11).all(), name
+
+
+def test_tables_that_all_inputs_share_give_what_their_own_give(parameters):
+    loads = np.geomspace(1e-7, 1e-4, 40)
+    given = {"roughness": 0.3e-6, "particle_diameter": 0.5e-6, "particle_density": 1e11}
+    given |= {"load": loads, "viscosity": [[0.0], [90e-6]], "parameters": parameters}
+    solved = partial(tb.solve, **given, rtol=1e-4, way="tables")
+    own = solved()
+    with shared_tables():
+        assert few_surfaces(np.full(2, 0.3e-6)) is None
+        together = solved()
+    assert few_surfaces(np.full(2, 0.3e-6)) is not None
+    for name in ("separation", "total_contact_area", "solid_load_fraction"):
+        assert_allclose(getattr(together, name), getattr(own, name), rtol=1e-4)
+    assert not np.array_equal(together.separation, own.separation)

@@ -16,7 +16,8 @@ from thirdbody.study.search import search
 
 def run(name, seed, claims, settings, parameters, evaluations, fronts):
     """Write all evaluations of a search of the reading ``name``, and their fronts."""
-    objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
+    inputs = Parameters(**parameters)
+    objective = Objective.of(load_claims(claims), settings, inputs, watched=True)
     witness = Witness(objective, settings["headline"])
     rows = search(Reading.of(name, settings), objective, settings["budget"], seed, see=witness.see)
     told = {statement: front.tolist() for statement, front in witness.fronts.items()}

@@ -8,7 +8,9 @@ w_1 lies in a cell of its logarithm.  ``RoughSurfaces`` are the surfaces of poin
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple
@@ -23,6 +25,7 @@ from thirdbody.solver.tabulation import PiecewisePolynomial, chebyshev_points, s
 # Up to so many roughnesses have tables of their own; more share those of cells, each of which takes
 # as long to make as the tables of some ten.
 FEW_SURFACES = 64
+_most_with_their_own = ContextVar("most_with_their_own", default=FEW_SURFACES)
 CELL = 0.25  # width of a cell in ln w_1,
 LAST_CELL = 3000  # which is not beyond this in float64
 FIRST_SAMPLES = np.linspace(-5.0, 40.0, 46)  # t where a first guess is read off
@@ -113,14 +116,31 @@ def are_equal(values: NDArray) -> bool:
     return values.size < 2 or not np.count_nonzero(values != values[0])
 
 
+@contextmanager
+def shared_tables() -> Iterator[None]:
+    """Context in which all surfaces share the tables of cells.
+
+    These depend on the materials alone: of very many sets of inputs each surface would have tables of
+    its own to make.
+    """
+    before = _most_with_their_own.set(0)
+    try:
+        yield
+    finally:
+        _most_with_their_own.reset(before)
+
+
 def few_surfaces(roughness: NDArray) -> NDArray | None:
     """All values of ``roughness`` in order, or None if these are too many to have tables of their
     own."""
+    most = _most_with_their_own.get()
+    if most == 0:
+        return None
     if are_equal(roughness):
         return roughness[:1]
-    for some in (roughness[:: max(roughness.size // (4 * FEW_SURFACES), 1)], roughness):
+    for some in (roughness[:: max(roughness.size // (4 * most), 1)], roughness):
         values = np.unique(some)
-        if values.size > FEW_SURFACES:
+        if values.size > most:
             return None
     return values
 

@@ -17,14 +17,15 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.surfaces import shared_tables
 from thirdbody.study.checks import MISSING_SCORE, judge
-from thirdbody.study.claims import CALIBRATION, Claim, referenced_conditions
+from thirdbody.study.claims import CALIBRATION, VALIDATION, Claim, referenced_conditions
 from thirdbody.study.evidence import SEARCH_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
@@ -172,6 +173,27 @@ class Reading:
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
 
+class Found(NamedTuple):
+    """What one set of inputs gives.
+
+    Attributes
+    ----------
+    misses : array, shape (unknowns + claims,)
+        Roots of the penalties of the unknowns and of the weighted losses of the statements [1]; the
+        objective is the sum of their squares.
+    beside : array, shape (beside,)
+        Scores, in tolerances, of the statements that are watched and not fitted.
+    """
+
+    misses: NDArray[np.float64]
+    beside: NDArray[np.float64] = np.empty(0)
+
+    @property
+    def objective(self) -> float:
+        """What is minimised [1]."""
+        return float(np.sum(self.misses**2))
+
+
 @dataclass(frozen=True)
 class Objective:
     """What a calibration minimises: losses of the statements, and penalties for unusual inputs.
@@ -182,10 +204,12 @@ class Objective:
     ----------
     claims : tuple of Claim
         Statements that the inputs are fitted to.
+    beside : tuple of Claim
+        Statements that are judged as well and have no part in what is minimised.
     asked : dict
-        Conditions that these statements speak of, as ``referenced_conditions`` returns them.
+        Conditions that all these statements speak of, as ``referenced_conditions`` returns them.
     weights : array, shape (claims,)
-        Weight of each statement [1].
+        Weight of each of ``claims`` [1].
     newtons : tuple of float
         First and last normal load [N].
     base : Parameters
@@ -193,6 +217,7 @@ class Objective:
     """
 
     claims: tuple[Claim, ...]
+    beside: tuple[Claim, ...]
     asked: dict[str, set]
     weights: NDArray[np.float64]
     newtons: tuple[float, float]
@@ -200,7 +225,11 @@ class Objective:
 
     @classmethod
     def of(
-        cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Parameters
+        cls,
+        claims: Sequence[Claim],
+        settings: Mapping[str, Any],
+        base: Parameters,
+        watched: bool = False,
     ) -> Objective:
         """Make the objective over the statements whose role is ``calibration``.
 
@@ -215,17 +244,20 @@ class Objective:
             Content of ``config/calibration.yaml``.
         base : Parameters
             Values of all inputs that are neither fixed by a reading nor searched.
+        watched : bool
+            Whether the statements of the role ``validation`` are judged beside.
         """
         fitted = tuple(c for c in claims if c.role == CALIBRATION and not c.aside)
         sizes = Counter(claim.counted_as for claim in fitted)
         weights = [
             settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
         ]
-        asked = referenced_conditions(fitted)
-        return cls(fitted, asked, np.array(weights), tuple(settings["newtons"]), base)
+        beside = tuple(c for c in claims if watched and c.role == VALIDATION)
+        asked = referenced_conditions(fitted + beside)
+        return cls(fitted, beside, asked, np.array(weights), tuple(settings["newtons"]), base)
 
-    def misses(self, reading: Reading, positions: ArrayLike) -> NDArray[np.float64]:
-        """Square roots of the terms of the objective, whose sum of squares it is.
+    def found(self, reading: Reading, positions: ArrayLike) -> Found:
+        """How far the model is from what the paper says, for one set of inputs.
 
         Parameters
         ----------
@@ -236,11 +268,10 @@ class Objective:
 
         Returns
         -------
-        array, shape (unknowns + claims,)
-            Roots of the penalties of the unknowns and of the weighted losses of the statements
-            [1].  Inputs that no surface can have give every statement its greatest loss.
+        Found
+            Inputs that no surface can have give every statement its greatest score.
         """
-        values = reading.values(positions)
+        values, judged = reading.values(positions), self.claims + self.beside
         penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
         try:
             evidence = SolvedEvidence(
@@ -249,10 +280,12 @@ class Objective:
                 self.newtons,
                 SEARCH_EFFORT,
             )
-            scores = [judge(claim, evidence).score for claim in self.claims]
+            with shared_tables():
+                scores = [judge(claim, evidence).score for claim in judged]
         except ValueError:  # no surface has these inputs
-            scores = [MISSING_SCORE] * len(self.claims)
-        return np.sqrt(np.concatenate([penalties, self.weights * loss(np.array(scores))]))
+            scores = [MISSING_SCORE] * len(judged)
+        fitted, beside = np.split(np.array(scores), [len(self.claims)])
+        return Found(np.sqrt(np.concatenate([penalties, self.weights * loss(fitted)])), beside)
 
 
 def loss(score: ArrayLike) -> ArrayLike:

@@ -523,7 +523,9 @@ def _loads(claim, curves, bounded):
     There is one load if the claim names it, or the level of a quantity that is reached there; else
     they are all loads within the claim's bounds on the curves ``bounded``.
     """
-    limits, grid = claim.conditions, curves[-1]
+    limits, grid = claim.limits, curves[-1]
+    if not limits and all(curve.load is grid.load for curve in curves):
+        return grid.load
     if "load" in limits:
         return np.array([limits["load"]])
     for name in limits.keys() & set(CURVE_QUANTITIES):
@@ -574,6 +576,8 @@ def _sample(curve, quantity, x, against="load"):
     """
     if quantity == against:
         return x
+    if x is curve.load:  # nothing lies between
+        return np.where(curve.solved, getattr(curve, quantity), np.nan)
     known = curve.log_load if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
     values, logarithmic = curve.samples(quantity)

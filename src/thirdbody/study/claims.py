@@ -155,6 +155,11 @@ class Claim:
         }
         return tuple(condition._replace(**changes) for condition in self.curves)
 
+    @cached_property
+    def limits(self) -> dict[str, float]:
+        """The conditions that bound or name the loads, by their keys."""
+        return {key: value for key, value in self.conditions.items() if key not in KEYS}
+
     @property
     def counted_as(self) -> str:
         """What it counts as: its cluster, or itself if nothing repeats it."""

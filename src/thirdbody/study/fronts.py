@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.study.calibration import Objective, loss
+from thirdbody.study.calibration import Found, Objective, loss
 
 POINTS = 16  # of a front in a file of calibrated inputs
 # Scores among which that of a loss is interpolated.
@@ -29,13 +29,14 @@ class Witness:
     objective : Objective
         What is minimised.
     headline : sequence of str
-        Ids of the chief statements; those that are not fitted are left out.
+        Ids of the chief statements that are fitted; those that are not are left out.
 
     Attributes
     ----------
     fronts : dict
-        Of each statement by its id an array of shape (points, 2): the score, in tolerances up to 1
-        and logarithmic beyond, and the objective without the statement and those that repeat it.
+        Of each of these, and of each statement that the objective judges beside, by its id an array of
+        shape (points, 2): the score, in tolerances up to 1 and logarithmic beyond, and the objective
+        without the statement and those that repeat it.
     """
 
     def __init__(self, objective: Objective, headline: Sequence[str]):
@@ -45,26 +46,26 @@ class Witness:
             for name in headline
             if name in names
         }
+        self._beside = [claim.id for claim in objective.beside]
         self._weights = objective.weights
-        self.fronts: dict[str, Front] = {name: np.empty((0, 2)) for name in self._members}
+        names = (*self._members, *self._beside)
+        self.fronts: dict[str, Front] = {name: np.empty((0, 2)) for name in names}
 
-    def see(self, misses: NDArray[np.float64]) -> None:
-        """Take note of one evaluation.
-
-        Parameters
-        ----------
-        misses : array, shape (unknowns + claims,)
-            As ``Objective.misses`` returns them.
-        """
-        terms = misses**2
-        losses, everything = terms[-self._weights.size :], terms.sum()
+    def see(self, found: Found) -> None:
+        """Take note of one evaluation, as ``Objective.found`` returns it."""
+        losses = found.misses[-self._weights.size :] ** 2
         for name, members in self._members.items():
             own = losses[members].sum()
             score = np.interp(own / self._weights[members].sum(), LOSSES, SCORES)
-            point = np.array([score, everything - own])
-            front = self.fronts[name]
-            if not (front <= point).all(axis=1).any():
-                self.fronts[name] = np.vstack([front[(front < point).any(axis=1)], point])
+            self._add(name, score, found.objective - own)
+        for name, score in zip(self._beside, found.beside, strict=True):
+            self._add(name, score, found.objective)
+
+    def _add(self, name, score, others):
+        """A point of the front of a statement, unless one that is there is better in both."""
+        front, point = self.fronts[name], np.array([score, others])
+        if not (front <= point).all(axis=1).any():
+            self.fronts[name] = np.vstack([front[(front < point).any(axis=1)], point])
 
 
 def merged(fronts: Iterable[Front]) -> Front:

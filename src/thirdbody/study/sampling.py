@@ -17,6 +17,7 @@ from thirdbody.study.calibration import Objective, Reading, acceptable, spread_o
 
 # Walkers start from sets whose objective is at most this far above the best, for each unknown.
 START_ABOVE_BEST = 1.0
+FORGOTTEN = 4  # of so many steps the first one: walkers start among what is about as good
 
 
 def posterior_sample(
@@ -34,11 +35,11 @@ def posterior_sample(
     reading : Reading
         Its unknowns are drawn.
     objective : Objective
-        The sum of the squares of ``objective.misses(reading, positions)`` is the objective.
+        What ``objective.found(reading, positions)`` names as the objective counts.
     evaluations : array, shape (evaluations, unknowns + 1)
         What ``thirdbody.study.calibration.search`` found: walkers start from the best of them.
     budget : mapping
-        How many ``walkers`` make how many ``steps``; the first half of the steps is forgotten.
+        How many ``walkers`` make how many ``steps``; the first quarter of the steps is forgotten.
     seed : int
         Of the random numbers: the same seed gives the same result.
     report : callable
@@ -46,7 +47,7 @@ def posterior_sample(
 
     Returns
     -------
-    array, shape (steps - steps // 2 times walkers, unknowns + 1)
+    array, shape (steps - steps // 4 times walkers, unknowns + 1)
         Positions [1], and in the last column the objective there [1].
 
     References
@@ -59,7 +60,7 @@ def posterior_sample(
     def log_density(positions):
         if (positions < 0.0).any() or (positions > 1.0).any():
             return -np.inf
-        return -float(np.sum(objective.misses(reading, positions) ** 2))
+        return -objective.found(reading, positions).objective
 
     sampler = EnsembleSampler(
         walkers, unknowns, log_density, moves=[(DEMove(), 0.8), (DESnookerMove(), 0.2)]
@@ -69,7 +70,7 @@ def posterior_sample(
     for step, _ in enumerate(sampler.sample(start, iterations=steps), 1):
         if step % 20 == 0:
             report(f"{reading.name} seed {seed}: {step} of {steps} steps of {walkers} walkers")
-    kept = dict(discard=steps // 2, flat=True)
+    kept = dict(discard=steps // FORGOTTEN, flat=True)
     return np.column_stack([sampler.get_chain(**kept), -sampler.get_log_prob(**kept)])
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.study.calibration import Objective, Reading
+from thirdbody.study.calibration import Found, Objective, Reading
 
 FIRST_STEP = 0.2  # deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
@@ -22,7 +22,7 @@ def search(
     budget: Mapping[str, int],
     seed: int,
     report: Callable[[str], object] = print,
-    see: Callable[[NDArray[np.float64]], object] = lambda misses: None,
+    see: Callable[[Found], object] = lambda found: None,
 ) -> NDArray[np.float64]:
     """Search the unknowns of a reading for the least objective, and record every evaluation.
 
@@ -35,7 +35,7 @@ def search(
     reading : Reading
         Its unknowns are searched, two at least.
     objective : Objective
-        The sum of the squares of ``objective.misses(reading, positions)`` is minimised.
+        What ``objective.found(reading, positions)`` names as the objective is minimised.
     budget : mapping
         How much to evaluate: ``scattered`` places before each descent, the ``population`` of the
         first one, and ``evaluations`` of all descents, which the last generation may exceed.
@@ -44,7 +44,7 @@ def search(
     report : callable
         Is given a line of text from time to time.
     see : callable
-        Is given the misses of every evaluation.
+        Is given what is found by every evaluation.
 
     Returns
     -------
@@ -60,14 +60,14 @@ def search(
     --------
     An objective of one's own, least where the ratio is 1.5 and the mean 1:
 
-    >>> from thirdbody.study.calibration import Unknown
+    >>> from thirdbody.study.calibration import Found, Unknown
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
     >>> mean = Unknown("mean_ratio", (0.0, 2.0), (0.0, 2.0), logarithmic=False)
     >>> reading = Reading("two", {}, (ratio, mean))
     >>> class Valley:
-    ...     def misses(self, reading, positions):
+    ...     def found(self, reading, positions):
     ...         values = reading.values(positions)
-    ...         return np.array([values["gap_ratio"] - 1.5, values["mean_ratio"] - 1.0])
+    ...         return Found(np.array([values["gap_ratio"] - 1.5, values["mean_ratio"] - 1.0]))
     >>> budget = {"scattered": 20, "population": 8, "evaluations": 200}
     >>> rows = search(reading, Valley(), budget, seed=1, report=lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
@@ -77,9 +77,9 @@ def search(
     rows: list[np.ndarray] = []
 
     def recorded(positions):
-        misses = objective.misses(reading, positions)
-        see(misses)
-        rows.append(np.append(positions, np.sum(misses**2)))
+        found = objective.found(reading, positions)
+        see(found)
+        rows.append(np.append(positions, found.objective))
         if len(rows) % 50 == 0:
             least = min(row[-1] for row in rows)
             report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {least:.3f}")
