@@ -47,6 +47,11 @@ def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
     return log_load + np.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
+def has_film(viscosity: ArrayLike) -> NDArray:
+    """Whether there is a film where the kinematic ``viscosity`` is so much [m2/s]."""
+    return viscosity > 0.0
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).

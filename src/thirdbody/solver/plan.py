@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter, defaultdict, deque
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
@@ -33,7 +33,7 @@ from thirdbody.extras import require
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver import availability
-from thirdbody.solver.points import Conditions
+from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import OF_AREAS, SolvedPoints, type_of
 from thirdbody.solver.surfaces import (
     TABLE_SIZES,
@@ -132,6 +132,7 @@ def expect_points(points: int) -> None:
 
 def solve_points(
     conditions: Conditions,
+    axes: Mapping[str, Axis],
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
@@ -144,6 +145,8 @@ def solve_points(
     ----------
     conditions : Conditions
         The points.
+    axes : mapping
+        The axis from which each of the conditions was taken, by its name.
     parameters : Parameters
         Inputs of the model.
     rtol : float
@@ -161,10 +164,11 @@ def solve_points(
         A 1-D array of each variable, one element a point.
     """
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
-    few = few_surfaces(conditions.roughness)
+    roughness, axis = conditions.roughness, axes["roughness"]
+    few = roughness[:1] if axis.least == axis.greatest else few_surfaces(roughness)
     may_be_single = way == COMPILED or conditions.size >= SINGLE_WORTH
     task = _Task(conditions, parameters, rtol, few is None, may_be_single, result, settled)
-    groups = list(groups_of(conditions, parameters, few))
+    groups = list(groups_of(conditions, parameters, few, axes))
     if way is None:
         ways = fastest_ways(groups, parameters, rtol)
     else:
@@ -203,11 +207,14 @@ class Group:
 
 
 def groups_of(
-    conditions: Conditions, parameters: Parameters, few: NDArray | None
+    conditions: Conditions,
+    parameters: Parameters,
+    few: NDArray | None,
+    axes: Mapping[str, Axis] | None = None,
 ) -> Iterator[Group]:
-    """The groups of points, by sheet and then by kind; ``few`` is as ``few_surfaces`` says."""
-    wet, three_body = conditions.are_lubricated, conditions.have_particles
-    kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
+    """The groups of points, by sheet and then by kind; ``few`` is as ``few_surfaces`` says, and ``axes``
+    are what the conditions were taken from, if that is known."""
+    kinds = labels = conditions.kinds(axes)
     if few is None:
         cells = np.concatenate(
             [
@@ -218,18 +225,19 @@ def groups_of(
         labels = (4 * (cells - cells.min()) + kinds).astype(np.int16)
     elif few.size > 1:
         labels = (4 * np.searchsorted(few, conditions.roughness) + kinds).astype(np.int16)
-    for places in _runs(labels):
+    for places in _runs(labels, conditions.size):
         first = places.start if isinstance(places, slice) else places[0]
         sheet = sheet_of_one(float(conditions.roughness[first]), parameters)
         if few is None:
             sheet = Sheet.of_cell(cells[first], sheet.materials)
-        yield Group(sheet, int(kinds[first]), places)
+        yield Group(sheet, int(kinds[first] if np.ndim(kinds) else kinds), places)
 
 
-def _runs(labels):
-    """The places of equal ``labels``: a slice if all are equal, else arrays."""
-    if are_equal(labels):
-        return [slice(0, labels.size)] if labels.size else []
+def _runs(labels, count):
+    """The places of equal ``labels``, of ``count`` points or one for all: a slice if all are equal, else
+    arrays."""
+    if np.ndim(labels) == 0 or are_equal(labels):
+        return [slice(0, count)] if count else []
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
     return np.split(order, edges)
