@@ -160,6 +160,19 @@ def test_what_conditions_lie_between_tells_the_same_groups_as_the_points(
         assert np.array_equal(np.r_[one.places], np.r_[other.places])
 
 
+@pytest.mark.parametrize("count", [1, 1000, 1001, 2001, 3333, 50_000])
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_threads_share_pieces_evenly(count, threads):
+    for places in (slice(5, 5 + count), np.arange(5, 5 + count)):
+        pieces = [np.r_[piece] for piece in plan._pieces(places, 1000, threads)]
+        assert np.concatenate(pieces).tolist() == list(range(5, 5 + count))
+        lengths = [piece.size for piece in pieces]
+        assert max(lengths) <= 1000
+        if threads > 1 and count > 1000:
+            assert len(pieces) % threads == 0
+            assert max(lengths) < 1.1 * min(lengths)
+
+
 @pytest.mark.parametrize(
     ("state", "worth"), [({"kept": True}, LOADING_WORTH), ({}, COMPILING_WORTH)]
 )

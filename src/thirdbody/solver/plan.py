@@ -420,7 +420,7 @@ class _Task:
     def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
         """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
         take ``turns`` at it."""
-        pieces = list(_pieces(places, size))
+        pieces = list(_pieces(places, size, threads))
         threads = min(threads, len(pieces))
         if threads > 1:
             left = self._left_by_threads(pieces, solved, threads, turns)
@@ -430,7 +430,8 @@ class _Task:
         return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
 
     def _left_by_threads(self, pieces, solved, threads, turns):
-        """What ``_left_of`` each of ``pieces``, which ``threads`` solve by ``turns``."""
+        """What ``_left_of`` each of ``pieces``, which ``threads``, this one among them, solve by
+        ``turns``."""
         left, todo = [None] * len(pieces), deque(enumerate(pieces))
 
         def settle_pieces():
@@ -439,9 +440,10 @@ class _Task:
                     number, piece = todo.popleft()
                     left[number] = self._left_of(piece, solved)
 
-        with ThreadPoolExecutor(threads) as pool:
-            working = [pool.submit(settle_pieces) for _ in range(threads)]
+        with ThreadPoolExecutor(threads - 1) as pool:
+            working = [pool.submit(settle_pieces) for _ in range(threads - 1)]
             try:
+                settle_pieces()
                 for each in working:
                     each.result()
             finally:
@@ -464,13 +466,16 @@ class _Task:
         return left
 
 
-def _pieces(places, size):
-    """Pieces of ``size`` at most of a slice or of an array of indices."""
-    if isinstance(places, slice):
-        for start in range(places.start, places.stop, size):
-            yield slice(start, min(start + size, places.stop))
-    else:
-        yield from (places[start : start + size] for start in range(0, places.size, size))
+def _pieces(places, size, threads=1):
+    """Pieces of ``size`` at most of a slice or of an array of indices; as large and as many for each of
+    several ``threads``, so that none waits for another at the end."""
+    start, stop = (places.start, places.stop) if isinstance(places, slice) else (0, places.size)
+    if stop - start > size and threads > 1:
+        rounds = -(-(stop - start) // (size * threads))
+        size = -(-(stop - start) // (rounds * threads))
+    for first in range(start, stop, size):
+        piece = slice(first, min(first + size, stop))
+        yield piece if isinstance(places, slice) else places[piece]
 
 
 def _chosen(piece, mask):
