@@ -7,7 +7,7 @@ code, which is the fastest once it is there: a process has to import the compile
 compile where no earlier one did, which very many points repay.
 
 A way leaves the points for which it cannot promise the error that is asked for to a more precise one,
-that which takes less time for so many; every point is stored once, by the way that settles it.
+that which takes less time for so many; the way that settles a point is the last that stores it.
 
 By default the choice depends on what a process has loaded and solved before, and so do the last
 digits.  What is to be made again byte by byte asks for ``REPEATABLE``, a choice between tables and
@@ -362,8 +362,8 @@ class _Turns:
 class _Task:
     """What is asked of points, and the arrays of their solution.
 
-    Each method solves the points at ``places``, indices or a slice, in one way, stores those that
-    it settles and returns the places of those that it leaves.
+    Each method solves the points at ``places``, indices or a slice, in one way, stores them and
+    returns the places of those that it leaves, which mean nothing until another way has stored them.
     """
 
     conditions: Conditions
@@ -451,16 +451,13 @@ class _Task:
         return left
 
     def _left_of(self, piece, solved):
-        """Solve the points of a ``piece`` and store them, all but those that are left."""
+        """Solve the points of a ``piece`` and store them; who solves those that are left stores them
+        again, which takes less time than to pick out the others."""
         found = solved(self.conditions.take(piece))
         left = _chosen(piece, found.left)
-        if not left.size:
+        if left.size < found.left.size:
             for name, values in self.result.items():
                 values[piece] = getattr(found, name)
-        elif left.size < found.left.size:
-            places, settled = _chosen(piece, ~found.left), ~found.left
-            for name, values in self.result.items():
-                values[places] = getattr(found, name)[settled]
         if self.settled is not None:
             self.settled(found.left.size - left.size)
         return left
