@@ -28,7 +28,7 @@ from thirdbody.solver.plan import (
     search_ways,
     threads_worth,
 )
-from thirdbody.solver.points import Conditions
+from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.surfaces import FEW_SURFACES, Sheet, few_surfaces, log_yields
 
@@ -138,6 +138,39 @@ def test_points_are_grouped_by_roughness_or_by_cell(parameters):
             else:
                 assert (some.roughness == some.roughness[0]).all()
         assert (seen == 1).all()
+
+
+@pytest.mark.parametrize("viscosity", [(0.0,), (9e-5,), (0.0, 9e-5)])
+@pytest.mark.parametrize("diameter", [(0.0,), (1e-200,), (5e-7,), (0.0, 5e-7), (1e-200, 5e-7)])
+@pytest.mark.parametrize("roughness", [(3e-7,), (3e-7, 5e-7), tuple(np.geomspace(1e-7, 1e-6, 99))])
+@pytest.mark.parametrize("points", [0, 1, 500])
+def test_what_conditions_lie_between_tells_the_same_groups_as_the_points(
+    parameters, viscosity, diameter, roughness, points
+):
+    random = np.random.default_rng(3)
+    given = {"viscosity": viscosity, "particle_diameter": diameter, "roughness": roughness}
+    values = {name: random.choice(given.get(name, [one]), points) for name, one in POINT.items()}
+    axes = {name: Axis.of(each) for name, each in values.items()}
+    few = few_surfaces(values["roughness"]) if points else values["roughness"]
+    by_points = list(groups_of(Conditions(**values), parameters, few))
+    by_ends = list(groups_of(Conditions(**values), parameters, few, axes))
+    assert len(by_points) == len(by_ends)
+    for one, other in zip(by_points, by_ends, strict=True):
+        assert (one.sheet, one.kind) == (other.sheet, other.kind)
+        assert np.array_equal(np.r_[one.places], np.r_[other.places])
+
+
+@pytest.mark.parametrize("count", [1, 1000, 1001, 2001, 3333, 50_000])
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_threads_share_pieces_evenly(count, threads):
+    for places in (slice(5, 5 + count), np.arange(5, 5 + count)):
+        pieces = [np.r_[piece] for piece in plan._pieces(places, 1000, threads)]
+        assert np.concatenate(pieces).tolist() == list(range(5, 5 + count))
+        lengths = [piece.size for piece in pieces]
+        assert max(lengths) <= 1000
+        if threads > 1 and count > 1000:
+            assert len(pieces) % threads == 0
+            assert max(lengths) < 1.1 * min(lengths)
 
 
 @pytest.mark.parametrize(

@@ -55,6 +55,11 @@ def greatest_film_load(parameters: Parameters) -> float:
     return parameters.softer_hardness / parameters.elastic_modulus_surfaces
 
 
+def has_film(viscosity: ArrayLike) -> NDArray:
+    """Whether there is a film where the kinematic ``viscosity`` is so much [m2/s]."""
+    return viscosity > 0.0
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).

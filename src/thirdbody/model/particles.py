@@ -351,7 +351,7 @@ def _bare_share(coverage):
 
 def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
-    return diameter**2 * density > TINY
+    return diameter * diameter * density > TINY
 
 
 def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:

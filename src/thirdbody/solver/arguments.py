@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Mapping
 from itertools import zip_longest
 from math import prod
 from numbers import Real
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +16,7 @@ from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.solver.labelled import is_labelled
+from thirdbody.solver.points import Axis
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.units import without_unit
 
@@ -89,16 +90,6 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
         raise ValueError(f"{told} in one call, and thirdbody.stream writes any number to a file")
 
 
-class Axis(NamedTuple):
-    """A condition that was checked.
-
-    ``values`` are float64 in SI, of which ``greatest`` is the greatest, or 0 if there are none.
-    """
-
-    values: NDArray
-    greatest: float
-
-
 def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
     """Check a condition: a ``ValueError`` names it and its first bad value.
 
@@ -114,7 +105,8 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
     if type(values) in PLAIN_NUMBERS and least <= values <= MOST:
-        return Axis(np.asarray(values, float), values)  # the checks below would take longest
+        number = float(values)  # the checks below would take longest
+        return Axis(np.asarray(number), number, number)
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         raise ValueError(
@@ -135,12 +127,12 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
         kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
         raise ValueError(f"{name} is of type {kind}; allowed: numbers")
     array = np.asarray(array, float)
-    greatest = array.max(initial=0.0)
-    if not (array.min(initial=1.0) >= least and greatest < np.inf):
+    axis = Axis.of(array)
+    if not (axis.least >= least and axis.greatest < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"
         raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
-    return Axis(array, greatest)
+    return axis
 
 
 def _of_long_integers(name, array):

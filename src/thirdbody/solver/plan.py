@@ -7,7 +7,7 @@ code, which is the fastest once it is there: a process has to import the compile
 compile where no earlier one did, which very many points repay.
 
 A way leaves the points for which it cannot promise the error that is asked for to a more precise one,
-that which takes less time for so many; every point is stored once, by the way that settles it.
+that which takes less time for so many; the way that settles a point is the last that stores it.
 
 By default the choice depends on what a process has loaded and solved before, and so do the last
 digits.  What is to be made again byte by byte asks for ``REPEATABLE``, a choice between tables and
@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter, defaultdict, deque
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, replace
@@ -33,7 +33,7 @@ from thirdbody.extras import require
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver import availability
-from thirdbody.solver.points import Conditions
+from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import OF_AREAS, SolvedPoints, type_of
 from thirdbody.solver.surfaces import (
     TABLE_SIZES,
@@ -132,6 +132,7 @@ def expect_points(points: int) -> None:
 
 def solve_points(
     conditions: Conditions,
+    axes: Mapping[str, Axis],
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
@@ -144,6 +145,8 @@ def solve_points(
     ----------
     conditions : Conditions
         The points.
+    axes : mapping
+        The axis from which each of the conditions was taken, by its name.
     parameters : Parameters
         Inputs of the model.
     rtol : float
@@ -161,10 +164,11 @@ def solve_points(
         A 1-D array of each variable, one element a point.
     """
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
-    few = few_surfaces(conditions.roughness)
+    roughness, axis = conditions.roughness, axes["roughness"]
+    few = roughness[:1] if axis.least == axis.greatest else few_surfaces(roughness)
     may_be_single = way == COMPILED or conditions.size >= SINGLE_WORTH
     task = _Task(conditions, parameters, rtol, few is None, may_be_single, result, settled)
-    groups = list(groups_of(conditions, parameters, few))
+    groups = list(groups_of(conditions, parameters, few, axes))
     if way is None:
         ways = fastest_ways(groups, parameters, rtol)
     else:
@@ -203,11 +207,14 @@ class Group:
 
 
 def groups_of(
-    conditions: Conditions, parameters: Parameters, few: NDArray | None
+    conditions: Conditions,
+    parameters: Parameters,
+    few: NDArray | None,
+    axes: Mapping[str, Axis] | None = None,
 ) -> Iterator[Group]:
-    """The groups of points, by sheet and then by kind; ``few`` is as ``few_surfaces`` says."""
-    wet, three_body = conditions.are_lubricated, conditions.have_particles
-    kinds = labels = 2 * wet.view(np.int8) + three_body.view(np.int8)
+    """The groups of points, by sheet and then by kind; ``few`` is as ``few_surfaces`` says, and ``axes``
+    are what the conditions were taken from, if that is known."""
+    kinds = labels = conditions.kinds(axes)
     if few is None:
         cells = np.concatenate(
             [
@@ -218,18 +225,19 @@ def groups_of(
         labels = (4 * (cells - cells.min()) + kinds).astype(np.int16)
     elif few.size > 1:
         labels = (4 * np.searchsorted(few, conditions.roughness) + kinds).astype(np.int16)
-    for places in _runs(labels):
+    for places in _runs(labels, conditions.size):
         first = places.start if isinstance(places, slice) else places[0]
         sheet = sheet_of_one(float(conditions.roughness[first]), parameters)
         if few is None:
             sheet = Sheet.of_cell(cells[first], sheet.materials)
-        yield Group(sheet, int(kinds[first]), places)
+        yield Group(sheet, int(kinds[first] if np.ndim(kinds) else kinds), places)
 
 
-def _runs(labels):
-    """The places of equal ``labels``: a slice if all are equal, else arrays."""
-    if are_equal(labels):
-        return [slice(0, labels.size)] if labels.size else []
+def _runs(labels, count):
+    """The places of equal ``labels``, of ``count`` points or one for all: a slice if all are equal, else
+    arrays."""
+    if np.ndim(labels) == 0 or are_equal(labels):
+        return [slice(0, count)] if count else []
     order = np.argsort(labels, kind="stable")
     edges = np.flatnonzero(np.diff(labels[order])) + 1
     return np.split(order, edges)
@@ -354,8 +362,8 @@ class _Turns:
 class _Task:
     """What is asked of points, and the arrays of their solution.
 
-    Each method solves the points at ``places``, indices or a slice, in one way, stores those that
-    it settles and returns the places of those that it leaves.
+    Each method solves the points at ``places``, indices or a slice, in one way, stores them and
+    returns the places of those that it leaves, which mean nothing until another way has stored them.
     """
 
     conditions: Conditions
@@ -412,7 +420,7 @@ class _Task:
     def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
         """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
         take ``turns`` at it."""
-        pieces = list(_pieces(places, size))
+        pieces = list(_pieces(places, size, threads))
         threads = min(threads, len(pieces))
         if threads > 1:
             left = self._left_by_threads(pieces, solved, threads, turns)
@@ -422,7 +430,8 @@ class _Task:
         return left[0] if len(left) == 1 else np.concatenate([NONE, *left])
 
     def _left_by_threads(self, pieces, solved, threads, turns):
-        """What ``_left_of`` each of ``pieces``, which ``threads`` solve by ``turns``."""
+        """What ``_left_of`` each of ``pieces``, which ``threads``, this one among them, solve by
+        ``turns``."""
         left, todo = [None] * len(pieces), deque(enumerate(pieces))
 
         def settle_pieces():
@@ -431,9 +440,10 @@ class _Task:
                     number, piece = todo.popleft()
                     left[number] = self._left_of(piece, solved)
 
-        with ThreadPoolExecutor(threads) as pool:
-            working = [pool.submit(settle_pieces) for _ in range(threads)]
+        with ThreadPoolExecutor(threads - 1) as pool:
+            working = [pool.submit(settle_pieces) for _ in range(threads - 1)]
             try:
+                settle_pieces()
                 for each in working:
                     each.result()
             finally:
@@ -441,28 +451,28 @@ class _Task:
         return left
 
     def _left_of(self, piece, solved):
-        """Solve the points of a ``piece`` and store them, all but those that are left."""
+        """Solve the points of a ``piece`` and store them; who solves those that are left stores them
+        again, which takes less time than to pick out the others."""
         found = solved(self.conditions.take(piece))
         left = _chosen(piece, found.left)
-        if not left.size:
+        if left.size < found.left.size:
             for name, values in self.result.items():
                 values[piece] = getattr(found, name)
-        elif left.size < found.left.size:
-            places, settled = _chosen(piece, ~found.left), ~found.left
-            for name, values in self.result.items():
-                values[places] = getattr(found, name)[settled]
         if self.settled is not None:
             self.settled(found.left.size - left.size)
         return left
 
 
-def _pieces(places, size):
-    """Pieces of ``size`` at most of a slice or of an array of indices."""
-    if isinstance(places, slice):
-        for start in range(places.start, places.stop, size):
-            yield slice(start, min(start + size, places.stop))
-    else:
-        yield from (places[start : start + size] for start in range(0, places.size, size))
+def _pieces(places, size, threads=1):
+    """Pieces of ``size`` at most of a slice or of an array of indices; as large and as many for each of
+    several ``threads``, so that none waits for another at the end."""
+    start, stop = (places.start, places.stop) if isinstance(places, slice) else (0, places.size)
+    if stop - start > size and threads > 1:
+        rounds = -(-(stop - start) // (size * threads))
+        size = -(-(stop - start) // (rounds * threads))
+    for first in range(start, stop, size):
+        piece = slice(first, min(first + size, stop))
+        yield piece if isinstance(places, slice) else places[piece]
 
 
 def _chosen(piece, mask):

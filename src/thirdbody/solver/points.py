@@ -2,16 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import Contact
-from thirdbody.model.film import INVERSE_STEPS, Film, log_load_parameter
+from thirdbody.model.film import INVERSE_STEPS, Film, has_film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.solver.surfaces import RoughSurfaces
+
+
+class Axis(NamedTuple):
+    """The values of a condition, float64 in SI; the least and the greatest, 1 and 0 if there is none."""
+
+    values: NDArray
+    least: float
+    greatest: float
+
+    @classmethod
+    def of(cls, values: NDArray) -> Axis:
+        """The axis of an array of values."""
+        ends = (values.min(), values.max()) if values.size else (1.0, 0.0)
+        return cls(values, *ends)
 
 
 @dataclass(frozen=True)
@@ -46,12 +62,29 @@ class Conditions:
     @property
     def are_lubricated(self) -> NDArray:
         """Whether there is a film, at each point."""
-        return self.viscosity > 0.0
+        return has_film(self.viscosity)
 
     @property
     def have_particles(self) -> NDArray:
         """Whether there are particles, at each point."""
         return has_particles(self.particle_diameter, self.particle_density)
+
+    def kinds(self, axes: Mapping[str, Axis] | None = None) -> NDArray | int:
+        """The kind of each point, or of all: 2 if there is a film, and 1 more if there are particles.
+
+        ``axes`` are those from which the conditions were taken, by their names: their ends may tell of
+        all points at once what else takes a look at each.
+        """
+
+        def whether(there_is, *names):
+            if axes is not None:
+                least = there_is(*[axes[name].least for name in names])
+                if least == there_is(*[axes[name].greatest for name in names]):
+                    return int(least)
+            return there_is(*(getattr(self, name) for name in names)).view(np.int8)
+
+        three_body = whether(has_particles, "particle_diameter", "particle_density")
+        return 2 * whether(has_film, "viscosity") + three_body
 
     def take(self, chosen) -> Conditions:
         """Those of the points that a slice, an index or a mask ``chosen`` picks."""

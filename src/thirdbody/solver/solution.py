@@ -281,6 +281,8 @@ class SolvedPoints:
         """Whether the load is too much for the solids wherever they do not cut across each other's
         mean planes, at d >= 0."""
         cannot = np.isnan(self._balance.separation)
+        if not cannot.any():
+            return cannot
         some = self.points.take(np.flatnonzero(cannot))
         bears = some.contact.log_solid_load(np.zeros(some.log_load.shape)).value
         cannot[cannot] = bears < some.log_load

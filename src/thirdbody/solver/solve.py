@@ -19,7 +19,7 @@ from thirdbody.solver.arguments import (
 )
 from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
 from thirdbody.solver.plan import check_way, solve_points
-from thirdbody.solver.points import Conditions
+from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
 from thirdbody.solver.usual import warn_beyond_usual
 
@@ -134,11 +134,11 @@ def solve(
     warn_beyond_usual({name: axis.greatest for name, axis in axes.items()})
     arrays = {name: axis.values for name, axis in axes.items()}
     if not any(map(is_labelled, given.values())):
-        return solve_arrays(arrays, parameters, rtol, variables, way, progress)
+        return solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
-    solution = solve_arrays(arrays, parameters, rtol, variables, way, progress)
+    solution = solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
     return labelled_as(pattern, solution, named)
 
 
@@ -149,8 +149,10 @@ def solve_arrays(
     variables: Collection[str],
     way: str | None = None,
     progress: bool = False,
+    axes: Mapping[str, Axis] | None = None,
 ) -> Solution:
-    """What ``solve`` returns for conditions, by name, that have been checked."""
+    """What ``solve`` returns for conditions, by name, that have been checked; ``axes`` are what they
+    were taken from, if that is known."""
     check_points(arrays)
     columns = list(arrays.values())
     if len({column.shape for column in columns}) > 1:
@@ -159,8 +161,9 @@ def solve_arrays(
     conditions = Conditions(
         **{name: column.ravel() for name, column in zip(arrays, columns, strict=True)}
     )
+    axes = axes or {name: Axis.of(values) for name, values in arrays.items()}
     # what cannot be computed gets a status
     with np.errstate(all="ignore"), Progress(conditions.size, "points", progress) as shown:
-        found = solve_points(conditions, parameters, rtol, variables, way, shown.add)
+        found = solve_points(conditions, axes, parameters, rtol, variables, way, shown.add)
     variables = {name: values.reshape(shape) for name, values in found.items()}
     return Solution(**variables, conditions=dict(arrays))
