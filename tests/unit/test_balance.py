@@ -16,8 +16,9 @@ pytestmark = [
 
 RTOL = 1e-9
 DIAMETER, ROUGHNESS, DENSITY = 500e-9, 300e-9, 1e11
-CONVERGED, FAILED, EXCEEDED = map(
-    SOLUTION_STATUSES.index, ("converged", "not_converged", "load_exceeded")
+CONVERGED, OUTSIDE, FAILED, EXCEEDED = map(
+    SOLUTION_STATUSES.index,
+    ("converged", "outside_film_formula", "not_converged", "load_exceeded"),
 )
 
 
@@ -160,10 +161,14 @@ def test_a_dry_load_beyond_zero_separation_is_not_solved(parameters, zero_load, 
     assert np.isnan(solution.separation[1])
 
 
-def test_a_film_bears_any_load(reading, zero_load):
+def test_a_film_bears_any_load_but_not_all_within_its_formula(reading, zero_load):
     load = zero_load(reading) * np.array([0.9, 1.1, 10.0, 1e4])
     solution = solve(load, 90e-6, reading)
-    assert (solution.solution_status == CONVERGED).all()
+    in_film = load * (solution.fluid_load_fraction if reading.film_load == "fluid" else 1.0)
+    hardness = min(reading.hardness_surface_1, reading.hardness_surface_2)
+    beyond = in_film > hardness / reading.elastic_modulus_surfaces
+    assert beyond[-1] and not beyond[0]
+    assert (solution.solution_status == np.where(beyond, OUTSIDE, CONVERGED)).all()
     assert (np.diff(solution.separation) < 0.0).all()
     assert (solution.separation > 0.0).all()
 
