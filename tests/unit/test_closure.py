@@ -45,6 +45,7 @@ def test_every_form_of_import_is_followed(closure_of, form):
         "bounds",
         "computed_once",
         "film",
+        "load_unit",
         "messages",
         "parameters",
         "readings",

@@ -5,7 +5,7 @@ from thirdbody.run.job import logged
 from thirdbody.data.files import whole
 from thirdbody.data.readable import markdown, page, readable
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema, write_text
-from thirdbody.model.parameters import Parameters
+from thirdbody.model.load_unit import newtons_per_load
 
 
 def write(table, parts, printed, parameters, csv, schema, text, html, latex):
@@ -17,7 +17,8 @@ def write(table, parts, printed, parameters, csv, schema, text, html, latex):
     columns = TABLES.get(table) or TABLES["paper_table"]
     rows = [row for part in parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
-    sheets = readable(table, rows, numbers, Parameters(**parameters).newtons_per_load)
+    unit = newtons_per_load(parameters["apparent_area"], parameters["elastic_modulus_surfaces"])
+    sheets = readable(table, rows, numbers, unit)
     places = csv, schema, text, html, latex
     with whole(*places) as (csv_part, schema_part, md_part, html_part, tex_part):
         write_csv(csv_part, rows, columns)

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
+if TYPE_CHECKING:  # tables are written without
+    import numpy as np
+    from numpy.typing import NDArray
 
 CENTISTOKES = 1e-6  # [m2/s]
 NANOMETRE = 1e-9  # [m]
@@ -90,6 +91,8 @@ class Axis:
         >>> AXES["viscosity"].values([90, 0, 90.0])
         array([0.e+00, 9.e-05])
         """
+        import numpy as np
+
         return np.unique(np.array([self.to_si(value) for value in given]))
 
     def from_si(self, value: float) -> float:

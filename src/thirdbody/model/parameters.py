@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.computed_once import computed_once
+from thirdbody.model.load_unit import newtons_per_load
 from thirdbody.model.readings import Readings
 
 # The keys that inputs, and fields of a surface, have in the attribute ``model_parameters`` of
@@ -186,7 +187,7 @@ class Parameters:
     @property
     def newtons_per_load(self) -> float:
         """F_t/F_t* = A_n E_ss [N]."""
-        return self.apparent_area * self.elastic_modulus_surfaces
+        return newtons_per_load(self.apparent_area, self.elastic_modulus_surfaces)
 
     def surface(self, roughness: float | NDArray) -> Surface:
         """Summits of a surface, or of several.
