@@ -211,7 +211,7 @@ def test_a_dataset_with_several_separations_holds_their_number(parameters, tmp_p
 
 
 def test_so_does_that_of_a_figure_and_tells_what_is_not_shown(scene, parameters, shown):
-    several = scene_dataset(scene, replace(parameters, **SOFT))
+    several = scene_dataset(scene, replace(parameters, **SOFT)).to_xarray()
     count, hidden_ones = several["separation_count"], hidden(several["solution_status"])
     assert (count.values[hidden_ones] == FILL_FLAG).all()
     assert (count.values[~hidden_ones] > 0).all() and (count > 1).any()

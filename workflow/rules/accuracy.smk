@@ -69,7 +69,7 @@ rule compare_oracle:
         "<logs>/compare_oracle.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 2
+    threads: 1
     resources:
         runtime=60,
     params:

@@ -165,7 +165,7 @@ def solve_points(
     """
     result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
     roughness, axis = conditions.roughness, axes["roughness"]
-    few = roughness[:1] if axis.least == axis.greatest else few_surfaces(roughness)
+    few = few_surfaces(roughness, axis.least == axis.greatest)
     may_be_single = way == COMPILED or conditions.size >= SINGLE_WORTH
     task = _Task(conditions, parameters, rtol, few is None, may_be_single, result, settled)
     groups = list(groups_of(conditions, parameters, few, axes))

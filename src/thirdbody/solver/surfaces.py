@@ -130,13 +130,13 @@ def shared_tables() -> Iterator[None]:
         _most_with_their_own.reset(before)
 
 
-def few_surfaces(roughness: NDArray) -> NDArray | None:
+def few_surfaces(roughness: NDArray, is_one: bool = False) -> NDArray | None:
     """All values of ``roughness`` in order, or None if these are too many to have tables of their
-    own."""
+    own; ``is_one`` if it is known that all are equal."""
     most = _most_with_their_own.get()
     if most == 0:
         return None
-    if are_equal(roughness):
+    if is_one or are_equal(roughness):
         return roughness[:1]
     for some in (roughness[:: max(roughness.size // (4 * most), 1)], roughness):
         values = np.unique(some)
