@@ -4,12 +4,17 @@ of processes and of threads."""
 from __future__ import annotations
 
 import os
+import pickle
+import subprocess
+import sys
 import time
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache, partial
 from operator import call
+from pathlib import Path
 from statistics import median
+from subprocess import PIPE
 from typing import Any
 from unittest.mock import patch
 
@@ -21,9 +26,16 @@ from benchmarks.measuring import (
     wall_seconds,
 )
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver import availability
 from thirdbody.solver.plan import COMPILED
 from thirdbody.solver.solve import solve
 
+# a process that calls a function
+CALLED = """
+import pickle, sys
+function, *given = pickle.load(sys.stdin.buffer)
+pickle.dump(function(*given), sys.stdout.buffer)
+"""
 WAKING = 0.5  # [s] for which each process waits, so that the pool starts all of them
 
 
@@ -46,7 +58,7 @@ def scaling_rows(parameters: Parameters, budget: Mapping[str, Any]) -> list[dict
     """
     return [
         *_size_rows(parameters, budget),
-        _call_row(parameters, budget),
+        *_call_rows(parameters, budget),
         *_process_rows(parameters, budget),
         *_thread_rows(parameters, budget),
     ]
@@ -86,21 +98,41 @@ def _solve_arrays(given, count, parameters, rtol):
         solve(**some, parameters=parameters, rtol=rtol, way=COMPILED)
 
 
-def _call_row(parameters, budget):
-    """Row with the processor time of a call that solves one point, in a process that has the loop."""
+def _call_rows(parameters, budget):
+    """Rows with the processor time of a call that solves one point, in a new process that does nothing
+    else: of those before it takes the time to load the loop, and of those after."""
     settings = budget["calls"]
-    rtol, calls = settings["rtol"], settings["calls"]
     given = random_conditions(HEAVIEST, 1, parameters)
     given = {name: values.item() for name, values in given.items()}
+    given |= {"parameters": parameters, "rtol": settings["rtol"]}
+    solve(**given, way=COMPILED)  # which leaves the loop on disk
+    told = pickle.dumps((_call_again, given, settings["calls"], budget["rounds"]))
+    path = {"PYTHONPATH": str(Path(__file__).parents[1])}
+    command = [sys.executable, "-c", CALLED]
+    ran = subprocess.run(command, input=told, stdout=PIPE, env=os.environ | path, check=True)
+    waiting, first, later = pickle.loads(ran.stdout)
+    rtol = settings["rtol"]
+    return [
+        _row("first_calls", waiting, 1, 1, rtol, first, first / later),
+        _row("calls", 1, 1, 1, rtol, later, 1.0),
+    ]
+
+
+def _call_again(given, calls, rounds):
+    """How many calls a process makes before it loads the loop, and the least time [s] of a call before
+    and after."""
+    first = []
+    while not availability.is_loaded():
+        first.append(processor_seconds(partial(solve, **given)))
 
     def solve_again():
         for _ in range(calls):
-            solve(**given, parameters=parameters, rtol=rtol)
+            solve(**given)
 
-    solve(**given, parameters=parameters, rtol=rtol, way=COMPILED)  # loads the loop
-    solve_again()  # until the loop is what takes least time
-    seconds = least_seconds({"calls": solve_again}, budget["rounds"])
-    return _row("calls", 1, 1, 1, rtol, seconds["calls"] / calls, 1.0)
+    solve_again()
+    later = least_seconds({"calls": solve_again}, rounds)["calls"] / calls
+    *before, _ = first  # the last one has loaded it
+    return len(before), min(before), later
 
 
 def _process_rows(parameters, budget):

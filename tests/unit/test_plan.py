@@ -8,17 +8,22 @@ from subprocess import run
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import least_seconds
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Curves, Scene
 from thirdbody.model.asperity import SummitPopulation
-from thirdbody.solver import availability, plan
+from thirdbody.model.contact import Contact
+from thirdbody.solver import availability, balance, plan
 from thirdbody.solver.plan import (
+    CALL_WORTH,
     COMPILING_WORTH,
     LOADING_WORTH,
     LOOP_WORTH,
+    QUADRATURE_WORTH,
     TABLE_WORTH,
     THREADS_WORTH,
     WAYS,
@@ -48,6 +53,7 @@ IS_LOADED = """
 import sys
 import numpy as np
 import thirdbody as tb
+from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import least_seconds
 given = dict(viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, particle_density=1e11)
 loads = np.geomspace(1e-7, 1e-5, int(sys.argv[1]))
@@ -56,11 +62,17 @@ print("numba" in sys.modules)
 """
 
 
+def forget():
+    """Have forgotten what the process has solved before."""
+    plan._spent.cache_clear()
+    plan._spent_unloaded.cache_clear()
+
+
 @pytest.fixture
 def loop(monkeypatch):
     """Says of the compiled loop whether it is installed, loaded and kept, whatever is true; and has
     what the process has solved before forgotten."""
-    plan._spent.cache_clear()
+    forget()
 
     def said(installed=True, loaded=False, kept=False):
         for name, answer in (("installed", installed), ("loaded", loaded), ("kept", kept)):
@@ -111,7 +123,7 @@ def test_the_tables_of_a_cell_are_worth_more_points_than_those_of_a_roughness(pa
         (LOOP_WORTH, "quadrature"),
         (LOOP_WORTH * cell.terms(RTOL), "compiled"),
     ):
-        plan._spent.cache_clear()
+        forget()
         assert fastest_ways([Group(cell, 0, slice(0, size))], parameters, RTOL) == [way]
     loop()
     many = Group(cell, 0, slice(0, TABLE_WORTH * cell.terms(RTOL)))
@@ -188,6 +200,7 @@ def test_points_of_all_roughnesses_count_together_for_the_loading(parameters, lo
     loop(kept=True)
     parts = LOADING_WORTH // TABLE_WORTH
     assert set(chosen(parameters, *[TABLE_WORTH] * parts)) == {"compiled"}
+    forget()
     assert set(chosen(parameters, *[TABLE_WORTH] * (parts - 1))) == {"tables"}
     # but a roughness with few points would not repay the tables of the loop
     few = chosen(parameters, LOADING_WORTH, LOOP_WORTH - 1, 1)
@@ -200,15 +213,59 @@ def test_a_loop_that_is_loaded_is_chosen_once_solving_took_as_long_as_its_tables
     loop(loaded=True)
     assert chosen(parameters, LOOP_WORTH) == ["compiled"]
     assert chosen(parameters, 1) == ["compiled"]
-    plan._spent.cache_clear()
+    forget()
     assert chosen(parameters, LOOP_WORTH - 1) == ["quadrature"]
     assert chosen(parameters, 1) == ["compiled"]
     assert chosen(parameters, 1, rtol=1e-6) == ["quadrature"]
     assert chosen(replace(parameters, participation=0.5), 1) == ["quadrature"]
-    plan._spent.cache_clear()
+    forget()
     ways = [chosen(parameters, 1) for call in range(20)]
     assert ways[0] == ["quadrature"]
     assert ways[-1] == ["compiled"]
+
+
+def test_a_loop_that_is_kept_is_loaded_once_calls_took_as_long_as_loading_does(parameters, loop):
+    few = LOADING_WORTH // (CALL_WORTH * QUADRATURE_WORTH)
+    loop(kept=True)
+    ways = [chosen(parameters, 1) for call in range(few + 20)]
+    assert ways[few // 2] == ["quadrature"]
+    assert ways[-1] == ["compiled"]
+    forget()
+    many = [chosen(parameters, LOADING_WORTH // 10) for call in range(12)]
+    assert many[5] == ["tables"]
+    assert many[-1] == ["compiled"]
+    # calls that would not repay the tables of the loop do not repay its loading
+    forget()
+    each_new = (
+        Group(Sheet.of_one(float(place), MATERIALS), 0, slice(0, 1)) for place in range(2 * few)
+    )
+    assert {*(fastest_ways([group], parameters, RTOL)[0] for group in each_new)} == {"quadrature"}
+    forget()
+    loop(kept=False)
+    assert {chosen(parameters, 1)[0] for call in range(few + 20)} == {"quadrature"}
+
+
+@pytest.mark.parametrize("film_load", ["total", "fluid"])
+def test_points_that_the_loop_leaves_begin_where_it_came_near(parameters, monkeypatch, film_load):
+    inputs = replace(parameters, film_load=film_load)
+    given = random_conditions(HEAVIEST, 30_000, inputs) | {"parameters": inputs, "rtol": 1e-11}
+    looked = []
+    load = Contact.log_solid_load
+    monkeypatch.setattr(
+        Contact,
+        "log_solid_load",
+        lambda contact, separation: looked.append(separation.size) or load(contact, separation),
+    )
+    near = tb.solve(**given, way="compiled")
+    points = sum(looked)
+    assert points > 0
+    looked.clear()
+    monkeypatch.setattr(balance, "_beginning", lambda points, first: first)
+    far = tb.solve(**given, way="compiled")
+    assert points < 0.9 * sum(looked)
+    assert np.array_equal(near.solution_status, far.solution_status)
+    for name in ("separation", "total_contact_area", "solid_load_fraction"):
+        assert_allclose(getattr(near, name), getattr(far, name), rtol=1e-11)
 
 
 def test_few_points_on_many_roughnesses_are_solved_together(parameters, loop):

@@ -276,14 +276,15 @@ TABLES = {
             "axis",
             "string",
             "",
-            "points, calls (processor time); processes, threads (on the clock)",
+            "points; first_calls, calls: of one point each, before a process has loaded the loop and "
+            "after (processor time); processes, threads (on the clock)",
         ),
         Column("points", "number", "1", "points solved"),
         Column("processes", "number", "1", "processes that share them"),
         Column("threads", "number", "1", "threads of each process"),
         RTOL,
         POINT_COST,
-        Column("ratio", "number", "1", "time over the least of all sizes; speed over that of one"),
+        Column("ratio", "number", "1", "time over the least of its kind; speed over that of one"),
     ),
     "surfaces": (
         Column("surfaces", "number", "1", "surfaces that the points are on, in no order"),

@@ -39,6 +39,11 @@ def first_separation(points: Points) -> NDArray:
     return np.maximum(guess, 0.0)
 
 
+def _beginning(points: Points, first: NDArray) -> NDArray:
+    """Where to begin: at the separation [m] that another way has found, else at the ``first`` one."""
+    return first if points.near is None else np.where(points.near > 0.0, points.near, first)
+
+
 @dataclass(frozen=True)
 class Balance:
     """Where the forces balance, at each of some points.
@@ -117,7 +122,7 @@ def dry_balance(points: Points, tolerance: float, least: NDArray | None = None) 
     scale = points.surfaces.roughness
     first = first_separation(points)
     far = first if points.contact.particles is None else points.contact.particles.reach
-    guess, lower = first / scale, np.zeros_like(first)
+    guess, lower = _beginning(points, first) / scale, np.zeros_like(first)
     upper = 2.0 * np.maximum(first, far) / scale + 10.0
     count = np.ones(first.shape, int)
     several = _places_to_search(points)
@@ -223,13 +228,13 @@ def _logit(log_fluid):
 
 
 def _first_logit(points: Points, alone: NDArray):
-    """About the logit of L_s: that at the larger of the separations which the solids alone and the
-    film ``alone`` would have [m].
+    """About the logit of L_s: that at the separation which another way has found, else at the larger of
+    those which the solids alone and the film ``alone`` would have [m].
 
     Where the film's share there is the smaller one, the logit follows from it, so that the
     separation stays on the same side of the largest particle; else from the loads of both.
     """
-    separation = np.maximum(alone, first_separation(points))
+    separation = _beginning(points, np.maximum(alone, first_separation(points)))
     log_fluid = np.minimum(points.log_film_load(separation, steps=2), 0.0)
     logit = _logit(log_fluid)
     wet = np.flatnonzero(~(logit > 0.0))

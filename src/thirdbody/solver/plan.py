@@ -21,7 +21,7 @@ from collections import Counter, defaultdict, deque
 from collections.abc import Callable, Collection, Iterator, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial
 from itertools import compress
 from threading import Lock
@@ -60,9 +60,11 @@ LOOP_WORTH = 250
 LOADING_WORTH = 600_000
 COMPILING_WORTH = 6_000_000
 # How many points by quadrature take as long as a call does before it solves any, and as the loop
-# does for each group of points, however few, whose tables it has.
+# does for each group of points, however few, whose tables it has; and how many points by tables take
+# as long as one by quadrature.
 CALL_WORTH = 100
 GROUP_WORTH = 12
+QUADRATURE_WORTH = 20
 # Points from which it does to start threads, and to begin in single precision, which has machine
 # code of its own.
 THREADS_WORTH = SINGLE_WORTH = 100_000
@@ -264,26 +266,22 @@ def repeatable_ways(groups: list[Group], rtol: float) -> list[str]:
 
 def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> list[str]:
     """The way that takes least time, for each of ``groups``, which are solved in one call."""
-    worth = [LOOP_WORTH * group.sheet.terms(rtol) for group in groups]
-    if availability.is_loaded():
-        compiled = _repaid(groups, worth, parameters, rtol)
-    else:
-        # those that repay the tables of the loop count together for what it takes to load it
-        many = [group.size >= each for group, each in zip(groups, worth, strict=True)]
-        pays = _loop_pays(sum(group.size for group in compress(groups, many)))
-        compiled = [pays and each for each in many]
+    compiled = _repaid(groups, parameters, rtol)
+    if not (availability.is_loaded() or _loading_repaid(list(compress(groups, compiled)))):
+        compiled = [False] * len(groups)
     if all(compiled):
         return [COMPILED] * len(groups)
     others = repeatable_ways(groups, rtol)
     return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
 
 
-def _repaid(groups, worth, parameters, rtol):
-    """Which ``groups`` the loop, which is loaded, solves in less time than the other ways.
+def _repaid(groups, parameters, rtol):
+    """Which ``groups`` the loop, once it is loaded, solves in less time than the other ways.
 
     Its tables of a sheet are made as soon as solving there, in this call and all before, has cost as
     much as they do: so no sequence of calls takes more than about twice the time that it has to.
     """
+    worth = [LOOP_WORTH * group.sheet.terms(rtol) for group in groups]
     spent = [_spent(group.sheet, parameters, rtol) for group in groups]
     for each, group in zip(spent, groups, strict=True):
         each.points += group.size + CALL_WORTH / len(groups)
@@ -297,6 +295,22 @@ def _repaid(groups, worth, parameters, rtol):
     return repaid
 
 
+def _loading_repaid(groups):
+    """Whether the loop, which is not loaded, is worth loading for ``groups`` that repay its tables.
+
+    It is once their points are many, or once solving such groups in all calls before has cost as much
+    as it takes to load a loop that is kept.
+    """
+    if not groups:
+        return False
+    spent = _spent_unloaded()
+    repaid = QUADRATURE_WORTH * spent.points >= LOADING_WORTH and _loop_pays(LOADING_WORTH)
+    spent.points += CALL_WORTH
+    for group in groups:
+        spent.points += min(group.size, TABLE_WORTH + group.size / QUADRATURE_WORTH)
+    return repaid or _loop_pays(sum(group.size for group in groups))
+
+
 @dataclass
 class _Spent:
     """What solving on a sheet would have cost without the loop, in points by quadrature."""
@@ -306,6 +320,12 @@ class _Spent:
 
 @lru_cache(maxsize=256)
 def _spent(sheet, parameters, rtol):
+    return _Spent()
+
+
+@lru_cache
+def _spent_unloaded():
+    """What solving groups that repay the tables of the loop has cost while it is not loaded."""
     return _Spent()
 
 
@@ -373,6 +393,9 @@ class _Task:
     may_be_single: bool  # whether the loop begins in single precision where that has the digits
     result: dict[str, NDArray]
     settled: Callable[[int], None] | None
+    near: dict[int, float] = field(
+        default_factory=dict
+    )  # separations of points that the loop leaves
 
     def solve_by_loop(self, groups: list[Group]) -> list[Group]:
         """As the other methods, but for groups, because the points of a call share a sheet."""
@@ -389,8 +412,14 @@ class _Task:
             turns = _Turns()
             apart = turns.given_up
 
-        def solved(sheet, real, some):
-            return CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas, apart)
+        def solved(sheet, real, places):
+            some = self.conditions.take(places)
+            found = CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas, apart)
+            if found.left.any():  # who solves these begins there
+                separations = np.atleast_1d(found.separation)[found.left]
+                left = _chosen(places, found.left)
+                self.near.update(zip(left.tolist(), separations.tolist(), strict=True))
+            return found
 
         def left_of(group):
             places = group.places
@@ -414,12 +443,18 @@ class _Task:
         """Points of one kind, by quadrature."""
         return self._settle(places, QUADRATURE_CHUNK, partial(self._solved, None))
 
-    def _solved(self, table_rtol, some):
-        return SolvedPoints(some.points(self.parameters, table_rtol, self.shared), self.rtol)
+    def _solved(self, table_rtol, places):
+        some = self.conditions.take(places)
+        points = some.points(self.parameters, table_rtol, self.shared)
+        if table_rtol is None and self.near:
+            indices = range(places.start, places.stop) if isinstance(places, slice) else places
+            near = np.array([self.near.get(int(each), np.nan) for each in indices])
+            points = replace(points, near=near)
+        return SolvedPoints(points, self.rtol)
 
     def _settle(self, places, size, solved, threads=1, turns=NO_TURNS):
-        """Solve points in pieces of ``size`` at most by ``solved(conditions)``, each by itself; threads
-        take ``turns`` at it."""
+        """Solve points in pieces of ``size`` at most by ``solved(places)``, each by itself; threads take
+        ``turns`` at it."""
         pieces = list(_pieces(places, size, threads))
         threads = min(threads, len(pieces))
         if threads > 1:
@@ -453,7 +488,7 @@ class _Task:
     def _left_of(self, piece, solved):
         """Solve the points of a ``piece`` and store them; who solves those that are left stores them
         again, which takes less time than to pick out the others."""
-        found = solved(self.conditions.take(piece))
+        found = solved(piece)
         left = _chosen(piece, found.left)
         if left.size < found.left.size:
             for name, values in self.result.items():

@@ -135,12 +135,14 @@ def make_contact(
 class Points:
     """Points to be solved, all with or without particles and all with or without a film.
 
-    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry.
+    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry; ``near`` are separations
+    [m] that another way has found and could not promise, nan where it found none, or None.
     """
 
     contact: Contact
     film: Film | None
     log_load: NDArray
+    near: NDArray | None = None
 
     @property
     def parameters(self) -> Parameters:
@@ -155,7 +157,8 @@ class Points:
     def take(self, chosen) -> Points:
         """The points that an index or mask ``chosen`` picks."""
         film = self.film and self.film.take(chosen)
-        return Points(self.contact.take(chosen), film, self.log_load[chosen])
+        near = None if self.near is None else self.near[chosen]
+        return Points(self.contact.take(chosen), film, self.log_load[chosen], near)
 
     def film_separation(self, log_fluid_fraction):
         """d = R_x H_c [m] where the film bears the share L_f of the load, dd/d ln L_f [m], and the

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,7 +19,7 @@ from thirdbody.solver.arguments import (
     checked_axis,
 )
 from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
-from thirdbody.solver.plan import check_way, solve_points
+from thirdbody.solver.plan import check_way, solve_points, threads_worth
 from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
 from thirdbody.solver.usual import warn_beyond_usual
@@ -130,7 +131,7 @@ def solve(
         "roughness": roughness,
         "particle_density": particle_density,
     }
-    axes = {name: checked_axis(name, value, parameters) for name, value in given.items()}
+    axes = _checked_axes(given, parameters)
     warn_beyond_usual({name: axis.greatest for name, axis in axes.items()})
     arrays = {name: axis.values for name, axis in axes.items()}
     if not any(map(is_labelled, given.values())):
@@ -140,6 +141,20 @@ def solve(
     arrays, pattern = broadcast_by_name(named)
     solution = solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
     return labelled_as(pattern, solution, named)
+
+
+def _checked_axes(given, parameters):
+    """What ``checked_axis`` makes of each condition, by its name; of large arrays by threads, as each
+    is read from memory as a whole."""
+    sizes = [each.size for each in given.values() if isinstance(each, np.ndarray)]
+    threads = threads_worth(max(sizes, default=1))
+    if threads == 1:
+        return {name: checked_axis(name, each, parameters) for name, each in given.items()}
+    with ThreadPoolExecutor(threads) as pool:
+        checks = {
+            name: pool.submit(checked_axis, name, each, parameters) for name, each in given.items()
+        }
+    return {name: check.result() for name, check in checks.items()}
 
 
 def solve_arrays(
