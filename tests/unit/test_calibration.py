@@ -189,6 +189,24 @@ def test_samples_have_the_density_that_the_objective_gives():
     assert misses.std() == pytest.approx(np.sqrt(0.5), rel=0.1)
 
 
+def test_samples_pass_from_one_valley_to_another():
+    """Two valleys that no small step joins hold as many samples as their widths say."""
+
+    class Valleys:
+        def found(self, reading, positions):
+            narrow, wide = (positions - [0.2, 0.5]) / 0.02, (positions - [0.8, 0.5]) / 0.04
+            return Found(np.array([min(np.linalg.norm(narrow), np.linalg.norm(wide))]))
+
+    # a search saw both, and most of it the narrow one
+    starts = np.array(
+        [[0.2, 0.5, 0.0], *([0.2, 0.5 + 0.002 * n, 0.01] for n in range(6)), [0.8, 0.5, 0.0]]
+    )
+    budget = BUDGET | {"walkers": 24, "steps": 400}
+    drawn = posterior_sample(READING, Valleys(), starts, budget, 1, report=lambda line: None)
+    assert len(drawn) == 24 * 300
+    assert (drawn[:, 0] > 0.5).mean() == pytest.approx(0.8, abs=0.04)  # areas as 4 to 1
+
+
 def test_samples_tell_their_progress():
     told = []
     rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)

@@ -1,23 +1,30 @@
 """Which inputs explain the paper's statements about equally well, drawn with how well they do.
 
 The objective of a calibration is taken as a negative log-likelihood, and sets of inputs are drawn
-with the probability density exp(-objective) by affine-invariant ensemble sampling.
+with the probability density exp(-objective) by an ensemble of walkers.  At first these learn from each
+other where to step; then most steps go anywhere that walkers have been before, however far.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 
 import numpy as np
-from emcee import EnsembleSampler
-from emcee.moves import DEMove, DESnookerMove
+from emcee import EnsembleSampler, State
+from emcee.moves import DEMove, DESnookerMove, MHMove
 from numpy.typing import NDArray
+from scipy.stats import gaussian_kde
 
 from thirdbody.study.calibration import Objective, Reading, acceptable, spread_out
 
 # Walkers start from sets whose objective is at most this far above the best, for each unknown.
 START_ABOVE_BEST = 1.0
-FORGOTTEN = 4  # of so many steps the first one: walkers start among what is about as good
+# Shares of the steps after which walkers look back at what they have drawn since the last time.
+ROUNDS = (0.0, 0.125, 0.25, 0.5, 1.0)
+FORGOTTEN = 0.25  # share of the steps that are not kept
+INDEPENDENT = 0.7  # share of the steps that go anywhere, once walkers have drawn enough
+ENOUGH = 10  # different sets, for each unknown
 
 
 def posterior_sample(
@@ -39,7 +46,8 @@ def posterior_sample(
     evaluations : array, shape (evaluations, unknowns + 1)
         What ``thirdbody.study.calibration.search`` found: walkers start from the best of them.
     budget : mapping
-        How many ``walkers`` make how many ``steps``; the first quarter of the steps is forgotten.
+        How many ``walkers`` make how many ``steps``; those of the first two rounds, a quarter, are
+        forgotten.
     seed : int
         Of the random numbers: the same seed gives the same result.
     report : callable
@@ -47,13 +55,13 @@ def posterior_sample(
 
     Returns
     -------
-    array, shape (steps - steps // 4 times walkers, unknowns + 1)
+    array, shape ((steps - steps // 4) * walkers, unknowns + 1)
         Positions [1], and in the last column the objective there [1].
 
     References
     ----------
-    Goodman & Weare (2010), doi:10.2140/camcos.2010.5.65; Foreman-Mackey et al. (2013),
-    doi:10.1086/670067.
+    Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
+    doi:10.1007/s11222-008-9104-9; Tierney (1994), doi:10.1214/aos/1176325750, for independent steps.
     """
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(reading.unknowns)
 
@@ -62,16 +70,36 @@ def posterior_sample(
             return -np.inf
         return -objective.found(reading, positions).objective
 
-    sampler = EnsembleSampler(
-        walkers, unknowns, log_density, moves=[(DEMove(), 0.8), (DESnookerMove(), 0.2)]
-    )
-    start = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
-    sampler.random_state = np.random.RandomState(seed).get_state()
-    for step, _ in enumerate(sampler.sample(start, iterations=steps), 1):
-        if step % 20 == 0:
-            report(f"{reading.name} seed {seed}: {step} of {steps} steps of {walkers} walkers")
-    kept = dict(discard=steps // FORGOTTEN, flat=True)
-    return np.column_stack([sampler.get_chain(**kept), -sampler.get_log_prob(**kept)])
+    state = State(_first_walkers(evaluations, walkers, np.random.default_rng(seed)))
+    state.random_state = np.random.RandomState(seed).get_state()
+    rows, drawn = [], np.empty((0, unknowns))
+    for begin, end in pairwise(int(share * steps) for share in ROUNDS):
+        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=_moves(drawn))
+        walk = sampler.sample(state, iterations=end - begin)
+        for step, state in enumerate(walk, begin + 1):
+            if step > int(FORGOTTEN * steps):
+                rows.append(np.column_stack([state.coords, -state.log_prob]))
+            if step % 20 == 0:
+                report(f"{reading.name} seed {seed}: {step} of {steps} steps of {walkers} walkers")
+        if end > begin:
+            drawn = sampler.get_chain(flat=True)
+    return np.concatenate(rows)
+
+
+def _moves(drawn):
+    """How walkers step, with the share of the steps: from where they are, by what parts two others; or,
+    where enough was ``drawn``, to any place of its density."""
+    near = [(DEMove(), 0.8), (DESnookerMove(), 0.2)]
+    if len(np.unique(drawn, axis=0)) < ENOUGH * drawn.shape[1]:
+        return near
+    density = gaussian_kde(drawn.T)
+
+    def anywhere(places, random):
+        others = density.resample(len(places), seed=random).T
+        return others, density.logpdf(places.T) - density.logpdf(others.T)
+
+    near = [(move, share * (1.0 - INDEPENDENT)) for move, share in near]
+    return [*near, (MHMove(anywhere), INDEPENDENT)]
 
 
 def _first_walkers(evaluations, walkers, rng):
