@@ -71,6 +71,7 @@ BARS = {
     "memory": Bar("MB resident while streaming", 1000.0, False),
     "flat": Bar("largest cost of a point over the smallest, few to many points", 1.2, False),
     "call": Bar("microseconds of a call that solves one point", 100.0, False),
+    "loaded": Bar("time of such a call over that before the loop is loaded", 0.1, False),
     "film_load": Bar("time with film_load total over that with fluid, heaviest class", 1.1, False),
     "starts": Bar("time to an answer over that of the best way, few to many points", 1.2, False),
     "errors": Bar("largest error over the error asked for", 1.0, False),
@@ -128,8 +129,14 @@ def _of_times(rows):
 
 
 def _of_scaling(rows):
+    calls = {
+        row["axis"]: row["microseconds_per_point"]
+        for row in rows
+        if row["axis"] in ("first_calls", "calls")
+    }
     return {
-        "call": max(row["microseconds_per_point"] for row in rows if row["axis"] == "calls"),
+        "call": calls["calls"],
+        "loaded": calls["calls"] / calls["first_calls"],
         "flat": max(row["ratio"] for row in rows if row["axis"] == "points"),
         "processes": max(row["ratio"] for row in rows if row["axis"] == "processes"),
         "threads": max(row["ratio"] for row in rows if row["axis"] == "threads"),
