@@ -36,6 +36,7 @@ import pickle, sys
 function, *given = pickle.load(sys.stdin.buffer)
 pickle.dump(function(*given), sys.stdout.buffer)
 """
+PATIENCE = 3000  # calls, in case that the loop could not be left on disk
 WAKING = 0.5  # [s] for which each process waits, so that the pool starts all of them
 
 
@@ -122,7 +123,7 @@ def _call_again(given, calls, rounds):
     """How many calls a process makes before it loads the loop, and the least time [s] of a call before
     and after."""
     first = []
-    while not availability.is_loaded():
+    while not availability.is_loaded() and len(first) < PATIENCE:
         first.append(processor_seconds(partial(solve, **given)))
 
     def solve_again():
