@@ -18,6 +18,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
 from tabulate import tabulate
 
 from thirdbody.command.main import main as main_of_command
@@ -27,6 +28,7 @@ from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.solver.plan import COMPILING_WORTH, LOADING_WORTH
+from thirdbody.study.calibration import Reading, Unknown
 from thirdbody.study.verdicts import counts
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -77,9 +79,22 @@ def readings_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
+def disagreement(unknown: Unknown, found: dict) -> float:
+    """The most by which medians, or either end, of the 90 % ranges that seeds draw differ, as a share of
+    these ranges, on the scale on which the input is searched."""
+    medians, lows, highs = (
+        np.array([unknown.position(value) for value in values])
+        for values in (found["median_of_each_seed"], *zip(*found["range_of_each_seed"]))
+    )
+    return max(map(np.ptp, (medians, lows, highs))) / np.mean(highs - lows)
+
+
 def identified_block() -> str:
-    """Inputs of the default reading, what is acceptable, and what each seed draws."""
+    """Inputs of the default reading, what is acceptable, what each seed draws, and by how much seeds
+    differ."""
     content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"])
+    settings = read_yaml(ROOT / "config" / "calibration.yaml")
+    unknowns = {each.name: each for each in Reading.of(content["reading"], settings).unknowns}
     table = [
         {
             "input": name,
@@ -88,6 +103,7 @@ def identified_block() -> str:
             "90 % of what each seed draws": ", ".join(
                 "{:.3g} to {:.3g}".format(*ends) for ends in found["range_of_each_seed"]
             ),
+            "seeds differ by": f"{disagreement(unknowns[name], found):.2f}",
             "identified": "yes" if found["identified"] else "no",
         }
         for name, found in content["identification"].items()

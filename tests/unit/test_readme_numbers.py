@@ -7,6 +7,7 @@ import pytest
 
 from benchmarks.classes import CLASSES
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.study.calibration import Unknown
 
 TOOL = Path(__file__).parents[2] / "docs" / "readme_numbers.py"
 BLOCK = "<!-- accuracy -->\n{}\n<!-- /accuracy -->\n"
@@ -124,6 +125,12 @@ def test_the_page_tells_how_many_points_of_all_readings_are_wrong(tool, tmp_path
     assert "of 2,000 solutions in all 2 combinations of readings" in text
     assert "1 are wrong and 2 beyond their bound. 1.5 % are" in text
     assert "4.0 % have no values" in text and "the others is 0.71 of that asked for" in text
+
+
+def test_seeds_differ_by_a_share_of_what_they_draw(tool):
+    ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
+    found = {"median_of_each_seed": [1.5, 1.6], "range_of_each_seed": [[1.0, 2.0], [1.0, 2.2]]}
+    assert tool["disagreement"](ratio, found) == pytest.approx(0.2 / 1.1)
 
 
 def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, capsys):

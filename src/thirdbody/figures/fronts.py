@@ -12,8 +12,8 @@ from matplotlib.lines import Line2D
 from thirdbody.figures.claims import score_of
 from thirdbody.figures.sheet.panel import FURNITURE, Panel
 
-COLUMNS = 2
-CELL = 3.5, 2.0  # inches of a panel with its labels
+COLUMNS = 3
+CELL = 3.1, 1.9  # inches of a panel with its labels
 MARGINS = {"left": 0.5, "right": 0.1, "bottom": 0.42, "top": 0.28}  # inches
 KEY_LINE = 0.15  # inches of a line of the key
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # in tolerances, on the axis
