@@ -79,6 +79,19 @@ def readings_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
+def fronts_block() -> str:
+    """The least objective of all other statements where one holds, by reading."""
+    contents = calibrated_files()
+    table = []
+    for statement in contents[0]["fronts"]:
+        row = {"statement": f"`{statement}`"}
+        for content in contents:
+            held = [others for score, others in content["fronts"][statement] if score <= 1.0]
+            row[content["reading"]] = f"{min(held):.1f}" if held else "never seen to hold"
+        table.append(row)
+    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+
+
 def disagreement(unknown: Unknown, found: dict) -> float:
     """The most by which medians, or either end, of the 90 % ranges that seeds draw differ, as a share of
     these ranges, on the scale on which the input is searched."""
@@ -231,6 +244,7 @@ BLOCKS = {
     "claims": claims_block,
     "windows": turning_points_block,
     "readings": readings_block,
+    "fronts": fronts_block,
     "identified": identified_block,
 }
 MEASURED = {"accuracy": accuracy_block, "oracle": oracle_block}
