@@ -241,9 +241,10 @@ def surface_break_even(
     return break_even(SIZES, *times.values())
 
 
-def call_worths(parameters: Parameters, rtol: float) -> tuple[float, float]:
+def call_worths(parameters: Parameters, rtol: float) -> tuple[float, float, float]:
     """Numbers of points by quadrature that take as long as a call of quadrature does before it solves
-    any, and as long as the loop takes for one point on a roughness whose tables it has.
+    any, and as long as the loop takes for one point on a roughness whose tables it has; and number of
+    points by tables that take as long as one by quadrature.
 
     Parameters
     ----------
@@ -254,8 +255,9 @@ def call_worths(parameters: Parameters, rtol: float) -> tuple[float, float]:
     """
     one, some, more = _seconds_of_calls(parameters, rtol, QUADRATURE, (1, 200, 600), repeat(3e-7))
     (loop,) = _seconds_of_calls(parameters, rtol, COMPILED, (1,), repeat(3e-7))
-    point = (more - some) / 400
-    return one / point - 1.0, loop / point
+    few, many = _seconds_of_calls(parameters, rtol, TABLES, (4000, 12000), repeat(3e-7))
+    point, by_tables = (more - some) / 400, (many - few) / 8000
+    return one / point - 1.0, loop / point, point / by_tables
 
 
 def _seconds_of_calls(parameters, rtol, way, sizes, roughness):
@@ -304,7 +306,8 @@ def main() -> None:
     new = (3e-7 * (1.0 + 1e-6 * number) for number in count())
     for name, way in (("TABLE_WORTH", TABLES), ("LOOP_WORTH", COMPILED)):
         print(f"{name} {surface_break_even(inputs, rtol, (QUADRATURE, way), new):.2g}")
-    for name, worth in zip(("CALL_WORTH", "GROUP_WORTH"), call_worths(inputs, rtol), strict=True):
+    names = "CALL_WORTH", "GROUP_WORTH", "QUADRATURE_WORTH"
+    for name, worth in zip(names, call_worths(inputs, rtol), strict=True):
         print(f"{name} {worth:.2g}")
     rows = start_rows(budget)
     for name, start in (("LOADING_WORTH", WARM), ("COMPILING_WORTH", COLD)):

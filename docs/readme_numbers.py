@@ -187,8 +187,8 @@ def accuracy_block() -> str:
         f"that finds it compiled, so that it is taken from {COMPILING_WORTH:,} or {LOADING_WORTH:,} points "
         "on; fewer are solved from tables, at about 1.2 µs a point. A process that has loaded it takes it "
         f"for any number of points. A call with one point takes {call / 1e3:.1f} ms; after "
-        f"{waiting:,.0f} of them the process loads the loop, and one takes {later / 1e3:.2g} ms. A million points spread over up to {most:,.0f} surfaces, in no order, "
-        f"take at most {slower:.1f} times as long as on one. Two threads solve them {faster:.2f} times as "
+        f"{waiting:,.0f} of them the process loads the loop, and one takes {later / 1e3:.2g} ms. "
+        f"A million points spread over up to {most:,.0f} surfaces, in no order, take at most {slower:.1f} times as long as on one. Two threads solve them {faster:.2f} times as "
         "fast as one, with the same last digits."
     )
 

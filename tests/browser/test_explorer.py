@@ -2,6 +2,7 @@
 
 import csv
 import io
+import math
 import re
 import time
 import xml.etree.ElementTree as ElementTree
@@ -451,9 +452,9 @@ def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
         slider.dispatchEvent(new Event('input', { bubbles: true }));
         requestAnimationFrame(() => requestAnimationFrame(() => arguments[1]()));"""
     work = f"arguments[1]((() => {{ {WORK} }})());"
+    slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), math.inf
     for _ in range(ATTEMPTS):
-        slower = max(1.0, least(work, range(5)) / REFERENCE)
-        redrawn = least(move, range(500, 530))
+        redrawn = min(redrawn, least(move, range(500, 530)))
         if redrawn <= REDRAWN * slower:
             break
     tell(f"explorer: {figure} redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")

@@ -53,7 +53,6 @@ IS_LOADED = """
 import sys
 import numpy as np
 import thirdbody as tb
-from benchmarks.classes import HEAVIEST, random_conditions
 from benchmarks.measuring import least_seconds
 given = dict(viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, particle_density=1e11)
 loads = np.geomspace(1e-7, 1e-5, int(sys.argv[1]))

@@ -393,9 +393,8 @@ class _Task:
     may_be_single: bool  # whether the loop begins in single precision where that has the digits
     result: dict[str, NDArray]
     settled: Callable[[int], None] | None
-    near: dict[int, float] = field(
-        default_factory=dict
-    )  # separations of points that the loop leaves
+    # separations of points that the loop leaves, by their places
+    near: dict[int, float] = field(default_factory=dict)
 
     def solve_by_loop(self, groups: list[Group]) -> list[Group]:
         """As the other methods, but for groups, because the points of a call share a sheet."""

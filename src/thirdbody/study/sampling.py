@@ -70,8 +70,8 @@ def posterior_sample(
             return -np.inf
         return -objective.found(reading, positions).objective
 
-    state = State(_first_walkers(evaluations, walkers, np.random.default_rng(seed)))
-    state.random_state = np.random.RandomState(seed).get_state()
+    first = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
+    state = State(first, random_state=np.random.RandomState(seed).get_state())
     rows, drawn = [], np.empty((0, unknowns))
     for begin, end in pairwise(int(share * steps) for share in ROUNDS):
         sampler = EnsembleSampler(walkers, unknowns, log_density, moves=_moves(drawn))
