@@ -19,7 +19,7 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.compiled import machine_code
 from thirdbody.solver.compiled.layout import ROOT
 from thirdbody.solver.compiled.loop import solve_points
-from thirdbody.solver.compiled.points import CompiledPoints
+from thirdbody.solver.compiled.points import CompiledPoints, Interfaces
 from thirdbody.solver.compiled.tables import DOUBLE, SINGLE, precisions, prepare_model
 from thirdbody.solver.plan import TABLE_WORTH
 from thirdbody.solver.points import Conditions, make_contact
@@ -67,7 +67,8 @@ def compiled(parameters, rtol, real=None, **given):
     conditions, real = Conditions(*columns), real or precisions(rtol)[0]
     sheet = sheet_of(parameters, cell=np.ndim(given["roughness"]) > 0)
     with np.errstate(all="ignore"):
-        return CompiledPoints(sheet, conditions, parameters, rtol, real, areas=True)
+        interfaces = Interfaces(sheet, conditions, parameters, rtol, real)
+        return CompiledPoints(interfaces, conditions.load, areas=True)
 
 
 def sheet_of(parameters, cell=False):

@@ -17,7 +17,7 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.scene import Curves, Scene
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.contact import Contact
-from thirdbody.solver import availability, balance, plan
+from thirdbody.solver import availability, balance, plan, solve
 from thirdbody.solver.plan import (
     CALL_WORTH,
     COMPILING_WORTH,
@@ -265,6 +265,39 @@ def test_points_that_the_loop_leaves_begin_where_it_came_near(parameters, monkey
     assert np.array_equal(near.solution_status, far.solution_status)
     for name in ("separation", "total_contact_area", "solid_load_fraction"):
         assert_allclose(getattr(near, name), getattr(far, name), rtol=1e-11)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [{}, {"film_load": "fluid"}, {"coverage_limits": "contacting"}, {"elastic_depth_ratio": 1e-2}],
+)
+@pytest.mark.parametrize("kind", ["lubricated", "dry", "two_body"])
+def test_a_point_of_numbers_is_solved_as_one_of_an_array(parameters, monkeypatch, change, kind):
+    """By less around the loop, with the same bits, once the tables of the surface are made."""
+    inputs, dense = replace(parameters, **change), [1e10, 1e13, 1e16]
+    random, calls = np.random.default_rng(3), []
+    choose = solve.solve_numbers
+    monkeypatch.setattr(
+        solve, "solve_numbers", lambda *given: calls.append(choose(*given)) or calls[-1]
+    )
+    tb.solve(**POINT, parameters=inputs, way="compiled")
+    for _ in range(60):
+        point = POINT | {
+            "load": 10.0 ** random.uniform(-8, -1),
+            "viscosity": 10.0 ** random.uniform(-6, -3) if kind == "lubricated" else 0.0,
+            "particle_diameter": 0.0 if kind == "two_body" else 10.0 ** random.uniform(-8, -6),
+            "particle_density": float(random.choice(dense)),
+        }
+        alone = tb.solve(**point, parameters=inputs)
+        array = tb.solve(**point | {"load": [point["load"]]}, parameters=inputs)
+        if calls[-1] is None:
+            continue
+        for name in VARIABLES:
+            one, other = getattr(alone, name), getattr(array, name)
+            assert one.shape == () and one.dtype == other.dtype
+            assert one.tobytes() == other.tobytes(), name
+        assert all(each.shape == () for each in alone.conditions.values())
+    assert sum(each is not None for each in calls) > 20
 
 
 def test_few_points_on_many_roughnesses_are_solved_together(parameters, loop):

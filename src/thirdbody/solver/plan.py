@@ -275,6 +275,35 @@ def fastest_ways(groups: list[Group], parameters: Parameters, rtol: float) -> li
     return [COMPILED if by_loop else way for by_loop, way in zip(compiled, others, strict=True)]
 
 
+def solve_numbers(
+    numbers: Mapping[str, float], parameters: Parameters, rtol: float, variables: Collection[str]
+) -> dict[str, NDArray] | None:
+    """Solve one point by what is at hand: the loop, if it is loaded and its tables of the surface are
+    made.
+
+    What ``solve_points`` does around the loop takes longer than to solve a point.  Parameters are as
+    there, but for ``numbers``, which are the five conditions by name.
+
+    Returns
+    -------
+    dict or None
+        An array of no dimension of each variable; None where ``solve_points`` is to choose a way.
+    """
+    if not availability.is_loaded():
+        return None
+    from thirdbody.solver.compiled.points import CompiledPoints, interface_of_one
+
+    load, *others = numbers.values()
+    sheet = sheet_of_one(numbers["roughness"], parameters)
+    if _spent(sheet, parameters, rtol).points < LOOP_WORTH + CALL_WORTH:
+        return None
+    interface = interface_of_one(*others, parameters, rtol)
+    found = CompiledPoints(interface, np.array([load]), not OF_AREAS.isdisjoint(variables))
+    if found.left[0]:
+        return None
+    return {name: np.array(getattr(found, name)) for name in variables}
+
+
 def _repaid(groups, parameters, rtol):
     """Which ``groups`` the loop, once it is loaded, solves in less time than the other ways.
 
@@ -400,7 +429,7 @@ class _Task:
         """As the other methods, but for groups, because the points of a call share a sheet."""
         if not groups:
             return []
-        from thirdbody.solver.compiled.points import CompiledPoints
+        from thirdbody.solver.compiled.points import CompiledPoints, Interfaces
         from thirdbody.solver.compiled.tables import precisions
 
         areas = not OF_AREAS.isdisjoint(self.result)
@@ -413,7 +442,8 @@ class _Task:
 
         def solved(sheet, real, places):
             some = self.conditions.take(places)
-            found = CompiledPoints(sheet, some, self.parameters, self.rtol, real, areas, apart)
+            interfaces = Interfaces(sheet, some, self.parameters, self.rtol, real)
+            found = CompiledPoints(interfaces, some.load, areas, apart)
             if found.left.any():  # who solves these begins there
                 separations = np.atleast_1d(found.separation)[found.left]
                 left = _chosen(places, found.left)

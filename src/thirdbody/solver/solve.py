@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import (
+    PLAIN_NUMBERS,
     check_named_points,
     check_parameters,
     check_points,
@@ -19,7 +20,7 @@ from thirdbody.solver.arguments import (
     checked_axis,
 )
 from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
-from thirdbody.solver.plan import check_way, solve_points, threads_worth
+from thirdbody.solver.plan import check_way, solve_numbers, solve_points, threads_worth
 from thirdbody.solver.points import Axis, Conditions
 from thirdbody.solver.solution import VARIABLES, Solution
 from thirdbody.solver.usual import warn_beyond_usual
@@ -132,8 +133,14 @@ def solve(
         "particle_density": particle_density,
     }
     axes = _checked_axes(given, parameters)
-    warn_beyond_usual({name: axis.greatest for name, axis in axes.items()})
+    greatest = {name: axis.greatest for name, axis in axes.items()}
+    warn_beyond_usual(greatest)
     arrays = {name: axis.values for name, axis in axes.items()}
+    if way is None and all(type(each) in PLAIN_NUMBERS for each in given.values()):
+        with np.errstate(all="ignore"):
+            found = solve_numbers(greatest, parameters, rtol, variables)
+        if found is not None:
+            return Solution(**found, conditions=arrays)
     if not any(map(is_labelled, given.values())):
         return solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})

@@ -14,6 +14,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film, greatest_film_load, log_load_parameter
@@ -55,9 +56,9 @@ from thirdbody.solver.compiled.layout import (
 )
 from thirdbody.solver.compiled.loop import solve_points
 from thirdbody.solver.compiled.machine_code import compiled
-from thirdbody.solver.compiled.tables import DOUBLE, INTEGERS, prepare_model
+from thirdbody.solver.compiled.tables import DOUBLE, INTEGERS, precisions, prepare_model
 from thirdbody.solver.points import Conditions
-from thirdbody.solver.surfaces import Sheet, log_yields, summits_of, summits_of_one
+from thirdbody.solver.surfaces import Sheet, log_yields, sheet_of_one, summits_of, summits_of_one
 
 OIL_VISCOSITIES = 1e-9, 1e-3  # [m2/s], of any oil
 # F_t* of which the summits would bear a share in float64 even beyond their tables
@@ -66,23 +67,130 @@ ROUGHER = 1e6  # by a factor
 BLOCKS = Blocks()
 
 
-class CompiledPoints:
-    """Points solved by the compiled loop: what ``SolvedPoints`` is, for those that are not ``left``.
+class Interfaces:
+    """Interfaces as the loop takes them, before it is known what they bear.
 
-    All points have a film, or none has; all have particles, or none has.
+    All have a film, or none has; all have particles, or none has.
 
     Parameters
     ----------
     sheet : Sheet
         The sheet of their surfaces.  On one that is no cell all points have one roughness.
     conditions : Conditions
-        The points.
+        The points, all but their loads.
     parameters : Parameters
         Inputs of the model.
     rtol : float
         Relative error asked for.
     real : type
         Type of number to solve in, one of ``precisions(rtol)``.
+    """
+
+    def __init__(
+        self, sheet: Sheet, conditions: Conditions, parameters: Parameters, rtol: float, real: type
+    ):
+        self.size, first = conditions.size, conditions.take(0)
+        if self.size == 1:  # numbers take a tenth of the time that arrays of one do
+            conditions = first
+        viscosity, roughness = conditions.viscosity, conditions.roughness
+        if sheet.is_cell:
+            surface, summits = summits_of(roughness, parameters)
+        else:
+            roughness = float(first.roughness)
+            surface, summits = summits_of_one(roughness, parameters)
+        self.parameters, self.rtol, self.real, self.roughness = parameters, rtol, real, roughness
+        self.has_particles = bool(has_particles(first.particle_diameter, first.particle_density))
+        self.has_film = bool(first.viscosity > 0.0)
+        film_is_known = self.has_film and not parameters.readings.film_load.depends_on_shares
+        film_shares = self.has_film and not film_is_known
+        self.kind = self.has_particles, film_shares, film_is_known
+        self.model = prepare_model(sheet, parameters, rtol, real)
+        self._columns = np.empty((GIVEN, self.size), real)
+        rows = self._rows(self._columns)
+        _fill_summits(rows, sheet, surface, summits)
+        self._layer = self._film = None
+        self.greatest_load, self.may_be_covered = np.inf, False
+        if self.has_particles:
+            sigma = roughness.astype(real) if sheet.is_cell else roughness
+            diameter, density = conditions.particle_diameter, conditions.particle_density
+            sizes = diameter.astype(real), sigma, density.astype(real)
+            self._layer = ParticleLayer.of(*sizes, parameters)
+            _fill_particles(rows, self._layer, sigma)
+            self.greatest_load = greatest_single_load(parameters)
+            self.may_be_covered = real is DOUBLE and bool((self._layer.log_bare < FULL).any())
+        if film_is_known:
+            self._film = Film.of(viscosity, roughness, parameters)
+        if film_shares:
+            _fill_film(rows, roughness, viscosity.astype(real), parameters)
+
+    def _rows(self, array):
+        """The rows of an array with a column for each point; numbers if there is one point."""
+        return array[:, 0] if self.size == 1 else array
+
+    def solved(self, load, areas, apart):
+        """What the loop finds under the loads F_t*: the columns that it was given, rows of results, and
+        where Eq. 7 has no meaning, or None; to be called once unless there is one point."""
+        columns = self._columns.copy() if self.size == 1 else self._columns
+        found = np.empty((RESULTS, self.size))
+        given, means_nothing = self._rows(columns), None
+        given[PER_LOAD] = 1.0 / load.astype(self.real)
+        _, film_shares, film_is_known = self.kind
+        if film_is_known:
+            means_nothing = self._fill_known_film(given, load)
+        if film_shares:
+            given[CROSSING_ROOT] *= np.sqrt(np.sqrt(np.sqrt(np.sqrt(given[PER_LOAD]))))
+        block, solve = BLOCKS.of(self.real, INTEGERS[self.real], *self.kind), compiled(solve_points)
+        with apart():
+            solve(self.real, self.model, columns, *self.kind, areas, block, found)
+        found = self._rows(found)
+        if film_shares:
+            over_crossing = found[GAP] * given[PER_CROSSING]
+            means_nothing = over_crossing > _film_scales(self.parameters).thickest
+            in_film = found[FLUID_SHARE] * load
+            means_nothing |= in_film > greatest_film_load(self.parameters)
+        return found, means_nothing
+
+    def _fill_known_film(self, given, load):
+        """Fill the rows that say what is known of a film under F_t; returns where Eq. 7 has no meaning."""
+        log_load = log_load_parameter(np.log(load), self.parameters)
+        thickness, slope = self._film.thickness(log_load)
+        given[FILM_GAP] = thickness * (self.parameters.ball_radius / self.roughness)
+        given[FILM_ERROR] = self._film.rounding(log_load, thickness, slope)
+        return ~self._film.is_meaningful(log_load)
+
+    def are_covered(self, load):
+        """Points without a solution because particles cover everything at any separation (Eq. 4), unless
+        their load F_t* might be more than the particles bear: then they have none for another reason."""
+        covered = self._layer.log_bare < FULL
+        area, *_ = self._layer.contact(np.zeros(covered.shape))
+        return covered & (load < 0.5 * area * self.parameters.particle_pressure)
+
+
+@lru_cache(maxsize=256)
+def interface_of_one(
+    viscosity: float,
+    particle_diameter: float,
+    roughness: float,
+    particle_density: float,
+    parameters: Parameters,
+    rtol: float,
+) -> Interfaces:
+    """The ``Interfaces`` of one point, made once for all its loads."""
+    numbers = np.nan, viscosity, particle_diameter, roughness, particle_density
+    conditions = Conditions(*(np.array([number]) for number in numbers))
+    sheet = sheet_of_one(roughness, parameters)
+    return Interfaces(sheet, conditions, parameters, rtol, precisions(rtol)[-1])
+
+
+class CompiledPoints:
+    """Points solved by the compiled loop: what ``SolvedPoints`` is, for those that are not ``left``.
+
+    Parameters
+    ----------
+    interfaces : Interfaces
+        What is given of the points but their loads; taken once, unless it is one point.
+    load : array, shape (points,)
+        F_t* [1].
     areas : bool
         Whether areas are asked for; if not, variables that follow from areas have no meaning.
     apart : callable
@@ -90,7 +198,7 @@ class CompiledPoints:
 
     Attributes
     ----------
-    left : array of bool
+    left : array of bool, shape (points,)
         Points that are to be solved in another way; their other values have no meaning.
     total_contact_area, ... : array
         The variables of ``Solution``; of one point numbers.
@@ -98,54 +206,17 @@ class CompiledPoints:
 
     def __init__(
         self,
-        sheet: Sheet,
-        conditions: Conditions,
-        parameters: Parameters,
-        rtol: float,
-        real: type,
+        interfaces: Interfaces,
+        load: NDArray,
         areas: bool,
         apart: Callable[[], AbstractContextManager] = nullcontext,
     ):
-        points, first = conditions.size, conditions.take(0)
-        if points == 1:  # numbers take a tenth of the time that arrays of one do
-            conditions = first
-        load, viscosity = conditions.load, conditions.viscosity
-        diameter, density = conditions.particle_diameter, conditions.particle_density
-        if sheet.is_cell:
-            roughness = conditions.roughness
-            surface, summits = summits_of(roughness, parameters)
-        else:
-            roughness = float(first.roughness)
-            surface, summits = summits_of_one(roughness, parameters)
-        self._parameters = parameters
-        self._has_particles = bool(has_particles(first.particle_diameter, first.particle_density))
-        self._has_film = bool(first.viscosity > 0.0)
-        columns, results = np.empty((GIVEN, points), real), np.empty((RESULTS, points))
-        # numbers if there is one point
-        given, found = (columns[:, 0], results[:, 0]) if points == 1 else (columns, results)
-        given[PER_LOAD] = 1.0 / load.astype(real)
-        _fill_summits(given, sheet, surface, summits)
-        self._covered = np.zeros(load.shape, bool)
-        if self._has_particles:
-            sigma = roughness.astype(real) if sheet.is_cell else roughness
-            sizes = diameter.astype(real), sigma, density.astype(real)
-            layer = ParticleLayer.of(*sizes, parameters)
-            _fill_particles(given, layer, sigma)
-            if real is DOUBLE:
-                self._covered = _are_covered(layer, load)
-        self._has_values = not self._covered.any()
-        film_is_known = self._has_film and not parameters.readings.film_load.depends_on_shares
-        film_shares = self._has_film and not film_is_known
-        if film_is_known:
-            self._means_nothing = _fill_known_film(given, conditions, roughness, parameters)
-        if film_shares:
-            _fill_film(given, roughness, viscosity.astype(real), parameters)
-        kind = self._has_particles, film_shares, film_is_known
-        model = prepare_model(sheet, parameters, rtol, real)
-        block = BLOCKS.of(real, INTEGERS[real], *kind)
-        solve = compiled(solve_points)
-        with apart():
-            solve(real, model, columns, *kind, areas, block, results)
+        self._interfaces = interfaces
+        if interfaces.size == 1:
+            load = load[0]
+        self._covered = interfaces.are_covered(load) if interfaces.may_be_covered else None
+        self._has_values = self._covered is None or not self._covered.any()
+        found, self._means_nothing = interfaces.solved(load, areas, apart)
         if not self._has_values:
             found[..., self._covered] = np.nan
         self.total_contact_area = found[TOTAL_AREA]
@@ -153,24 +224,17 @@ class CompiledPoints:
         self.surface_contact_area_ratio = found[SURFACE_SHARE]
         self.solid_load_fraction = found[SOLID_SHARE]
         self.fluid_load_fraction = found[FLUID_SHARE]
-        self.separation = found[GAP] * roughness
+        self.separation = found[GAP] * interfaces.roughness
         self.error_bound = found[BOUND]
-        left = ~(self.error_bound <= rtol)
+        left = ~(self.error_bound <= interfaces.rtol)
         if not self._has_values:
             left &= ~self._covered
-        if self._has_particles:
-            left |= load > greatest_single_load(parameters)
-        left |= load < LEAST_LOAD
-        self.left = left.reshape(points)
-        if film_shares:
-            over_crossing = found[GAP] * given[PER_CROSSING]
-            self._means_nothing = over_crossing > _film_scales(parameters).thickest
-            in_film = self.fluid_load_fraction * load
-            self._means_nothing |= in_film > greatest_film_load(parameters)
+        left |= (load > interfaces.greatest_load) | (load < LEAST_LOAD)
+        self.left = left.reshape(interfaces.size)
 
     @property
     def film_thickness(self):
-        return self.separation / self._parameters.ball_radius
+        return self.separation / self._interfaces.parameters.ball_radius
 
     @property
     def lubrication_regime(self):
@@ -178,20 +242,21 @@ class CompiledPoints:
 
     @property
     def contact_mode(self):
-        mode = contact_mode(self.particle_contact_area_ratio, self._has_particles)
+        mode = contact_mode(self.particle_contact_area_ratio, self._interfaces.has_particles)
         return self._valid(mode, NO_FLAG)
 
     @property
     def separation_count(self):
-        return self._valid(np.ones(self.left.shape, np.int8), 0)
+        return self._valid(np.ones(self.total_contact_area.shape, np.int8), 0)
 
     @property
     def solution_status(self):
         applies = {
             "area_exceeded": self.total_contact_area > 1.0,
-            "coverage_exceeded": self._covered,
         }
-        if self._has_film:
+        if not self._has_values:
+            applies["coverage_exceeded"] = self._covered
+        if self._interfaces.has_film:
             outside = self._means_nothing | (self.film_thickness > THICKEST)
             applies["outside_film_formula"] = outside & (self.fluid_load_fraction > FILM_COUNTS)
         return gravest_status(**applies)
@@ -230,35 +295,14 @@ def _fill_particles(columns, layer, roughness):
     columns[BARE] = np.exp(layer.log_bare)
 
 
-def _are_covered(layer, load):
-    """Points without a solution because particles cover everything at any separation (Eq. 4), unless
-    their load F_t* might be more than the particles bear: then they have none for another reason."""
-    covered = layer.log_bare < FULL
-    if covered.any():
-        area, *_ = layer.contact(np.zeros(covered.shape))
-        covered &= load < 0.5 * area * layer.parameters.particle_pressure
-    return covered
-
-
 def _fill_film(columns, roughness, viscosity, parameters):
-    """Fill the rows that say what is known of a film."""
+    """Fill the rows that say what is known of a film, but for the factor that the load is in one."""
     scales, scale = _film_scales(parameters), roughness / parameters.reference_roughness
     for row, value, (of_viscosity, of_roughness) in (
         (PER_CROSSING, scales.per_crossing, scales.per_crossing_exponents),
         (CROSSING_ROOT, scales.root, scales.root_exponents),
     ):
         columns[row] = value * scale**of_roughness * viscosity**of_viscosity
-    columns[CROSSING_ROOT] *= np.sqrt(np.sqrt(np.sqrt(np.sqrt(columns[PER_LOAD]))))
-
-
-def _fill_known_film(columns, conditions, roughness, parameters):
-    """Fill the rows that say what is known of a film under F_t; returns where Eq. 7 has no meaning."""
-    film = Film.of(conditions.viscosity, roughness, parameters)
-    log_load = log_load_parameter(np.log(conditions.load), parameters)
-    thickness, slope = film.thickness(log_load)
-    columns[FILM_GAP] = thickness * (parameters.ball_radius / roughness)
-    columns[FILM_ERROR] = film.rounding(log_load, thickness, slope)
-    return ~film.is_meaningful(log_load)
 
 
 @lru_cache(maxsize=64)
