@@ -130,9 +130,7 @@ def _of_times(rows):
 
 def _of_scaling(rows):
     calls = {
-        row["axis"]: row["microseconds_per_point"]
-        for row in rows
-        if row["axis"] in ("first_calls", "calls")
+        row["axis"]: row["microseconds_per_point"] for row in rows if row["axis"].endswith("calls")
     }
     return {
         "call": calls["calls"],

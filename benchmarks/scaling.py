@@ -101,39 +101,47 @@ def _solve_arrays(given, count, parameters, rtol):
 
 def _call_rows(parameters, budget):
     """Rows with the processor time of a call that solves one point, in a new process that does nothing
-    else: of those before it takes the time to load the loop, and of those after."""
+    else: of those before it takes the time to load the loop; and of those after, under other loads of
+    one interface, and of interfaces that no call had before."""
     settings = budget["calls"]
-    given = random_conditions(HEAVIEST, 1, parameters)
-    given = {name: values.item() for name, values in given.items()}
-    given |= {"parameters": parameters, "rtol": settings["rtol"]}
-    solve(**given, way=COMPILED)  # which leaves the loop on disk
-    told = pickle.dumps((_call_again, given, settings["calls"], budget["rounds"]))
+    drawn = random_conditions(HEAVIEST, settings["calls"], parameters)
+    points = [
+        dict(zip(drawn, numbers, strict=True))
+        for numbers in zip(*(values.tolist() for values in drawn.values()), strict=True)
+    ]
+    given = {"parameters": parameters, "rtol": settings["rtol"]}
+    solve(**points[0], **given, way=COMPILED)  # which leaves the loop on disk
+    told = pickle.dumps((_call_again, points, given, budget["rounds"]))
     path = {"PYTHONPATH": str(Path(__file__).parents[1])}
     command = [sys.executable, "-c", CALLED]
     ran = subprocess.run(command, input=told, stdout=PIPE, env=os.environ | path, check=True)
-    waiting, first, later = pickle.loads(ran.stdout)
+    waiting, first, later, other = pickle.loads(ran.stdout)
     rtol = settings["rtol"]
     return [
         _row("first_calls", waiting, 1, 1, rtol, first, first / later),
         _row("calls", 1, 1, 1, rtol, later, 1.0),
+        _row("new_calls", 1, 1, 1, rtol, other, other / later),
     ]
 
 
-def _call_again(given, calls, rounds):
-    """How many calls a process makes before it loads the loop, and the least time [s] of a call before
-    and after."""
+def _call_again(points, given, rounds):
+    """How many calls a process makes before it loads the loop, and the least time [s] of a call before;
+    and after, under the loads of all ``points`` on the first interface, and of the points themselves."""
     first = []
     while not availability.is_loaded() and len(first) < PATIENCE:
-        first.append(processor_seconds(partial(solve, **given)))
+        first.append(processor_seconds(partial(solve, **points[0], **given)))
 
-    def solve_again():
-        for _ in range(calls):
-            solve(**given)
+    def solve_each(some):
+        for point in some:
+            solve(**point, **given)
 
-    solve_again()
-    later = least_seconds({"calls": solve_again}, rounds)["calls"] / calls
+    loaded = [points[0] | {"load": point["load"]} for point in points]
+    solve_each(points)
+    sets = {"loaded": partial(solve_each, loaded), "points": partial(solve_each, points)}
+    seconds = least_seconds(sets, rounds)
     *before, _ = first  # the last one has loaded it
-    return len(before), min(before), later
+    later, other = (seconds[name] / len(points) for name in ("loaded", "points"))
+    return len(before), min(before), later, other
 
 
 def _process_rows(parameters, budget):

@@ -175,9 +175,12 @@ def accuracy_block() -> str:
     on_many = [row for row in surfaces if row["tables"] == "ready"]
     most, slower = (max(row[name] for row in on_many) for name in ("surfaces", "ratio"))
     faster = max(row["ratio"] for row in scaling if row["axis"] == "threads")
-    calls = {row["axis"]: row for row in scaling if row["axis"] in ("first_calls", "calls")}
+    calls = {row["axis"]: row for row in scaling if row["axis"].endswith("calls")}
     waiting = calls["first_calls"]["points"]
-    call, later = (calls[name]["microseconds_per_point"] for name in ("first_calls", "calls"))
+    first, later, new = (
+        calls[name]["microseconds_per_point"] / 1e3
+        for name in ("first_calls", "calls", "new_calls")
+    )
     compiling, loading = (seconds[start, "compiled"] - bare for start in ("cold", "warm"))
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
@@ -186,8 +189,9 @@ def accuracy_block() -> str:
         f"of a compiled loop. It takes {compiling:.1f} s once to compile, and {loading:.1f} s in a process "
         f"that finds it compiled, so that it is taken from {COMPILING_WORTH:,} or {LOADING_WORTH:,} points "
         "on; fewer are solved from tables, at about 1.2 µs a point. A process that has loaded it takes it "
-        f"for any number of points. A call with one point takes {call / 1e3:.1f} ms; after "
-        f"{waiting:,.0f} of them the process loads the loop, and one takes {later / 1e3:.2g} ms. "
+        f"for any number of points. A call with one point takes {first:.1f} ms; after "
+        f"{waiting:,.0f} of them the process loads the loop, and one takes {later:.2g} ms under another "
+        f"load, {new:.2g} ms on another interface. "
         f"A million points spread over up to {most:,.0f} surfaces, in no order, take at most {slower:.1f} times as long as on one. Two threads solve them {faster:.2f} times as "
         "fast as one, with the same last digits."
     )

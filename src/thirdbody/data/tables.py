@@ -276,8 +276,9 @@ TABLES = {
             "axis",
             "string",
             "",
-            "points; first_calls, calls: of one point each, before a process has loaded the loop and "
-            "after (processor time); processes, threads (on the clock)",
+            "points; first_calls, calls, new_calls: of one point each, before a process has loaded the "
+            "loop, then under other loads, and on interfaces that it has not solved before (processor "
+            "time); processes, threads (on the clock)",
         ),
         Column("points", "number", "1", "points solved"),
         Column("processes", "number", "1", "processes that share them"),

@@ -64,7 +64,7 @@ OIL_VISCOSITIES = 1e-9, 1e-3  # [m2/s], of any oil
 # F_t* of which the summits would bear a share in float64 even beyond their tables
 LEAST_LOAD = 1e-20
 ROUGHER = 1e6  # by a factor
-BLOCKS = Blocks()
+BLOCKS, ONE = Blocks(), np.int8(1)
 
 
 class Interfaces:
@@ -247,7 +247,7 @@ class CompiledPoints:
 
     @property
     def separation_count(self):
-        return self._valid(np.ones(self.total_contact_area.shape, np.int8), 0)
+        return self._valid(ONE, 0)
 
     @property
     def solution_status(self):
