@@ -128,8 +128,8 @@ class Interfaces:
         return array[:, 0] if self.size == 1 else array
 
     def solved(self, load, areas, apart):
-        """What the loop finds under the loads F_t*: the columns that it was given, rows of results, and
-        where Eq. 7 has no meaning, or None; to be called once unless there is one point."""
+        """What the loop finds under the loads F_t*: the rows of results, and where Eq. 7 has no meaning, or
+        None if there is no film.  To be called once, unless there is one point."""
         columns = self._columns.copy() if self.size == 1 else self._columns
         found = np.empty((RESULTS, self.size))
         given, means_nothing = self._rows(columns), None
@@ -251,9 +251,7 @@ class CompiledPoints:
 
     @property
     def solution_status(self):
-        applies = {
-            "area_exceeded": self.total_contact_area > 1.0,
-        }
+        applies = {"area_exceeded": self.total_contact_area > 1.0}
         if not self._has_values:
             applies["coverage_exceeded"] = self._covered
         if self._interfaces.has_film:
