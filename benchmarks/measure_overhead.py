@@ -1,11 +1,12 @@
 """Where the time of a clean run of the workflow goes.
 
-    python benchmarks/measure_overhead.py [--repeats 3] [--configfile FILE] [target ...]
+    python benchmarks/measure_overhead.py [--repeats 3] [--before COMMIT] [--configfile FILE] [target ...]
 
 The jobs of a run in a copy of the repository record what they are busy with.  Runs take turns with
 those of a second copy, whose jobs write empty files: what these take on the clock is the part of
 Snakemake and of the starts of interpreters.  Medians count, as other work on the machine changes
-from minute to minute.
+from minute to minute.  With ``--before`` whole runs of the repository as it is take turns with those
+of a commit instead, both in this environment.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from statistics import median
 from textwrap import indent
 
 from benchmarks.job_times import START, WORK
-from tests.workflow.workspace import MADE_BY_RUNS, Workspace
+from tests.workflow.workspace import MADE_BY_RUNS, ROOT, Workspace
 
 COSTS = "costs.jsonl"  # what the jobs of a run record
 NOTHING = """
@@ -110,6 +111,17 @@ def clean_run(workspace: Workspace, targets: Sequence[str], config: Sequence[str
     """
     costs = workspace.root / COSTS
     costs.unlink(missing_ok=True)
+    elapsed, processor = whole_run(workspace, targets, config)
+    told = [json.loads(line) for line in costs.read_text(encoding="utf-8").splitlines()]
+    *jobs, snakemake = sorted(told, key=lambda job: job["rule"] == SNAKEMAKE)
+    return Cost(elapsed, processor, snakemake[WORK], jobs)
+
+
+def whole_run(
+    workspace: Workspace, targets: Sequence[str], config: Sequence[str]
+) -> tuple[float, float]:
+    """Delete all products and run the workflow, as ``clean_run`` does; returns the time on the clock and
+    the processor time [s]."""
     for name in MADE_BY_RUNS:
         shutil.rmtree(workspace.root / name, ignore_errors=True)
     before, start = processor_time(), time.perf_counter()
@@ -117,9 +129,36 @@ def clean_run(workspace: Workspace, targets: Sequence[str], config: Sequence[str
     elapsed = time.perf_counter() - start
     if run.returncode:
         sys.exit(run.stdout + run.stderr)
-    told = [json.loads(line) for line in costs.read_text(encoding="utf-8").splitlines()]
-    *jobs, snakemake = sorted(told, key=lambda job: job["rule"] == SNAKEMAKE)
-    return Cost(elapsed, processor_time() - before, snakemake[WORK], jobs)
+    return elapsed, processor_time() - before
+
+
+def clone_of(commit: str, root: Path) -> Workspace:
+    """A clone of the repository at a ``commit``."""
+    subprocess.run(["git", "clone", "--quiet", str(ROOT), str(root)], check=True)
+    subprocess.run(["git", "checkout", "--quiet", commit], cwd=root, check=True)
+    return Workspace(root)
+
+
+def compare(
+    commit: str, repeats: int, targets: Sequence[str], config: Sequence[str], place: Path
+) -> None:
+    """Print what whole runs of a ``commit`` and of the repository take, in turns; the first of each,
+    which compiles modules, does not count."""
+    runs = {
+        commit: clone_of(commit, place / "before"),
+        "now": Workspace.of_sources(place / "now"),
+    }
+    taken = {name: [] for name in runs}
+    for number in range(repeats + 1):
+        for name, workspace in runs.items():
+            each = whole_run(workspace, targets, config)
+            if number:
+                taken[name].append(each)
+                told = f"{each[0]:.1f} s on the clock, {each[1]:.1f} s of processor time"
+                print(f"{name}: {told}", flush=True)
+    for index, what in enumerate(("on the clock", "processor time")):
+        before, now = (sum(each[index] for each in times) for times in taken.values())
+        print(f"{what}: {now / before:.1%} of that before")
 
 
 def processor_time() -> float:
@@ -197,6 +236,9 @@ def main() -> None:
     """Measure what the command line asks for, and print it."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--repeats", type=int, default=3, help="runs of each kind")
+    parser.add_argument(
+        "--before", metavar="COMMIT", help="whole runs, in turns with those of a commit"
+    )
     parser.add_argument("--configfile", help="settings on top of config/config.yaml")
     parser.add_argument("targets", nargs="*", help="products, by default all")
     given = parser.parse_args()
@@ -204,6 +246,9 @@ def main() -> None:
     full, empty = [], []
     interpreter = start_of_interpreter()
     with tempfile.TemporaryDirectory() as place:
+        if given.before:
+            compare(given.before, given.repeats, given.targets, config, Path(place))
+            return
         working = prepared(Path(place) / "full", empty=False)
         idle = prepared(Path(place) / "empty", empty=True)
         for _ in range(given.repeats):

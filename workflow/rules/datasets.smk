@@ -4,7 +4,6 @@
 
 rule solve_scene:
     input:
-        calibrated=settings["calibrated"],
         modules=import_closure("workflow/scripts/solve_scene.py"),
     output:
         dataset="<results>/datasets/{figure}.nc",
@@ -25,7 +24,7 @@ rule solve_scene:
     params:
         scene=lookup(dpath="scenes/{figure}", within=settings),
         parameters=settings["parameters"],
-        laid_over=settings["inputs"],
+        ensemble=settings["ensemble"],
         software=settings["software"],
     message:
         "Solving {wildcards.figure}"

@@ -16,7 +16,6 @@ rule build_explorer:
         schemas=[
             place_of("config/claims.schema.yaml"),
             place_of("config/conditions.schema.yaml"),
-            place_of("config/calibrated.schema.yaml"),
             place_of("config/inputs.schema.yaml"),
             f"{CONFIG}/inputs.yaml",
         ],

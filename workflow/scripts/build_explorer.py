@@ -6,7 +6,7 @@ import json
 from dataclasses import asdict
 from pathlib import Path
 
-from thirdbody.configuration.inputs import read_calibrated, read_entries
+from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import whole
 from thirdbody.explorer.content import page_content
@@ -21,7 +21,7 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
     ``calibration`` are the settings of the search for inputs, ``tables`` the paper's as printed.
     """
     entries = read_entries()
-    readings = [read_calibrated(path, entries) for path in calibrated]
+    readings = [read_yaml(path) for path in calibrated]
     inputs = {
         name: entry | calibration["unknowns"].get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()

@@ -19,9 +19,12 @@ def judge_claims(
     under those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
     entries = read_entries()
-    main, *readings = (read_calibrated(path, entries) for path in (default, *calibrated))
-    main["inputs"] |= laid_over
-    main["ensemble"] = [member | laid_over for member in main["ensemble"]]
+    found = {path: read_calibrated(path, entries) for path in {default, *calibrated}}
+    main, readings = found[default], [found[path] for path in calibrated]
+    main = main | {
+        "inputs": main["inputs"] | laid_over,
+        "ensemble": [member | laid_over for member in main["ensemble"]],
+    }
     trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
     given = trial, main, readings, settings["headline"]
     contents = claims_markdown(*given), claims_html(trial), claims_json(*given)

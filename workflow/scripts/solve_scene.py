@@ -4,7 +4,6 @@ from thirdbody.run.job import logged
 
 import time
 
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import whole
@@ -42,12 +41,11 @@ def solve(figure, scene, inputs, ensemble, dataset, cost, tpca_loads, transition
 
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
-        laid_over = snakemake.params.laid_over
         solve(
             snakemake.wildcards.figure,
             snakemake.params.scene,
             Parameters(**snakemake.params.parameters),
-            [member | laid_over for member in read_yaml(snakemake.input.calibrated)["ensemble"]],
+            snakemake.params.ensemble,
             snakemake.output.dataset,
             snakemake.output.cost,
             snakemake.output.tpca_loads,
