@@ -85,7 +85,7 @@ def test_crate_follows_every_product_to_its_rule(released):
     drawing = entities["#render_figure-fig09"]
     assert drawing["instrument"]["@id"] == "source/workflow/scripts/render_figure.py"
     assert {"@id": "datasets/fig09.nc"} in listed(drawing["object"])
-    assert {"@id": "configuration/config.json"} in entities["#solve_scene-fig09"]["object"]
+    assert {"@id": "configuration/config.json"} in listed(entities["#solve_scene-fig09"]["object"])
 
 
 def listed(value):

@@ -247,7 +247,8 @@ class CompiledPoints:
 
     @property
     def separation_count(self):
-        return self._valid(ONE, 0)
+        one = self._interfaces.size == 1
+        return self._valid(ONE if one else np.ones(self.left.shape, np.int8), 0)
 
     @property
     def solution_status(self):
