@@ -189,6 +189,23 @@ def test_samples_have_the_density_that_the_objective_gives():
     assert misses.std() == pytest.approx(np.sqrt(0.5), rel=0.1)
 
 
+def test_few_evaluations_are_lost_where_others_tell_what_they_give():
+    """Misses that are straight lines are guessed well: most steps that are evaluated are taken."""
+    asked = []
+
+    class Counted(Valley):
+        def found(self, reading, positions):
+            asked.append(positions)
+            return super().found(reading, positions)
+
+    rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
+    budget = BUDGET | {"walkers": 20, "steps": 200}
+    drawn = posterior_sample(READING, Counted(), rows, budget, 1, report=lambda line: None)
+    last = len(drawn) // 2
+    assert len(np.unique(drawn[-last:], axis=0)) > 0.7 * last
+    assert len(asked) <= 20 * 201
+
+
 def test_samples_pass_from_one_valley_to_another():
     """Two valleys that no small step joins hold as many samples as their widths say."""
 

@@ -2,7 +2,8 @@
 
 The objective of a calibration is taken as a negative log-likelihood, and sets of inputs are drawn
 with the probability density exp(-objective) by an ensemble of walkers.  At first these learn from each
-other where to step; then most steps go anywhere that walkers have been before, however far.
+other where to step; then most steps go anywhere that walkers have been before, however far, to a place
+that is good as far as the places evaluated before tell.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ import numpy as np
 from emcee import EnsembleSampler, State
 from emcee.moves import DEMove, DESnookerMove, MHMove
 from numpy.typing import NDArray
+from scipy.interpolate import RBFInterpolator
 from scipy.stats import gaussian_kde
 
 from thirdbody.study.calibration import Objective, Reading, acceptable, spread_out
@@ -23,8 +25,11 @@ START_ABOVE_BEST = 1.0
 # Shares of the steps after which walkers look back at what they have drawn since the last time.
 ROUNDS = (0.0, 0.125, 0.25, 0.5, 1.0)
 FORGOTTEN = 0.25  # share of the steps that are not kept
-INDEPENDENT = 0.7  # share of the steps that go anywhere, once walkers have drawn enough
+INDEPENDENT = 0.8  # share of the steps that go anywhere, once walkers have drawn enough
 ENOUGH = 10  # different sets, for each unknown
+GUESSES = 30  # steps by guessed objectives for one whose objective is evaluated
+REMEMBERED = 2000  # evaluated places that make a guess, the newest
+SMOOTHING = 0.3  # of guesses, as RBFInterpolator counts it
 
 
 def posterior_sample(
@@ -44,7 +49,7 @@ def posterior_sample(
     objective : Objective
         What ``objective.found(reading, positions)`` names as the objective counts.
     evaluations : array, shape (evaluations, unknowns + 1)
-        What ``thirdbody.study.calibration.search`` found: walkers start from the best of them.
+        What ``thirdbody.study.search.search`` found: walkers start from the best of them.
     budget : mapping
         How many ``walkers`` make how many ``steps``; those of the first two rounds, a quarter, are
         forgotten.
@@ -61,20 +66,24 @@ def posterior_sample(
     References
     ----------
     Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
-    doi:10.1007/s11222-008-9104-9; Tierney (1994), doi:10.1214/aos/1176325750, for independent steps.
+    doi:10.1007/s11222-008-9104-9; Tierney (1994), doi:10.1214/aos/1176325750, for independent steps;
+    Christen & Fox (2005), doi:10.1198/106186005X76983, for steps that are guessed before.
     """
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(reading.unknowns)
+    known = []
 
     def log_density(positions):
-        if (positions < 0.0).any() or (positions > 1.0).any():
+        if _is_outside(positions):
             return -np.inf
-        return -objective.found(reading, positions).objective
+        found = objective.found(reading, positions)
+        known.append(np.concatenate([positions, found.misses]))
+        return -found.objective
 
     first = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
     state = State(first, random_state=np.random.RandomState(seed).get_state())
     rows, drawn = [], np.empty((0, unknowns))
     for begin, end in pairwise(int(share * steps) for share in ROUNDS):
-        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=_moves(drawn))
+        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=_moves(drawn, known))
         walk = sampler.sample(state, iterations=end - begin)
         for step, state in enumerate(walk, begin + 1):
             if step > int(FORGOTTEN * steps):
@@ -86,20 +95,52 @@ def posterior_sample(
     return np.concatenate(rows)
 
 
-def _moves(drawn):
+def _is_outside(positions):
+    """Whether positions, shape (..., unknowns), lie outside of the unit cube: shape (...)."""
+    return ((positions < 0.0) | (positions > 1.0)).any(axis=-1)
+
+
+def _moves(drawn, known):
     """How walkers step, with the share of the steps: from where they are, by what parts two others; or,
-    where enough was ``drawn``, to any place of its density."""
+    where enough was ``drawn``, to any place of its density, by many steps whose objective is guessed
+    from the ``known`` places, of which the last is evaluated.  Whether that one is taken depends on the
+    error of the guesses, which so have no part in what is drawn, but in how often walkers stay."""
     near = [(DEMove(), 0.8), (DESnookerMove(), 0.2)]
     if len(np.unique(drawn, axis=0)) < ENOUGH * drawn.shape[1]:
         return near
-    density = gaussian_kde(drawn.T)
+    density, guess = gaussian_kde(drawn.T), _guess(np.array(known[-REMEMBERED:]), drawn)
 
     def anywhere(places, random):
-        others = density.resample(len(places), seed=random).T
-        return others, density.logpdf(places.T) - density.logpdf(others.T)
+        here, guessed = places, guess(places)
+        advantage = guessed - density.logpdf(here.T)
+        for _ in range(GUESSES):
+            there = density.resample(len(places), seed=random).T
+            gain = guess(there) - density.logpdf(there.T)
+            goes = np.log(random.random_sample(len(places))) < gain - advantage
+            here, advantage = np.where(goes[:, None], there, here), np.where(goes, gain, advantage)
+        return here, guessed - guess(here)
 
     near = [(move, share * (1.0 - INDEPENDENT)) for move, share in near]
     return [*near, (MHMove(anywhere), INDEPENDENT)]
+
+
+def _guess(known, drawn):
+    """A guess of the logarithm of the density at places, shape (n, unknowns), from the misses at ``known``
+    ones, where distances count as what was ``drawn`` scatters."""
+    unknowns = drawn.shape[1]
+    scales = np.linalg.cholesky(np.linalg.inv(np.cov(drawn.T)))
+    misses = RBFInterpolator(
+        known[:, :unknowns] @ scales,
+        known[:, unknowns:],
+        kernel="linear",
+        smoothing=SMOOTHING,
+    )
+
+    def guess(places):
+        guessed = -np.sum(misses(places @ scales) ** 2, axis=1)
+        return np.where(_is_outside(places), -np.inf, guessed)
+
+    return guess
 
 
 def _first_walkers(evaluations, walkers, rng):
