@@ -180,7 +180,7 @@ def test_an_ensemble_starts_with_the_best_and_spreads():
 
 def test_samples_have_the_density_that_the_objective_gives():
     """The misses of the valley are standard normal deviates: so are the samples."""
-    budget = BUDGET | {"walkers": 40, "steps": 400}
+    budget = BUDGET | {"walkers": 16, "steps": 300}
     rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
     drawn = posterior_sample(READING, Valley(), rows, budget, 1, report=lambda line: None)
     ratio = np.array([READING.values(row)["gap_ratio"] for row in drawn[:, :-1]])
@@ -218,9 +218,9 @@ def test_samples_pass_from_one_valley_to_another():
     starts = np.array(
         [[0.2, 0.5, 0.0], *([0.2, 0.5 + 0.002 * n, 0.01] for n in range(6)), [0.8, 0.5, 0.0]]
     )
-    budget = BUDGET | {"walkers": 24, "steps": 400}
+    budget = BUDGET | {"walkers": 16, "steps": 400}
     drawn = posterior_sample(READING, Valleys(), starts, budget, 1, report=lambda line: None)
-    assert len(drawn) == 24 * 300
+    assert len(drawn) == 16 * 300
     assert (drawn[:, 0] > 0.5).mean() == pytest.approx(0.8, abs=0.04)  # areas as 4 to 1
 
 
