@@ -4,7 +4,7 @@
 # make verify      whether the release is whole, and the products are those that it holds
 # make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
-# make accuracy    errors and times of the solver, measured on this machine (14 minutes)
+# make accuracy    errors and times of the solver, measured on this machine (some 15 minutes)
 # make overhead    where the time of a clean run goes, in an environment of its own: what only tests need
 #                  would be loaded as well
 # make cluster     the time of a clean run on a cluster of one node, started for it, against one without
@@ -36,7 +36,7 @@ reproduce: $(VENV)/workflow.done
 
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
-	$(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile
+	$(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build

@@ -243,19 +243,18 @@ def main() -> None:
     parser.add_argument("targets", nargs="*", help="products, by default all")
     given = parser.parse_args()
     config = ("--configfile", given.configfile) if given.configfile else ()
-    full, empty = [], []
-    interpreter = start_of_interpreter()
     with tempfile.TemporaryDirectory() as place:
         if given.before:
             compare(given.before, given.repeats, given.targets, config, Path(place))
             return
+        full, empty = [], []
         working = prepared(Path(place) / "full", empty=False)
         idle = prepared(Path(place) / "empty", empty=True)
         for _ in range(given.repeats):
             full.append(clean_run(working, given.targets, config))
             empty.append(clean_run(idle, given.targets, config))
             print(f"run {full[-1].elapsed:.1f} s, empty jobs {empty[-1].elapsed:.1f} s", flush=True)
-    print("\n" + report(full, empty, interpreter))
+    print("\n" + report(full, empty, start_of_interpreter()))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ def judge_claims(
     under those of all ``calibrated``."""
     court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
     entries = read_entries()
-    found = {path: read_calibrated(path, entries) for path in {default, *calibrated}}
+    found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
     main, readings = found[default], [found[path] for path in calibrated]
     main = main | {
         "inputs": main["inputs"] | laid_over,
