@@ -71,7 +71,7 @@ def readings_block() -> str:
             "reading": content["reading"],
             "objective": f"{content['objective']:.2f}",
             "above the best": f"{content['objective'] - contents[0]['objective']:.2f}",
-            "of each seed": ", ".join(f"{each:.1f}" for each in content["objective_of_each_seed"]),
+            "of each seed": ", ".join(f"{each:.2f}" for each in content["objective_of_each_seed"]),
             "evaluations": content["evaluations"],
         }
         for content in contents
