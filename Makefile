@@ -34,9 +34,10 @@ VENDOR := src/thirdbody/explorer/vendor
 reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 
+# one thread of linear algebra a process, as processes share the cores
 test: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES)
-	$(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build

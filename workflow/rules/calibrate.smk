@@ -54,7 +54,7 @@ rule sample_reading:
         "../envs/thirdbody.yaml"
     threads: 1
     resources:
-        runtime=30,
+        runtime=90,
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
