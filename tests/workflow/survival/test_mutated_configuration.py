@@ -28,6 +28,7 @@ NAMES = (
     "; touch pwned",
     "é*",
 )
+CLAIMS = "config/claims.yaml"
 CHEAP = "results/extracted/table1/all.csv"
 UNREADABLE = ("TRACEBACK", "\\Z", "(?", "^[")  # what is no line for people: regular expressions
 MADE = ("results", "logs", ".snakemake", "__pycache__")
@@ -60,7 +61,8 @@ def outcome(mutation: Mutation) -> str:
             merged |= read_yaml(file)
         settings = workflow_settings(merged)
         require_surfaces(settings)
-        load_claims("config/claims.yaml")
+        if mutation.file == CLAIMS:  # else they are as they were
+            load_claims(CLAIMS)
     except ValueError as error:
         return str(error)
     inputs = Parameters(**settings["parameters"])
