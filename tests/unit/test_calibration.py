@@ -32,13 +32,24 @@ LOGARITHMIC = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), True)
 READING = Reading("two", {}, (LINEAR, LOGARITHMIC))
 
 
-class Valley:
-    """Misses of two inputs that are to be 1.5 and 1e-4, the second hardly seen."""
+class Squares:
+    """An objective that is the sum of the squares of its ``scores``."""
 
     def found(self, reading, positions):
+        scores = self.scores(reading, positions)
+        return Found(self.value(reading, positions, scores), scores)
+
+    def value(self, reading, positions, scores):
+        return float(np.sum(np.square(scores)))
+
+
+class Valley(Squares):
+    """Two inputs are to be 1.5 and 1e-4, the second is hardly seen."""
+
+    def scores(self, reading, positions):
         values = reading.values(positions)
         second = np.log10(values["summit_radius"]) + 4.0
-        return Found(np.array([4.0 * (values["gap_ratio"] - 1.5), 0.02 * second]))
+        return np.array([4.0 * (values["gap_ratio"] - 1.5), 0.02 * second])
 
 
 # ---- the objective
@@ -80,6 +91,19 @@ def test_validation_statements_never_enter_the_objective(parameters):
     assert objective.asked == referenced_conditions(objective.claims)
 
 
+def test_the_objective_adds_up_losses_by_weight_and_penalties(parameters):
+    objective = Objective.of(CLAIMS, SETTINGS, parameters)
+    scores = np.linspace(0.0, 3.0, len(objective.claims))
+    losses = objective.weights @ loss(scores)
+    assert objective.value(READING, [0.3, 0.5], scores) == pytest.approx(losses)
+    beyond = sum(map(Unknown.penalty, READING.unknowns, READING.values([1.0, 1.0]).values()))
+    assert objective.value(READING, [1.0, 1.0], scores) == pytest.approx(losses + beyond)
+    below = np.where(scores < 1.0, -scores, scores)  # as guesses may be
+    assert objective.value(READING, [0.3, 0.5], below) == pytest.approx(
+        objective.weights @ loss(np.maximum(below, 0.0))
+    )
+
+
 def test_statements_that_are_watched_change_nothing_of_what_is_minimised(parameters):
     reading = Reading.of("uncentred_summit_wide_full_total", SETTINGS)
     middle = np.full(len(reading.unknowns), 0.5)
@@ -87,7 +111,7 @@ def test_statements_that_are_watched_change_nothing_of_what_is_minimised(paramet
         Objective.of(CLAIMS, SETTINGS, parameters, watched=watched).found(reading, middle)
         for watched in (False, True)
     )
-    assert np.array_equal(alone.misses, beside.misses)
+    assert np.array_equal(alone.scores, beside.scores)
     assert alone.beside.size == 0
     assert beside.beside.size == sum(claim.role == VALIDATION for claim in CLAIMS)
     assert (beside.beside >= 0.0).all()
@@ -99,9 +123,10 @@ def test_inputs_without_a_surface_miss_every_statement(parameters):
     objective = Objective.of(CLAIMS, SETTINGS, replace(parameters, summit_parameter_exponent=0.0))
     corner = np.zeros(len(reading.unknowns))  # summits too few for the offset to leave a variance
     corner[1] = 1.0
-    misses = objective.found(reading, corner).misses
-    assert np.isfinite(misses).all()
-    assert_allclose(misses[len(reading.unknowns) :] ** 2, objective.weights * loss(MISSING_SCORE))
+    found = objective.found(reading, corner)
+    assert (found.scores == MISSING_SCORE).all()
+    assert found.objective == objective.value(reading, corner, found.scores)
+    assert np.isfinite(found.objective)
 
 
 def test_statements_that_repeat_one_another_share_one_weight(parameters):
@@ -127,7 +152,7 @@ def test_what_a_reading_fixes_it_does_not_search():
 # ---- the search
 
 
-def test_a_search_finds_what_minimises_the_misses():
+def test_a_search_finds_what_minimises_the_objective():
     rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
     best = READING.values(rows[np.argmin(rows[:, -1]), :-1])
     assert best["gap_ratio"] == pytest.approx(1.5, abs=0.03)
@@ -179,18 +204,18 @@ def test_an_ensemble_starts_with_the_best_and_spreads():
 
 
 def test_samples_have_the_density_that_the_objective_gives():
-    """The misses of the valley are standard normal deviates: so are the samples."""
+    """The scores of the valley are standard normal deviates: so are the samples."""
     budget = BUDGET | {"walkers": 16, "steps": 300}
     rows = search(READING, Valley(), BUDGET, 1, report=lambda line: None)
     drawn = posterior_sample(READING, Valley(), rows, budget, 1, report=lambda line: None)
     ratio = np.array([READING.values(row)["gap_ratio"] for row in drawn[:, :-1]])
-    misses = 4.0 * (ratio - 1.5)
+    scores = 4.0 * (ratio - 1.5)
     assert ratio.mean() == pytest.approx(1.5, abs=0.05)
-    assert misses.std() == pytest.approx(np.sqrt(0.5), rel=0.1)
+    assert scores.std() == pytest.approx(np.sqrt(0.5), rel=0.1)
 
 
 def test_few_evaluations_are_lost_where_others_tell_what_they_give():
-    """Misses that are straight lines are guessed well: most steps that are evaluated are taken."""
+    """Scores that are straight lines are guessed well: most steps that are evaluated are taken."""
     asked = []
 
     class Counted(Valley):
@@ -209,10 +234,10 @@ def test_few_evaluations_are_lost_where_others_tell_what_they_give():
 def test_samples_pass_from_one_valley_to_another():
     """Two valleys that no small step joins hold as many samples as their widths say."""
 
-    class Valleys:
-        def found(self, reading, positions):
+    class Valleys(Squares):
+        def scores(self, reading, positions):
             narrow, wide = (positions - [0.2, 0.5]) / 0.02, (positions - [0.8, 0.5]) / 0.04
-            return Found(np.array([min(np.linalg.norm(narrow), np.linalg.norm(wide))]))
+            return np.array([min(np.linalg.norm(narrow), np.linalg.norm(wide))])
 
     # a search saw both, and most of it the narrow one
     starts = np.array(

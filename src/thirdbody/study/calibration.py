@@ -178,20 +178,17 @@ class Found(NamedTuple):
 
     Attributes
     ----------
-    misses : array, shape (unknowns + claims,)
-        Roots of the penalties of the unknowns and of the weighted losses of the statements [1]; the
-        objective is the sum of their squares.
+    objective : float
+        What is minimised [1].
+    scores : array, shape (claims,)
+        How far each statement that is fitted is from holding, in tolerances [1].
     beside : array, shape (beside,)
-        Scores, in tolerances, of the statements that are watched and not fitted.
+        The same of the statements that are watched and not fitted.
     """
 
-    misses: NDArray[np.float64]
+    objective: float
+    scores: NDArray[np.float64] = np.empty(0)
     beside: NDArray[np.float64] = np.empty(0)
-
-    @property
-    def objective(self) -> float:
-        """What is minimised [1]."""
-        return float(np.sum(self.misses**2))
 
 
 @dataclass(frozen=True)
@@ -271,11 +268,10 @@ class Objective:
         Found
             Inputs that no surface can have give every statement its greatest score.
         """
-        values, judged = reading.values(positions), self.claims + self.beside
-        penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
+        judged = self.claims + self.beside
         try:
             evidence = SolvedEvidence(
-                replace(self.base, **reading.fixed, **values),
+                replace(self.base, **reading.fixed, **reading.values(positions)),
                 self.asked,
                 self.newtons,
                 SEARCH_EFFORT,
@@ -285,7 +281,28 @@ class Objective:
         except ValueError:  # no surface has these inputs
             scores = [MISSING_SCORE] * len(judged)
         fitted, beside = np.split(np.array(scores), [len(self.claims)])
-        return Found(np.sqrt(np.concatenate([penalties, self.weights * loss(fitted)])), beside)
+        return Found(self.value(reading, positions, fitted), fitted, beside)
+
+    def value(self, reading: Reading, positions: ArrayLike, scores: ArrayLike) -> float:
+        """What is minimised, where the scores of the statements are known or guessed.
+
+        Parameters
+        ----------
+        reading : Reading
+            Says what the positions stand for.
+        positions : array_like, shape (unknowns,)
+            From 0 to 1 [1].
+        scores : array_like, shape (claims,)
+            In tolerances [1]; a guess below 0 counts as 0.
+
+        Returns
+        -------
+        float
+            Penalties of the unknowns and weighted losses of the statements, added up [1].
+        """
+        values = reading.values(positions)
+        penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
+        return float(np.sum(penalties) + np.sum(self.weights * loss(np.maximum(scores, 0.0))))
 
 
 def loss(score: ArrayLike) -> ArrayLike:

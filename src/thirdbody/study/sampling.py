@@ -9,6 +9,7 @@ that is good as far as the places evaluated before tell.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -22,14 +23,17 @@ from thirdbody.study.calibration import Objective, Reading, acceptable, spread_o
 
 # Walkers start from sets whose objective is at most this far above the best, for each unknown.
 START_ABOVE_BEST = 1.0
-# Shares of the steps after which walkers look back at what they have drawn since the last time.
-ROUNDS = (0.0, 0.125, 0.25, 0.5, 1.0)
-FORGOTTEN = 0.25  # share of the steps that are not kept
+ROUNDS = 8  # equal parts of the steps; after each, walkers look back at what they have drawn
+FORGOTTEN = 2  # rounds that are not kept
+# Power of the density that the forgotten rounds draw, and from which steps that go anywhere are
+# proposed: it is wider than the density itself, so that its thin ends are known and reached.
+WIDER = 0.85
 INDEPENDENT = 0.8  # share of the steps that go anywhere, once walkers have drawn enough
 ENOUGH = 10  # different sets, for each unknown
-GUESSES = 30  # steps by guessed objectives for one whose objective is evaluated
-REMEMBERED = 2000  # evaluated places that make a guess, the newest
-SMOOTHING = 0.3  # of guesses, as RBFInterpolator counts it
+GUESSES = 40  # steps by guessed objectives for one whose objective is evaluated
+KERNELS = 2000  # drawn places from which guessed steps set out, at most
+REMEMBERED = 8000  # evaluated places that make a guess, at most
+SMOOTHING = 0.1  # of guesses, as RBFInterpolator counts it
 
 
 def posterior_sample(
@@ -47,12 +51,12 @@ def posterior_sample(
     reading : Reading
         Its unknowns are drawn.
     objective : Objective
-        What ``objective.found(reading, positions)`` names as the objective counts.
+        What ``objective.found(reading, positions)`` names as the objective counts;
+        ``objective.value(reading, positions, scores)`` tells it from scores that are guessed.
     evaluations : array, shape (evaluations, unknowns + 1)
         What ``thirdbody.study.search.search`` found: walkers start from the best of them.
     budget : mapping
-        How many ``walkers`` make how many ``steps``; those of the first two rounds, a quarter, are
-        forgotten.
+        How many ``walkers`` make how many ``steps``, of which the first quarter is forgotten.
     seed : int
         Of the random numbers: the same seed gives the same result.
     report : callable
@@ -72,26 +76,30 @@ def posterior_sample(
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(reading.unknowns)
     known = []
 
-    def log_density(positions):
+    def log_density(positions, power):
         if _is_outside(positions):
             return -np.inf
         found = objective.found(reading, positions)
-        known.append(np.concatenate([positions, found.misses]))
-        return -found.objective
+        known.append(np.concatenate([positions, found.scores]))
+        return -power * found.objective
 
     first = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
     state = State(first, random_state=np.random.RandomState(seed).get_state())
-    rows, drawn = [], np.empty((0, unknowns))
-    for begin, end in pairwise(int(share * steps) for share in ROUNDS):
-        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=_moves(drawn, known))
+    rows, drawn = [], []
+    ends = np.linspace(0, steps, ROUNDS + 1).astype(int)
+    for number, (begin, end) in enumerate(pairwise(ends)):
+        kept = number >= FORGOTTEN
+        moves = _moves(np.reshape(drawn, (-1, unknowns)), known, partial(objective.value, reading))
+        power = 1.0 if kept else WIDER
+        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=moves, args=[power])
+        state = State(state.coords, random_state=state.random_state)
         walk = sampler.sample(state, iterations=end - begin)
         for step, state in enumerate(walk, begin + 1):
-            if step > int(FORGOTTEN * steps):
+            drawn.append(state.coords.copy())
+            if kept:
                 rows.append(np.column_stack([state.coords, -state.log_prob]))
             if step % 20 == 0:
                 report(f"{reading.name} seed {seed}: {step} of {steps} steps of {walkers} walkers")
-        if end > begin:
-            drawn = sampler.get_chain(flat=True)
     return np.concatenate(rows)
 
 
@@ -100,7 +108,7 @@ def _is_outside(positions):
     return ((positions < 0.0) | (positions > 1.0)).any(axis=-1)
 
 
-def _moves(drawn, known):
+def _moves(drawn, known, value):
     """How walkers step, with the share of the steps: from where they are, by what parts two others; or,
     where enough was ``drawn``, to any place of its density, by many steps whose objective is guessed
     from the ``known`` places, of which the last is evaluated.  Whether that one is taken depends on the
@@ -108,7 +116,8 @@ def _moves(drawn, known):
     near = [(DEMove(), 0.8), (DESnookerMove(), 0.2)]
     if len(np.unique(drawn, axis=0)) < ENOUGH * drawn.shape[1]:
         return near
-    density, guess = gaussian_kde(drawn.T), _guess(np.array(known[-REMEMBERED:]), drawn)
+    density = gaussian_kde(_thinned(drawn, KERNELS).T)
+    guess = _guess(np.array(_thinned(known, REMEMBERED)), drawn, value)
 
     def anywhere(places, random):
         here, guessed = places, guess(places)
@@ -124,21 +133,24 @@ def _moves(drawn, known):
     return [*near, (MHMove(anywhere), INDEPENDENT)]
 
 
-def _guess(known, drawn):
-    """A guess of the logarithm of the density at places, shape (n, unknowns), from the misses at ``known``
-    ones, where distances count as what was ``drawn`` scatters."""
+def _thinned(rows, most):
+    """At most so many of the rows, evenly taken."""
+    return rows[:: 1 + (len(rows) - 1) // most]
+
+
+def _guess(known, drawn, value):
+    """A guess of the logarithm of the wider density at places, shape (n, unknowns), from the scores of
+    statements at ``known`` ones, where distances count as what was ``drawn`` scatters.  Scores change
+    smoothly where the objective, their ``value``, has steps."""
     unknowns = drawn.shape[1]
     scales = np.linalg.cholesky(np.linalg.inv(np.cov(drawn.T)))
-    misses = RBFInterpolator(
-        known[:, :unknowns] @ scales,
-        known[:, unknowns:],
-        kernel="linear",
-        smoothing=SMOOTHING,
+    scores = RBFInterpolator(
+        known[:, :unknowns] @ scales, known[:, unknowns:], kernel="cubic", smoothing=SMOOTHING
     )
 
     def guess(places):
-        guessed = -np.sum(misses(places @ scales) ** 2, axis=1)
-        return np.where(_is_outside(places), -np.inf, guessed)
+        objectives = np.array(list(map(value, places, scores(places @ scales))))
+        return np.where(_is_outside(places), -np.inf, -WIDER * objectives)
 
     return guess
 

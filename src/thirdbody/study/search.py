@@ -67,7 +67,7 @@ def search(
     >>> class Valley:
     ...     def found(self, reading, positions):
     ...         values = reading.values(positions)
-    ...         return Found(np.array([values["gap_ratio"] - 1.5, values["mean_ratio"] - 1.0]))
+    ...         return Found((values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2)
     >>> budget = {"scattered": 20, "population": 8, "evaluations": 200}
     >>> rows = search(reading, Valley(), budget, seed=1, report=lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
