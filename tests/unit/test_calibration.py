@@ -98,10 +98,21 @@ def test_the_objective_adds_up_losses_by_weight_and_penalties(parameters):
     assert objective.value(READING, [0.3, 0.5], scores) == pytest.approx(losses)
     beyond = sum(map(Unknown.penalty, READING.unknowns, READING.values([1.0, 1.0]).values()))
     assert objective.value(READING, [1.0, 1.0], scores) == pytest.approx(losses + beyond)
-    below = np.where(scores < 1.0, -scores, scores)  # as guesses may be
-    assert objective.value(READING, [0.3, 0.5], below) == pytest.approx(
-        objective.weights @ loss(np.maximum(below, 0.0))
+    assert objective.value(READING, [0.3, 0.5], -scores) == pytest.approx(losses)
+
+
+def test_scores_are_signed_where_one_number_is_published(parameters):
+    """A turning point at a lower and one at a higher load are told apart, and not in the objective."""
+    reading = Reading.of("uncentred_summit_wide_full_total", SETTINGS)
+    dry = next(claim for claim in CLAIMS if claim.id == "fig11a-turning-point-load-dry")
+    default = [unknown.position(getattr(parameters, unknown.name)) for unknown in reading.unknowns]
+    low, high = (
+        Objective.of([replace(dry, published=load)], SETTINGS, parameters).found(reading, default)
+        for load in (1.0, 1e-12)
     )
+    assert low.scores < 0.0 < high.scores
+    assert low.objective > 1.0
+    assert high.objective > 1.0
 
 
 def test_statements_that_are_watched_change_nothing_of_what_is_minimised(parameters):

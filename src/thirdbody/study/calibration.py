@@ -181,9 +181,10 @@ class Found(NamedTuple):
     objective : float
         What is minimised [1].
     scores : array, shape (claims,)
-        How far each statement that is fitted is from holding, in tolerances [1].
+        How far each statement that is fitted is from holding, in tolerances [1]; below 0 where the one
+        number that a statement prints is not reached, so that scores change smoothly as inputs do.
     beside : array, shape (beside,)
-        The same of the statements that are watched and not fitted.
+        The same, never below 0, of the statements that are watched and not fitted.
     """
 
     objective: float
@@ -268,7 +269,6 @@ class Objective:
         Found
             Inputs that no surface can have give every statement its greatest score.
         """
-        judged = self.claims + self.beside
         try:
             evidence = SolvedEvidence(
                 replace(self.base, **reading.fixed, **reading.values(positions)),
@@ -277,10 +277,11 @@ class Objective:
                 SEARCH_EFFORT,
             )
             with shared_tables():
-                scores = [judge(claim, evidence).score for claim in judged]
+                fitted = np.array([_signed(claim, judge(claim, evidence)) for claim in self.claims])
+                beside = np.array([judge(claim, evidence).score for claim in self.beside])
         except ValueError:  # no surface has these inputs
-            scores = [MISSING_SCORE] * len(judged)
-        fitted, beside = np.split(np.array(scores), [len(self.claims)])
+            fitted = np.full(len(self.claims), MISSING_SCORE)
+            beside = np.full(len(self.beside), MISSING_SCORE)
         return Found(self.value(reading, positions, fitted), fitted, beside)
 
     def value(self, reading: Reading, positions: ArrayLike, scores: ArrayLike) -> float:
@@ -293,7 +294,7 @@ class Objective:
         positions : array_like, shape (unknowns,)
             From 0 to 1 [1].
         scores : array_like, shape (claims,)
-            In tolerances [1]; a guess below 0 counts as 0.
+            In tolerances [1], as ``Found`` has them.
 
         Returns
         -------
@@ -302,7 +303,13 @@ class Objective:
         """
         values = reading.values(positions)
         penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
-        return float(np.sum(penalties) + np.sum(self.weights * loss(np.maximum(scores, 0.0))))
+        return float(np.sum(penalties) + np.sum(self.weights * loss(np.abs(scores))))
+
+
+def _signed(claim, verdict):
+    """The score of a claim, below 0 where its one number is less than what is published."""
+    one = claim.kind == "value" and len(claim.curves) == 1
+    return -verdict.score if one and verdict.deviation < 0.0 else verdict.score
 
 
 def loss(score: ArrayLike) -> ArrayLike:

@@ -53,7 +53,7 @@ class Witness:
 
     def see(self, found: Found) -> None:
         """Take note of one evaluation, as ``Objective.found`` returns it."""
-        losses = self._weights * loss(found.scores)
+        losses = self._weights * loss(np.abs(found.scores))
         for name, members in self._members.items():
             own = losses[members].sum()
             score = np.interp(own / self._weights[members].sum(), LOSSES, SCORES)

@@ -25,14 +25,11 @@ from thirdbody.study.calibration import Objective, Reading, acceptable, spread_o
 START_ABOVE_BEST = 1.0
 ROUNDS = 8  # equal parts of the steps; after each, walkers look back at what they have drawn
 FORGOTTEN = 2  # rounds that are not kept
-# Power of the density that the forgotten rounds draw, and from which steps that go anywhere are
-# proposed: it is wider than the density itself, so that its thin ends are known and reached.
-WIDER = 0.85
 INDEPENDENT = 0.8  # share of the steps that go anywhere, once walkers have drawn enough
 ENOUGH = 10  # different sets, for each unknown
 GUESSES = 40  # steps by guessed objectives for one whose objective is evaluated
 KERNELS = 2000  # drawn places from which guessed steps set out, at most
-REMEMBERED = 8000  # evaluated places that make a guess, at most
+REMEMBERED = 5000  # evaluated places that make a guess, at most
 SMOOTHING = 0.1  # of guesses, as RBFInterpolator counts it
 
 
@@ -76,27 +73,24 @@ def posterior_sample(
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(reading.unknowns)
     known = []
 
-    def log_density(positions, power):
+    def log_density(positions):
         if _is_outside(positions):
             return -np.inf
         found = objective.found(reading, positions)
         known.append(np.concatenate([positions, found.scores]))
-        return -power * found.objective
+        return -found.objective
 
     first = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
     state = State(first, random_state=np.random.RandomState(seed).get_state())
     rows, drawn = [], []
     ends = np.linspace(0, steps, ROUNDS + 1).astype(int)
     for number, (begin, end) in enumerate(pairwise(ends)):
-        kept = number >= FORGOTTEN
         moves = _moves(np.reshape(drawn, (-1, unknowns)), known, partial(objective.value, reading))
-        power = 1.0 if kept else WIDER
-        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=moves, args=[power])
-        state = State(state.coords, random_state=state.random_state)
+        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=moves)
         walk = sampler.sample(state, iterations=end - begin)
         for step, state in enumerate(walk, begin + 1):
             drawn.append(state.coords.copy())
-            if kept:
+            if number >= FORGOTTEN:
                 rows.append(np.column_stack([state.coords, -state.log_prob]))
             if step % 20 == 0:
                 report(f"{reading.name} seed {seed}: {step} of {steps} steps of {walkers} walkers")
@@ -117,7 +111,7 @@ def _moves(drawn, known, value):
     if len(np.unique(drawn, axis=0)) < ENOUGH * drawn.shape[1]:
         return near
     density = gaussian_kde(_thinned(drawn, KERNELS).T)
-    guess = _guess(np.array(_thinned(known, REMEMBERED)), drawn, value)
+    guess = _guess(_thinned(known, REMEMBERED), drawn, value)
 
     def anywhere(places, random):
         here, guessed = places, guess(places)
@@ -135,11 +129,12 @@ def _moves(drawn, known, value):
 
 def _thinned(rows, most):
     """At most so many of the rows, evenly taken."""
-    return rows[:: 1 + (len(rows) - 1) // most]
+    chosen = np.linspace(0, len(rows) - 1, min(most, len(rows))).astype(int)
+    return np.asarray(rows)[chosen]
 
 
 def _guess(known, drawn, value):
-    """A guess of the logarithm of the wider density at places, shape (n, unknowns), from the scores of
+    """A guess of the logarithm of the density at places, shape (n, unknowns), from the scores of
     statements at ``known`` ones, where distances count as what was ``drawn`` scatters.  Scores change
     smoothly where the objective, their ``value``, has steps."""
     unknowns = drawn.shape[1]
@@ -150,7 +145,7 @@ def _guess(known, drawn, value):
 
     def guess(places):
         objectives = np.array(list(map(value, places, scores(places @ scales))))
-        return np.where(_is_outside(places), -np.inf, -WIDER * objectives)
+        return np.where(_is_outside(places), -np.inf, -objectives)
 
     return guess
 
