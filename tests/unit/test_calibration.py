@@ -36,11 +36,11 @@ class Squares:
     """An objective that is the sum of the squares of its ``scores``."""
 
     def found(self, reading, positions):
-        scores = self.scores(reading, positions)
-        return Found(self.value(reading, positions, scores), scores)
+        ends = np.repeat(self.scores(reading, positions)[:, None], 2, axis=1)
+        return Found(self.value(reading, positions, ends), ends)
 
-    def value(self, reading, positions, scores):
-        return float(np.sum(np.square(scores)))
+    def value(self, reading, positions, ends):
+        return float(np.sum(np.abs(ends).max(axis=1) ** 2))
 
 
 class Valley(Squares):
@@ -94,14 +94,14 @@ def test_validation_statements_never_enter_the_objective(parameters):
 def test_the_objective_adds_up_losses_by_weight_and_penalties(parameters):
     objective = Objective.of(CLAIMS, SETTINGS, parameters)
     scores = np.linspace(0.0, 3.0, len(objective.claims))
-    losses = objective.weights @ loss(scores)
-    assert objective.value(READING, [0.3, 0.5], scores) == pytest.approx(losses)
+    ends, losses = np.column_stack([-scores, 0.5 * scores]), objective.weights @ loss(scores)
+    assert objective.value(READING, [0.3, 0.5], ends) == pytest.approx(losses)
+    assert objective.value(READING, [0.3, 0.5], -ends) == pytest.approx(losses)
     beyond = sum(map(Unknown.penalty, READING.unknowns, READING.values([1.0, 1.0]).values()))
-    assert objective.value(READING, [1.0, 1.0], scores) == pytest.approx(losses + beyond)
-    assert objective.value(READING, [0.3, 0.5], -scores) == pytest.approx(losses)
+    assert objective.value(READING, [1.0, 1.0], ends) == pytest.approx(losses + beyond)
 
 
-def test_scores_are_signed_where_one_number_is_published(parameters):
+def test_scores_tell_on_which_side_of_a_published_number_they_are(parameters):
     """A turning point at a lower and one at a higher load are told apart, and not in the objective."""
     reading = Reading.of("uncentred_summit_wide_full_total", SETTINGS)
     dry = next(claim for claim in CLAIMS if claim.id == "fig11a-turning-point-load-dry")
@@ -110,7 +110,8 @@ def test_scores_are_signed_where_one_number_is_published(parameters):
         Objective.of([replace(dry, published=load)], SETTINGS, parameters).found(reading, default)
         for load in (1.0, 1e-12)
     )
-    assert low.scores < 0.0 < high.scores
+    assert low.ends.min() < -1.0
+    assert high.ends.min() > 1.0
     assert low.objective > 1.0
     assert high.objective > 1.0
 
@@ -122,7 +123,7 @@ def test_statements_that_are_watched_change_nothing_of_what_is_minimised(paramet
         Objective.of(CLAIMS, SETTINGS, parameters, watched=watched).found(reading, middle)
         for watched in (False, True)
     )
-    assert np.array_equal(alone.scores, beside.scores)
+    assert np.array_equal(alone.ends, beside.ends)
     assert alone.beside.size == 0
     assert beside.beside.size == sum(claim.role == VALIDATION for claim in CLAIMS)
     assert (beside.beside >= 0.0).all()
@@ -135,8 +136,8 @@ def test_inputs_without_a_surface_miss_every_statement(parameters):
     corner = np.zeros(len(reading.unknowns))  # summits too few for the offset to leave a variance
     corner[1] = 1.0
     found = objective.found(reading, corner)
-    assert (found.scores == MISSING_SCORE).all()
-    assert found.objective == objective.value(reading, corner, found.scores)
+    assert (found.ends == MISSING_SCORE).all()
+    assert found.objective == objective.value(reading, corner, found.ends)
     assert np.isfinite(found.objective)
 
 

@@ -36,7 +36,8 @@ class Court:
             self.in_full.append(inputs["truncation"])
             found = IN_FULL
         verdicts = (
-            Verdict("", 0.0, 0.0, 0.0, True, word == "1") for word in found[inputs["truncation"]]
+            Verdict("", 0.0, 0.0, 0.0, (0.0, 0.0), True, word == "1")
+            for word in found[inputs["truncation"]]
         )
         return Judgement(name, tuple(verdicts))
 

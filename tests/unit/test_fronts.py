@@ -26,7 +26,8 @@ def objective(parameters):
 
 def found_with(objective, scores, beside=()):
     """What is found of inputs whose penalties are 0.5 and of all statements, whose scores are given."""
-    return Found(0.5 + objective.weights @ loss(scores), scores, np.array(beside))
+    ends = np.column_stack([scores, scores])
+    return Found(0.5 + objective.weights @ loss(scores), ends, np.array(beside))
 
 
 def test_a_witness_keeps_what_no_other_evaluation_surpasses(objective):

@@ -12,9 +12,9 @@ from thirdbody.study.claims import Claim
 from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
 from thirdbody.study.verdicts import Judgement, Trial, counted_once, discriminating, outcome
 
-HELD = Verdict("1", 1.0, 0.0, 0.0, True, True)
-MISSED = Verdict("2", 2.0, 1.0, 3.0, True, False)
-BEYOND = Verdict("> 2", 2.0, 1.0, 0.0, False, False)
+HELD = Verdict("1", 1.0, 0.0, 0.0, (0.0, 0.0), True, True)
+MISSED = Verdict("2", 2.0, 1.0, 3.0, (3.0, 3.0), True, False)
+BEYOND = Verdict("> 2", 2.0, 1.0, 0.0, (0.0, 0.0), False, False)
 
 
 def claim(name, role="calibration", **fields):
@@ -101,11 +101,11 @@ def test_the_page_shows_contradictions_apart():
 
 def numbered(value):
     """A verdict that holds, with this number."""
-    return Verdict(str(value), value, 0.0, 0.0, True, True)
+    return Verdict(str(value), value, 0.0, 0.0, (0.0, 0.0), True, True)
 
 
 def test_headlines_give_the_range_of_the_ensemble_or_how_many_agree():
-    wordy = Verdict("boundary", float("nan"), 0.0, 0.0, True, True)
+    wordy = Verdict("boundary", float("nan"), 0.0, 0.0, (0.0, 0.0), True, True)
     main = (numbered(10.0), HELD, wordy, HELD, numbered(3.0))
     members = [
         Judgement("member", (numbered(float(n)), HELD, MISSED if n < 5 else wordy, HELD, HELD))
@@ -137,7 +137,9 @@ def test_the_first_reading_is_the_one_that_the_rule_prefers():
 
 def test_programs_read_what_the_page_says():
     nan = float("nan")
-    judged = trial((HELD, MISSED, HELD, MISSED, Verdict("?", nan, nan, nan, False, False)))
+    judged = trial(
+        (HELD, MISSED, HELD, MISSED, Verdict("?", nan, nan, nan, (nan, nan), False, False))
+    )
     content = json.loads(claims_json(judged, DEFAULT, [], ["taken"]))
     assert (content["held"], content["judged"]) == (1, 2)
     assert content["inputs"] == DEFAULT["inputs"]

@@ -180,15 +180,15 @@ class Found(NamedTuple):
     ----------
     objective : float
         What is minimised [1].
-    scores : array, shape (claims,)
-        How far each statement that is fitted is from holding, in tolerances [1]; below 0 where the one
-        number that a statement prints is not reached, so that scores change smoothly as inputs do.
+    ends : array, shape (claims, 2)
+        How far each statement that is fitted is from holding, in tolerances [1]: the ``ends`` of its
+        verdict, which change smoothly as inputs do.
     beside : array, shape (beside,)
-        The same, never below 0, of the statements that are watched and not fitted.
+        Scores, in tolerances, of the statements that are watched and not fitted [1].
     """
 
     objective: float
-    scores: NDArray[np.float64] = np.empty(0)
+    ends: NDArray[np.float64] = np.empty((0, 2))
     beside: NDArray[np.float64] = np.empty(0)
 
 
@@ -277,14 +277,14 @@ class Objective:
                 SEARCH_EFFORT,
             )
             with shared_tables():
-                fitted = np.array([_signed(claim, judge(claim, evidence)) for claim in self.claims])
+                fitted = np.array([judge(claim, evidence).ends for claim in self.claims])
                 beside = np.array([judge(claim, evidence).score for claim in self.beside])
         except ValueError:  # no surface has these inputs
-            fitted = np.full(len(self.claims), MISSING_SCORE)
+            fitted = np.full((len(self.claims), 2), MISSING_SCORE)
             beside = np.full(len(self.beside), MISSING_SCORE)
         return Found(self.value(reading, positions, fitted), fitted, beside)
 
-    def value(self, reading: Reading, positions: ArrayLike, scores: ArrayLike) -> float:
+    def value(self, reading: Reading, positions: ArrayLike, ends: ArrayLike) -> float:
         """What is minimised, where the scores of the statements are known or guessed.
 
         Parameters
@@ -293,7 +293,7 @@ class Objective:
             Says what the positions stand for.
         positions : array_like, shape (unknowns,)
             From 0 to 1 [1].
-        scores : array_like, shape (claims,)
+        ends : array_like, shape (claims, 2)
             In tolerances [1], as ``Found`` has them.
 
         Returns
@@ -303,13 +303,11 @@ class Objective:
         """
         values = reading.values(positions)
         penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
-        return float(np.sum(penalties) + np.sum(self.weights * loss(np.abs(scores))))
+        return float(np.sum(penalties) + np.sum(self.losses(ends)))
 
-
-def _signed(claim, verdict):
-    """The score of a claim, below 0 where its one number is less than what is published."""
-    one = claim.kind == "value" and len(claim.curves) == 1
-    return -verdict.score if one and verdict.deviation < 0.0 else verdict.score
+    def losses(self, ends: ArrayLike) -> NDArray[np.float64]:
+        """Weighted loss of each statement [1], shape (claims,), from ``ends`` as ``Found`` has them."""
+        return self.weights * loss(np.abs(ends).max(axis=1))
 
 
 def loss(score: ArrayLike) -> ArrayLike:

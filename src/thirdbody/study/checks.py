@@ -4,8 +4,9 @@
 measures on them what the claim is about, and expresses the distance from what the paper says in
 tolerances of the claim.  A claim holds if this distance is at most 1.
 
-Every check returns ``(measured, value, deviation, distance)``: what was measured as text and as a
-number, how much it deviates, and the distance in tolerances; nan where there is nothing to measure.
+Every check returns ``(measured, value, deviation, low, high)``: what was measured as text and as a
+number, how much it deviates, and the least and the greatest distance in tolerances, below 0 where less
+is measured than is published; nan where there is nothing to measure.
 Kinds of statements are explained at the head of ``config/claims.yaml``.
 """
 
@@ -40,7 +41,7 @@ BOUND_TOLERANCE = 0.02
 BEND = 0.1  # by how much a curve's slope must have fallen for a bend that a reader sees [1]
 SATURATED = 1e-12  # nearer to 0 or 1, a ratio has lost the digits that tell its odds
 TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
-Measured = tuple[str, float, float, float]  # what a check returns
+Measured = tuple[str, float, float, float, float]  # what a check returns
 
 
 @dataclass(frozen=True)
@@ -193,6 +194,10 @@ class Verdict(NamedTuple):
         Distance from what is published, in tolerances [1].  Beyond 1 it grows with the logarithm
         of the distance only, up to ``MISSING_SCORE``, so that one bad miss does not outweigh
         everything else in a sum.  nan if the paper keeps the value back.
+    ends : tuple of float
+        The least and the greatest score of the numbers that are compared, below 0 where less is measured
+        than is published [1]; ``score`` is the greater of their sizes.  Where other than numbers are
+        compared, both are the score.
     tested : bool
         Whether the model comes to the condition that the claim speaks of within its loads.
     holds : bool
@@ -203,6 +208,7 @@ class Verdict(NamedTuple):
     value: float
     deviation: float
     score: float
+    ends: tuple[float, float]
     tested: bool
     holds: bool
 
@@ -261,29 +267,31 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     (0.0, 0.0, True)
     """
     try:
-        measured, value, deviation, distance = CHECKS[claim.kind](claim, evidence)
+        measured, value, deviation, low, high = CHECKS[claim.kind](claim, evidence)
         tested = _is_within_the_loads(claim, evidence)
     except NotReached as short:
         tested = False
         measured, value, deviation = f"not reached, by {short.args[0]:.3g}", np.nan, np.nan
-        distance = 2.0 + short.args[0] / BOUND_TOLERANCE
+        low = high = 2.0 + short.args[0] / BOUND_TOLERANCE
     if claim.source == "turning_point":
         curves = claim.curves + claim.references
         prominence = np.min([evidence.turning_point(*curve).prominence for curve in curves])
         if not prominence >= PROMINENCE:
             measured += f"; stands out by {prominence:.2g}"
-        distance = np.maximum(distance, _faintness(prominence))
-    score = np.nan if claim.is_withheld else _score(distance)
+        high = np.maximum(high, _faintness(prominence))
+    ends = (np.nan, np.nan) if claim.is_withheld else (_score(low), _score(high))
+    score = max(map(abs, ends))
     holds = bool(tested and score <= 1.0)
-    return Verdict(measured, float(value), float(deviation), score, tested, holds)
+    return Verdict(measured, float(value), float(deviation), score, ends, tested, holds)
 
 
 def _score(distance: float) -> float:
-    """Score of a distance in tolerances: the distance up to 1, 1 + its logarithm beyond."""
+    """Score of a distance in tolerances, with its sign: the distance up to 1, 1 + its logarithm beyond."""
     if np.isnan(distance):
         return MISSING_SCORE
-    within = min(max(float(distance), 0.0), 1.0)
-    return min(within + float(np.log(max(distance, 1.0))), MISSING_SCORE)
+    size = abs(float(distance))
+    score = min(min(size, 1.0) + float(np.log(max(size, 1.0))), MISSING_SCORE)
+    return float(np.copysign(score, distance))
 
 
 def _is_within_the_loads(claim: Claim, evidence: Evidence) -> bool:
@@ -304,8 +312,8 @@ def _is_within_the_loads(claim: Claim, evidence: Evidence) -> bool:
         return not (beyond[1:] & beyond[:-1]).any()
     if claim.published is None or not beyond.any():
         return not beyond.any()
-    *_, distance = _against_published(claim, np.minimum(loads, last), "")
-    return bool(distance > 1.0)
+    *_, low, high = _against_published(claim, np.minimum(loads, last), "")
+    return bool(low < -1.0 or high > 1.0)
 
 
 def _faintness(prominence: float) -> float:
@@ -334,7 +342,7 @@ def check_reach(claim: Claim, evidence: Evidence) -> Measured:
     lacks = np.maximum(sign * (values - claim.published), 0.0)
     worst = int(np.argmax(lacks))
     distance = lacks[worst] / claim.tolerance
-    return _shown(claim, evidence, values), values[worst], sign * lacks[worst], distance
+    return _shown(claim, evidence, values), values[worst], sign * lacks[worst], distance, distance
 
 
 def check_range(claim: Claim, evidence: Evidence) -> Measured:
@@ -410,21 +418,24 @@ def _against_published(claim, measured, text) -> Measured:
     """Result of a check whose ``measured`` numbers are to equal the published ones."""
     published = np.nan if claim.published is None else np.asarray(claim.published)
     deviation = measured - published
-    distance = np.abs(deviation) / claim.tolerance
+    distance = deviation / claim.tolerance
     if claim.relative:
         # The distance is a ratio of logarithms, 1 at either end of the tolerance: so it goes on
         # growing where a quantity is far too small, and a calibration can follow its slope.
         ratio = np.maximum(measured / published, TINY)
         deviation = ratio - 1.0
-        distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
-    worst = int(np.argmax(distance))
-    return text, measured.flat[worst], deviation.flat[worst], distance.flat[worst]
+        width = np.log1p(np.copysign(claim.tolerance, deviation))
+        distance = np.copysign(np.log(ratio) / width, deviation)
+    worst = int(np.argmax(np.abs(distance)))
+    ends = np.min(distance), np.max(distance)
+    return text, measured.flat[worst], deviation.flat[worst], *ends
 
 
 def _missed(claim, text, miss) -> Measured:
     """Result of a check that found by how much a course or an order is missed."""
     deviation = np.expm1(miss) if claim.relative else miss
-    return text, np.nan, deviation, miss / claim.step
+    distance = np.maximum(miss / claim.step, 0.0)
+    return text, np.nan, deviation, distance, distance
 
 
 # --- measuring ---

@@ -47,16 +47,16 @@ class Witness:
             if name in names
         }
         self._beside = [claim.id for claim in objective.beside]
-        self._weights = objective.weights
+        self._objective = objective
         names = (*self._members, *self._beside)
         self.fronts: dict[str, Front] = {name: np.empty((0, 2)) for name in names}
 
     def see(self, found: Found) -> None:
         """Take note of one evaluation, as ``Objective.found`` returns it."""
-        losses = self._weights * loss(np.abs(found.scores))
+        losses, weights = self._objective.losses(found.ends), self._objective.weights
         for name, members in self._members.items():
             own = losses[members].sum()
-            score = np.interp(own / self._weights[members].sum(), LOSSES, SCORES)
+            score = np.interp(own / weights[members].sum(), LOSSES, SCORES)
             self._add(name, score, found.objective - own)
         for name, score in zip(self._beside, found.beside, strict=True):
             self._add(name, score, found.objective)

@@ -23,13 +23,15 @@ from thirdbody.study.calibration import Objective, Reading, acceptable, spread_o
 
 # Walkers start from sets whose objective is at most this far above the best, for each unknown.
 START_ABOVE_BEST = 1.0
-ROUNDS = 8  # equal parts of the steps; after each, walkers look back at what they have drawn
-FORGOTTEN = 2  # rounds that are not kept
+ROUNDS = 16  # equal parts of the steps; after each, walkers look back at what they have drawn
+FORGOTTEN = 4  # rounds that are not kept
+# Power of the density that these draw: they come farther, so that the thin ends of it are known.
+WARM = 0.7
 INDEPENDENT = 0.8  # share of the steps that go anywhere, once walkers have drawn enough
 ENOUGH = 10  # different sets, for each unknown
 GUESSES = 40  # steps by guessed objectives for one whose objective is evaluated
 KERNELS = 2000  # drawn places from which guessed steps set out, at most
-REMEMBERED = 5000  # evaluated places that make a guess, at most
+REMEMBERED = 6000  # evaluated places that make a guess, at most
 SMOOTHING = 0.1  # of guesses, as RBFInterpolator counts it
 
 
@@ -49,7 +51,7 @@ def posterior_sample(
         Its unknowns are drawn.
     objective : Objective
         What ``objective.found(reading, positions)`` names as the objective counts;
-        ``objective.value(reading, positions, scores)`` tells it from scores that are guessed.
+        ``objective.value(reading, positions, ends)`` tells it from ends that are guessed.
     evaluations : array, shape (evaluations, unknowns + 1)
         What ``thirdbody.study.search.search`` found: walkers start from the best of them.
     budget : mapping
@@ -73,12 +75,12 @@ def posterior_sample(
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(reading.unknowns)
     known = []
 
-    def log_density(positions):
+    def log_density(positions, power):
         if _is_outside(positions):
             return -np.inf
         found = objective.found(reading, positions)
-        known.append(np.concatenate([positions, found.scores]))
-        return -found.objective
+        known.append(np.concatenate([positions, found.ends.ravel()]))
+        return -power * found.objective
 
     first = _first_walkers(evaluations, walkers, np.random.default_rng(seed))
     state = State(first, random_state=np.random.RandomState(seed).get_state())
@@ -86,7 +88,9 @@ def posterior_sample(
     ends = np.linspace(0, steps, ROUNDS + 1).astype(int)
     for number, (begin, end) in enumerate(pairwise(ends)):
         moves = _moves(np.reshape(drawn, (-1, unknowns)), known, partial(objective.value, reading))
-        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=moves)
+        power = 1.0 if number >= FORGOTTEN else WARM
+        sampler = EnsembleSampler(walkers, unknowns, log_density, moves=moves, args=[power])
+        state = State(state.coords, random_state=state.random_state)
         walk = sampler.sample(state, iterations=end - begin)
         for step, state in enumerate(walk, begin + 1):
             drawn.append(state.coords.copy())
@@ -139,12 +143,13 @@ def _guess(known, drawn, value):
     smoothly where the objective, their ``value``, has steps."""
     unknowns = drawn.shape[1]
     scales = np.linalg.cholesky(np.linalg.inv(np.cov(drawn.T)))
-    scores = RBFInterpolator(
+    ends = RBFInterpolator(
         known[:, :unknowns] @ scales, known[:, unknowns:], kernel="cubic", smoothing=SMOOTHING
     )
 
     def guess(places):
-        objectives = np.array(list(map(value, places, scores(places @ scales))))
+        guessed = ends(places @ scales).reshape(len(places), -1, 2)
+        objectives = np.array(list(map(value, places, guessed)))
         return np.where(_is_outside(places), -np.inf, -objectives)
 
     return guess
