@@ -98,6 +98,7 @@ def test_value_of_several_curves_is_that_of_the_worst():
     verdict = judged(claim, by_viscosity(*curves))
     assert verdict.value == pytest.approx(0.95) and not verdict.holds
     assert verdict.measured == "1, 0.95, 0.99"
+    assert verdict.ends == pytest.approx((-1.0 - np.log(2.5), 0.0))
 
 
 def test_relative_tolerance_ends_on_both_sides():
@@ -331,6 +332,7 @@ def test_window_compares_both_ends_on_each_surface():
     assert judged(claim, window=lambda roughness: (0.82, 1.27)).holds
     one_off = judged(claim, window=lambda roughness: (0.8, 1.3 if roughness < 2e-7 else 1.5))
     assert not one_off.holds and one_off.deviation == pytest.approx(0.2)
+    assert one_off.ends == pytest.approx((0.0, 1.0 + np.log(4.0)))
     assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == checks.MISSING_SCORE
 
 
