@@ -110,7 +110,7 @@ def turning_points(
     >>> separation = thirdbody.solve(load=loads, **condition, parameters=inputs).separation
     >>> columns = [numpy.array([value]) for value in condition.values()]
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
-    array([8.167e-07])
+    array([8.273e-07])
     """
     found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
 
@@ -184,8 +184,8 @@ def film_turning_points(
     ...     parameters=inputs,
     ... ).separation
     >>> film_turning_points(separation, films, *solids, inputs).load.round(10)
-    array([[3.28650e-06],
-           [1.40407e-05]])
+    array([[3.27210e-06],
+           [1.48509e-05]])
     """
     shape = separation.shape[1:]
     found = {field.name: np.full(shape, np.nan) for field in fields(TurningPoints)}
