@@ -17,7 +17,10 @@ const FILM_SPAN = 20; // on either side of where both terms of Eq. 7 are equal
 const MOST_TABLES = 200; // surfaces whose tables are kept
 const EPSILON = 2 ** -52;
 const BOUNDED = 3.4; // times rounding of d is the bound of the library, which adds up several such errors
+const LEFT_ROUNDED = 1.5; // the same where the film bears what the solids leave, and
+const SOLIDS_ROUNDED = 240; // rounding of their load at a separation [EPSILON]
 const ROOT_TOLERANCE = 1e-13; // of d
+const SLOPE_STEP = 1e-6; // of d, for the slope of the solids' load
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
 const RTOL = 1e-9; // the relative error that is promised where the status is not `not_converged`
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
@@ -381,7 +384,7 @@ export function modelOf(inputs) {
 
     function statusOf(found, solid, count) {
       if (solid.bare <= EPSILON) return "coverage_exceeded";
-      if (uncertain(found.separation)) return "not_converged";
+      if (uncertain(found)) return "not_converged";
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
@@ -392,13 +395,21 @@ export function modelOf(inputs) {
     }
 
     // Whether rounding of d, and of the film's load behind it if that is sought with d, moves the particles'
-    // area by more than is promised: their area vanishes at their reach.
-    function uncertain(d) {
-      if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
+    // area by more than is promised: their area vanishes at their reach.  Or the share of a film that is
+    // known from the total load: it is what the solids leave, and the less, the fewer digits it has.
+    function uncertain({ separation: d, fluid_load_fraction: share }) {
+      const rounding = film ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0;
       const sought = film && filmLoad.dependsOnShares;
-      const rounded = 8 + (sought ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0);
-      return BOUNDED * EPSILON * rounded * reach > RTOL * (reach - d);
+      if (film && !sought && share > 0) {
+        const ofSolids = LEFT_ROUNDED * (8 + rounding) * steepness(d) + SOLIDS_ROUNDED;
+        if (EPSILON * ofSolids * (1 - share) > RTOL * share) return true;
+      }
+      if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
+      return BOUNDED * EPSILON * (8 + (sought ? rounding : 0)) * reach > RTOL * (reach - d);
     }
+
+    // |d ln F_s/d ln d|
+    const steepness = (d) => Math.abs(solids(d * (1 + SLOPE_STEP)).load / solids(d).load - 1) / SLOPE_STEP;
 
     const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
 
