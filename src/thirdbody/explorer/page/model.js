@@ -398,14 +398,14 @@ export function modelOf(inputs) {
     // area by more than is promised: their area vanishes at their reach.  Or the share of a film that is
     // known from the total load: it is what the solids leave, and the less, the fewer digits it has.
     function uncertain({ separation: d, fluid_load_fraction: share }) {
-      const rounding = film ? film.rounding(film.loadParameter(d / inputs.ball_radius)) : 0;
+      const rounding = () => film.rounding(film.loadParameter(d / inputs.ball_radius));
       const sought = film && filmLoad.dependsOnShares;
       if (film && !sought && share > 0) {
-        const ofSolids = LEFT_ROUNDED * (8 + rounding) * steepness(d) + SOLIDS_ROUNDED;
+        const ofSolids = LEFT_ROUNDED * (8 + rounding()) * steepness(d) + SOLIDS_ROUNDED;
         if (EPSILON * ofSolids * (1 - share) > RTOL * share) return true;
       }
       if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
-      return BOUNDED * EPSILON * (8 + (sought ? rounding : 0)) * reach > RTOL * (reach - d);
+      return BOUNDED * EPSILON * (8 + (sought ? rounding() : 0)) * reach > RTOL * (reach - d);
     }
 
     // |d ln F_s/d ln d|
