@@ -53,7 +53,7 @@ def make_claim(kind, size=0.1, relative=False, conditions=None, role="calibratio
     """A claim on a dry curve of 300 nm particles and roughness, unless ``conditions`` differ."""
     usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     usual |= conditions or {}
-    return Claim("id", "where", "statement", kind, role, usual, size, relative, "reason", **fields)
+    return Claim("id", "place", "statement", kind, role, usual, size, relative, "reason", **fields)
 
 
 def judged(claim, curve=None, **answers):
@@ -801,9 +801,9 @@ def test_every_claim_can_be_judged_and_names_what_it_needs(paper):
 
 GOOD = {
     "id": "some-claim",
-    "where": "Figure 3A",
+    "place": "Figure 3A",
     "statement": "The solid bears all load.",
-    "sentence": "$L_s$ is 100% under all dimensionless normal loads",
+    "quote": "$L_s$ is 100% under all dimensionless normal loads",
     "kind": "value",
     "role": "calibration",
     "quantity": "solid_load_fraction",
@@ -836,8 +836,8 @@ def test_good_claim_loads(tmp_path):
     [
         ({"kind": "guess"}, "kind"),
         ({"colour": "red"}, "colour"),
-        ({"where": None}, "where"),
-        ({"sentence": None}, "sentence"),
+        ({"place": None}, "place"),
+        ({"quote": None}, "quote"),
         ({"published": "1e0"}, "published"),
         ({"published": None}, "published"),
         ({"role": None}, "role"),
@@ -888,11 +888,11 @@ def test_the_words_of_the_schema_are_those_of_the_checks(tmp_path):
     ("change", "told"),
     [
         ({"kind": "guess"}, "kind is 'guess'; allowed: value, reach, range"),
-        ({"direction": "increasing"}, "unknown key 'direction'; allowed: id, where"),
+        ({"direction": "increasing"}, "unknown key 'direction'; allowed: id, place"),
         ({"quantity": "friction"}, "quantity is 'friction'; allowed: load, "),
         ({"published": [1.0, 2.0]}, "published is [1.0, 2.0]; allowed: a number or nothing"),
         ({"reference": {"roughness_nm": [1]}}, "reference.roughness_nm is [1]; allowed: a number"),
-        ({"where": ""}, "where is ''; allowed: at least one letter"),
+        ({"place": ""}, "place is ''; allowed: at least one letter"),
         (
             {"tolerance": {"absolute": 0.1, "relative": 0.1, "reason": "both"}},
             "allowed: either absolute or relative",
@@ -921,7 +921,7 @@ def test_a_window_asks_for_a_surface_alone(tmp_path):
 
 
 def test_sequence_of_unknown_states_is_refused(tmp_path):
-    common = ("id", "where", "statement", "sentence", "role", "conditions", "tolerance")
+    common = ("id", "place", "statement", "quote", "role", "conditions", "tolerance")
     entry = {key: GOOD[key] for key in common} | {
         "kind": "regime_sequence",
         "published": ["boundary", "wet"],

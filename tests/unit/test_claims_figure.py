@@ -50,7 +50,7 @@ def rows(statements):
         if claim.is_withheld:
             score, verdict = None, verdicts.WITHHELD
         rows.append(
-            {"id": claim.id, "where": claim.where, "role": claim.role, "verdict": verdict}
+            {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
             | {
                 "cluster": claim.cluster,
                 "score": score,
@@ -71,9 +71,9 @@ def drawn(figure):
     return {label: x for panel in figure.axes for label, ((x, _),) in drawn_points(panel)}
 
 
-@pytest.mark.parametrize(("where", "part"), PLACES)
-def test_parts_of_the_paper(where, part):
-    assert part_of_paper(where) == part
+@pytest.mark.parametrize(("place", "part"), PLACES)
+def test_parts_of_the_paper(place, part):
+    assert part_of_paper(place) == part
 
 
 def test_every_statement_is_drawn_at_its_score(rows, figure):
@@ -94,11 +94,11 @@ def test_statements_that_do_not_hold_are_named(rows, figure):
 
 def test_counts_stand_beside_their_part(rows, figure):
     texts = [text.get_text() for panel in figure.axes for text in panel.texts]
-    for part in {part_of_paper(row["where"]) for row in rows}:
+    for part in {part_of_paper(row["place"]) for row in rows}:
         judged = [
             row
             for row in rows
-            if part_of_paper(row["where"]) == part
+            if part_of_paper(row["place"]) == part
             and row["verdict"] in (verdicts.HOLDS, verdicts.FAILS)
         ]
         held = sum(row["verdict"] == verdicts.HOLDS for row in judged)

@@ -7,12 +7,12 @@ import re
 FIGURE = re.compile(r"Figures? (\d+)")
 
 
-def part_of_paper(where: str) -> str:
+def part_of_paper(place: str) -> str:
     """The part of the paper that a statement belongs to: the first that its place names.
 
     Parameters
     ----------
-    where : str
+    place : str
         Field of a claim in ``config/claims.yaml``.
 
     Examples
@@ -22,9 +22,9 @@ def part_of_paper(where: str) -> str:
     >>> part_of_paper("Conclusion 7")
     'Conclusions'
     """
-    figure = FIGURE.match(where)
+    figure = FIGURE.match(place)
     if figure:
         return f"Figure {figure[1]}"
-    if where.startswith("Conclusion"):
+    if place.startswith("Conclusion"):
         return "Conclusions"
-    return where.split(",")[0]
+    return place.split(",")[0]

@@ -150,9 +150,9 @@ TABLES = {
     ),
     "claims": (
         Column("id", "string", "", "name of the statement in config/claims.yaml"),
-        Column("where", "string", "", "where the paper states it"),
+        Column("place", "string", "", "where the paper states it"),
         Column("statement", "string", "", "the statement in our own words"),
-        Column("sentence", "string", "", "the statement in the paper's words, formulas in TeX"),
+        Column("quote", "string", "", "the statement in the paper's words, formulas in TeX"),
         Column("kind", "string", "", "kind of statement, which decides how it is checked"),
         Column("role", "string", "", "calibration, validation or withheld"),
         Column(

@@ -31,7 +31,7 @@ FLAGS = {  # what a panel shows beside its curves, by the labels of the points d
     "window": "window",
 }
 STATED = (  # what the page needs of a statement to judge it and to tell of it
-    *("id", "where", "statement", "sentence", "kind", "role", "quantity", "conditions"),
+    *("id", "place", "statement", "quote", "kind", "role", "quantity", "conditions"),
     *("reference", "published", "direction", "along", "extreme", "against", "open_end"),
     *("tolerance", "relative", "reason", "aside", "cluster"),
 )
@@ -93,7 +93,7 @@ def page_content(
         "figures": [figure_content(*paths) for paths in figures],
         "claims": [
             {key: claim[key] for key in STATED}
-            | {"part": part_of_paper(claim["where"])}
+            | {"part": part_of_paper(claim["place"])}
             | {key: found[claim["id"]][key] for key in ("measured", "verdict")}
             for claim in claims
         ],

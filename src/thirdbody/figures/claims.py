@@ -74,7 +74,7 @@ def _groups(rows) -> dict:
     """Rows by the part of the paper that they belong to, in the order of the paper."""
     groups: dict[str, list] = {}
     for row in rows:
-        groups.setdefault(part_of_paper(row["where"]), []).append(row)
+        groups.setdefault(part_of_paper(row["place"]), []).append(row)
     return groups
 
 
@@ -160,7 +160,7 @@ def _write_name(panel, score, line, row):
     """The id of ``row`` without its figure, behind the marker or, where that is too near the edge,
     before it."""
     prefix = PREFIX.match(row["id"])
-    same = prefix and prefix[1] in (None, part_of_paper(row["where"]).split()[-1])
+    same = prefix and prefix[1] in (None, part_of_paper(row["place"]).split()[-1])
     name = row["id"][prefix.end() :].lstrip("-") if same else row["id"]
     left, right = panel.get_xlim()
     room = panel.bbox.width / panel.figure.dpi * POINTS_PER_INCH * (right - score) / (right - left)

@@ -243,7 +243,7 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     >>> from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
     >>> claim = Claim(
     ...     id="fig03a-ratio-zero-without-particles",
-    ...     where="Figure 3A, section 3.3",
+    ...     place="Figure 3A, section 3.3",
     ...     statement="Without particles the particle contact ratio is 0 at each load.",
     ...     kind="value",
     ...     role="calibration",

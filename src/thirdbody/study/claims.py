@@ -66,7 +66,7 @@ class Claim:
     ----------
     id : str
         Its name.
-    where : str
+    place : str
         Place in the paper.
     statement : str
         What it says, in our words.
@@ -102,7 +102,7 @@ class Claim:
         Conditions that differ on the curves which those of the claim are held against.
     contradicts : sequence of str
         Ids of statements in which the paper says the opposite.
-    sentence : str
+    quote : str
         What it says, in the paper's words; formulas are TeX.
     aside : str
         Why the statement that it contradicts is taken instead; empty if it is taken itself.
@@ -111,7 +111,7 @@ class Claim:
     """
 
     id: str
-    where: str
+    place: str
     statement: str
     kind: str
     role: str
@@ -128,7 +128,7 @@ class Claim:
     open_end: bool = False
     reference: Mapping[str, float] | None = None
     contradicts: Sequence[str] = ()
-    sentence: str = ""
+    quote: str = ""
     aside: str = ""
     cluster: str = ""
 

@@ -32,7 +32,7 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
 
 
 def _rows(claim):
-    number = NUMBER.match(part_of_paper(claim.where))
+    number = NUMBER.match(part_of_paper(claim.place))
     level = next(((q, v) for q, v in claim.conditions.items() if q in CURVE_QUANTITIES), ("", None))
     common = {
         "id": claim.id,

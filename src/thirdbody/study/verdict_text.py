@@ -107,7 +107,7 @@ def claims_html(trial: Trial) -> str:
     """
     rows = verdict_rows(trial)
     columns = {
-        "where": "where",
+        "place": "place",
         "statement": "statement",
         "published": "paper",
         "measured": "model",
@@ -187,7 +187,7 @@ def _misfits(rows) -> str:
     return "\n".join(
         "- "
         + "; ".join(
-            f"{row['where'].split(', section')[0]}: {row['statement']} Measured: {row['measured']}"
+            f"{row['place'].split(', section')[0]}: {row['statement']} Measured: {row['measured']}"
             + (f" (paper: {row['published']})" if row["published"] else "")
             for row in some
         )
@@ -255,6 +255,6 @@ def _cell(value) -> str:
 def _miss(row: Mapping, paragraph: str) -> str:
     published = f" Published: {row['published']}." if row["published"] else ""
     return (
-        f'**{row["id"]}** ({row["where"]}). {row["statement"]} The paper: "{row["sentence"]}"'
+        f'**{row["id"]}** ({row["place"]}). {row["statement"]} The paper: "{row["quote"]}"'
         f"{published} {paragraph}"
     )

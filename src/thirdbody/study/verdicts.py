@@ -170,7 +170,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     --------
     >>> claim = Claim(
     ...     id="fig03a-ratio-zero-without-particles",
-    ...     where="Figure 3A, section 3.3",
+    ...     place="Figure 3A, section 3.3",
     ...     statement="Without particles the particle contact ratio is 0 at each load.",
     ...     kind="value",
     ...     role="calibration",
@@ -197,9 +197,9 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     return [
         {
             "id": claim.id,
-            "where": claim.where,
+            "place": claim.place,
             "statement": claim.statement,
-            "sentence": claim.sentence,
+            "quote": claim.quote,
             "kind": claim.kind,
             "role": claim.role,
             "published": _published(claim),
@@ -491,7 +491,7 @@ def counts(rows: Sequence[Mapping[str, Any]], by: str) -> list[dict[str, Any]]:
     """
     groups: dict[str, list] = {}
     for row in rows:
-        group = row["role"] if by == "role" else part_of_paper(row["where"])
+        group = row["role"] if by == "role" else part_of_paper(row["place"])
         groups.setdefault(group, []).append(row)
     order = (HOLDS, FAILS, NOT_TESTED, CONTRADICTED, WITHHELD)
     table = []

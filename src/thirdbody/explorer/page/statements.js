@@ -109,9 +109,9 @@ function item(claim) {
   button.setAttribute("aria-pressed", chosen);
   button.className = `${verdict.split(" ")[0]}${verdict === before ? "" : " changed"}`;
   const changed = verdict === before ? "" : `, ${before} by default`;
-  button.innerHTML = `<span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span><span><span class="text"></span> <span class="where"></span></span>`;
+  button.innerHTML = `<span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span><span><span class="text"></span> <span class="place"></span></span>`;
   button.querySelector(".text").textContent = claim.statement;
-  button.querySelector(".where").textContent = `${claim.where.replace(", section 3.3", "")} — ${verdict}${changed}`;
+  button.querySelector(".place").textContent = `${claim.place.replace(", section 3.3", "")} — ${verdict}${changed}`;
   li.append(button);
   if (chosen) li.append(more(claim, measured));
   return li;
@@ -121,7 +121,7 @@ function more(claim, measured) {
   const box = document.createElement("div");
   box.className = "more";
   const quote = document.createElement("blockquote");
-  quote.textContent = claim.sentence;
+  quote.textContent = claim.quote;
   const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
   const lines = [
     `Measured: ${measured || "nothing"}`,
