@@ -218,7 +218,7 @@ def test_verdicts_are_the_librarys(explorer, results_of_claims):
 @pytest.fixture(scope="module")
 def results_of_claims(page, defaults):
     """Words of the library for each statement, and the inputs, by the name of a reading."""
-    written = json.loads((page.parents[1] / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    written = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
     claims = load_claims(config_directory() / "claims.yaml")
     other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[
         "inputs"

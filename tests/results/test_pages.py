@@ -21,14 +21,14 @@ def test_the_pages_say_what_the_results_say(capsys):
 
 
 def test_the_default_is_the_reading_that_the_rule_ranks_first():
-    content = json.loads((RESULTS / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
     ranked = [row["reading"] for row in content["readings"]]
     assert content["reading"] == ranked[0]
     assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"]).stem == ranked[0]
 
 
 def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():
-    content = json.loads((RESULTS / "claims" / "verdicts.json").read_text(encoding="utf-8"))
+    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
     page = (RESULTS / "claims" / "claims.md").read_text(encoding="utf-8")
     head = page[: page.index("## How to read this page")]
     assert f"{content['judged']} distinct statements" in head

@@ -23,6 +23,7 @@ from rocrate_validator.utils.http import HttpRequester
 from small_release import SCENES
 
 from thirdbody.data.attributes import RELEASE_DATE
+from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.release.bag import files_in
 from thirdbody.release.citation import Release
 from thirdbody.release.codecheck import codecheck_text, targets
@@ -71,6 +72,15 @@ def test_a_table_that_nothing_describes_is_refused(tmp_path):
     (tmp_path / "odd.csv").write_text("a,b\n1,2\n")
     with pytest.raises(ValueError, match="odd.csv: nothing describes"):
         table_schema(tmp_path / "odd.csv")
+
+
+def test_what_holds_a_table_for_programs_is_no_schema_of_it(tmp_path):
+    write_csv(tmp_path / "claims.csv", [], TABLES["claims"])
+    (tmp_path / "claims.json").write_text('{"statements": []}')
+    schema = table_schema(tmp_path / "claims.csv")
+    assert [field["name"] for field in schema["fields"]] == [
+        column.name for column in TABLES["claims"]
+    ]
 
 
 @pytest.fixture(scope="module")

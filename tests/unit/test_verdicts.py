@@ -1,6 +1,7 @@
 """What is made of the verdicts: words, counts, and the page, on made-up judgements."""
 
 import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -17,14 +18,19 @@ MISSED = Verdict("2", 2.0, 1.0, 3.0, (3.0, 3.0), True, False)
 BEYOND = Verdict("> 2", 2.0, 1.0, 0.0, (0.0, 0.0), False, False)
 
 
-def claim(name, role="calibration", **fields):
-    conditions = {"viscosity_cSt": 0, "roughness_nm": 300}
+def claim(name, role="calibration", loads=(), **fields):
+    conditions = {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}
     return Claim(
         *(name, "Figure 4A", "statement", "value", role, conditions, 0.1, False, "reason"), **fields
     )
 
 
-TAKEN = claim("taken", contradicts=("aside",), published=1.0)
+TAKEN = claim(
+    *("taken", "calibration", {"load_max": 1e-5}),
+    contradicts=("aside",),
+    published=1.0,
+    reference={"viscosity_cSt": 90},
+)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 TWINS = claim("one", cluster="twins"), claim("other", cluster="twins")
 CLAIMS = (TAKEN, ASIDE, *TWINS, claim("kept back", role="withheld"))
@@ -140,12 +146,32 @@ def test_programs_read_what_the_page_says():
     judged = trial(
         (HELD, MISSED, HELD, MISSED, Verdict("?", nan, nan, nan, (nan, nan), False, False))
     )
+    judged = replace(judged, ensemble=(Judgement("member", judged.main.verdicts),))
     content = json.loads(claims_json(judged, DEFAULT, [], ["taken"]))
     assert (content["held"], content["judged"]) == (1, 2)
     assert content["inputs"] == DEFAULT["inputs"]
     assert [row["id"] for row in content["headline"]] == ["taken"]
     assert [row["id"] for row in content["predictions"]] == ["kept back"]
-    assert content["statements"][-1]["score"] is None
+    first, *_, last = content["statements"]
+    assert (first["place"], first["published"], first["range"]) == ("Figure 4A", 1.0, [1.0, 1.0])
+    (curve,) = first["curves"]
+    assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
+    assert first["references"] == [curve | {"viscosity": 9e-5}]
+    assert first["loads"] == {"load_max": 1e-5}
+    assert (first["tolerance"], first["tolerance_kind"]) == (0.1, "absolute")
+    assert (last["score"], last["range"]) == (None, [None, None])
+
+
+def test_a_table_tells_the_curves_and_the_kind_of_each_tolerance():
+    judged = trial((HELD,) * 5)
+    row = verdicts.verdict_rows(judged)[0]
+    assert row["curves"] == "nu = 0 cSt; sigma = 300 nm; load_max = 1e-05; held against nu = 90 cSt"
+    (line,) = (
+        line
+        for line in claims_markdown(judged, DEFAULT, [], []).splitlines()
+        if line.startswith("| taken ") and "| statement " in line
+    )
+    assert "| 0.1, absolute " in line
 
 
 def test_an_input_is_moved_only_where_a_surface_can_have_it(parameters):

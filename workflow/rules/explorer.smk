@@ -20,7 +20,7 @@ rule build_explorer:
             f"{CONFIG}/inputs.yaml",
         ],
         tables=f"{CONFIG}/paper_tables.yaml",
-        verdicts="<results>/claims/verdicts.json",
+        verdicts="<results>/claims/claims.json",
         calibrated=CALIBRATED,
         page=EXPLORER,
         modules=import_closure("workflow/scripts/build_explorer.py"),

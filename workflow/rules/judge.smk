@@ -26,7 +26,7 @@ rule judge_claims:
             subcategory="Tables",
             labels={"title": "The paper's statements and their verdicts"},
         ),
-        data="<results>/claims/verdicts.json",
+        data="<results>/claims/claims.json",
     log:
         "<logs>/judge_claims.log",
     benchmark:

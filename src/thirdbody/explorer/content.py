@@ -54,7 +54,7 @@ def page_content(
     claims : iterable of Mapping
         The statements of the paper, by the fields of ``thirdbody.study.claims.Claim``.
     verdicts : Mapping
-        Content of ``verdicts.json``.
+        Content of ``claims.json``.
     inputs : Mapping
         Of each input of the model its ``symbol``, ``unit``, ``source``, ``value`` as the run has it,
         and either ``allowed`` words or, of a number that is not printed, perhaps ``bounds`` and

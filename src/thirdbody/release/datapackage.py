@@ -101,7 +101,7 @@ def table_schema(file: Path) -> dict[str, Any] | None:
     Returns
     -------
     dict or None
-        The Table Schema of a CSV file: that in the JSON file beside it if there is one, else by
+        The Table Schema of a CSV file: that in the JSON file beside it if that holds one, else by
         the names of its columns.  None for other files.
 
     Raises
@@ -112,8 +112,9 @@ def table_schema(file: Path) -> dict[str, Any] | None:
     if file.suffix != ".csv":
         return None
     beside = file.with_suffix(".json")
-    if beside.is_file():
-        return json.loads(beside.read_text(encoding="utf-8"))
+    schema = json.loads(beside.read_text(encoding="utf-8")) if beside.is_file() else {}
+    if "fields" in schema:  # other files of this name hold what the table does, for programs
+        return schema
     with open(file, encoding="utf-8", newline="") as stream:
         header = next(csv.reader(stream), [])
     for columns in (DRAWN_POINTS, *TABLES.values()):

@@ -370,7 +370,7 @@ def check_ordering(claim: Claim, evidence: Evidence) -> Measured:
     sign = -1.0 if claim.direction == "decreasing" else 1.0
     gaps = [sign * gap for gap in _gaps(claim, evidence)]
     against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
-    text = f"against the order by {max(against, 0.0):.3g}, apart by {apart:.3g}"
+    text = f"against the order by {max(against, 0.0):.3g}, apart by {apart + 0.0:.3g}"
     return _missed(claim, text, np.max([against, 2.0 * claim.step - apart]))
 
 

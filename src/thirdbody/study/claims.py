@@ -161,6 +161,14 @@ class Claim:
         return {key: value for key, value in self.conditions.items() if key not in KEYS}
 
     @property
+    def curves_told(self) -> str:
+        """The curves, what bounds or names the loads, and what the curves are held against, as text."""
+        loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
+        told = "; ".join([*_told(self.conditions), *loads])
+        against = ", ".join(_told(self.reference or {}))
+        return f"{told}; held against {against}" if against else told
+
+    @property
     def counted_as(self) -> str:
         """What it counts as: its cluster, or itself if nothing repeats it."""
         return self.cluster or self.id
@@ -244,6 +252,15 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
         for condition in claim.curves + claim.references:
             asked[claim.source].add(condition.roughness if claim.source == "window" else condition)
     return asked
+
+
+def _told(conditions: Mapping[str, Any]) -> list[str]:
+    """Each of ``conditions`` that tell curves apart, as text: ``nu = 0, 90 cSt``."""
+    return [
+        f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.unit}"
+        for axis in CONDITION_AXES
+        if (given := conditions.get(axis.key)) is not None
+    ]
 
 
 def _claim(entry: Mapping) -> Claim:

@@ -10,6 +10,7 @@ from typing import Any
 from tabulate import tabulate
 
 from thirdbody.data.readable import Sheet, page
+from thirdbody.study.claims import Claim
 from thirdbody.study.verdicts import (
     FAILS,
     Trial,
@@ -88,6 +89,8 @@ def claims_markdown(
         "and the calibration.",
         _contradictions(trial, rows),
         "## The statements",
+        "A relative tolerance is a share of the number, an absolute one in its unit; `claims.csv` and "
+        "`claims.json` tell the curves and the ranges of the ensemble, too.",
         _statements(rows),
         "## What fails, and what would change it",
         "Scores count tolerances up to 1 and their logarithm beyond. Each input was moved by "
@@ -106,16 +109,11 @@ def claims_html(trial: Trial) -> str:
         All statements, judged under all sets of inputs.
     """
     rows = verdict_rows(trial)
-    columns = {
-        "place": "place",
-        "statement": "statement",
-        "published": "paper",
-        "measured": "model",
-        "verdict": "verdict",
-    }
-    cells = [[row[name] for name in columns] for row in rows]
+    headings = ("place", "statement", "paper", "model", "tolerance", "verdict")
+    columns = ("place", "statement", "published", "measured")
+    cells = [[*(row[name] for name in columns), _tolerance(row), row["verdict"]] for row in rows]
     title = "The paper's statements and their verdicts"
-    return page([Sheet(title, _summary(rows).replace("**", ""), [*columns.values()], cells)])
+    return page([Sheet(title, _summary(rows).replace("**", ""), headings, cells)])
 
 
 def claims_json(
@@ -126,7 +124,10 @@ def claims_json(
 ) -> str:
     """The same for programs: what ``claims_markdown`` says, as a JSON object.
 
-    Parameters are those of ``claims_markdown``; numbers that are none are null.
+    Parameters are those of ``claims_markdown``; numbers that are none are null.  A statement has the
+    columns of the table ``claims``, but ``curves`` and what they are held against, ``references``, as
+    conditions in SI, ``loads`` that are bounded or named, ``published`` numbers or states as such,
+    ``range`` as both its ends and ``contradicts`` as a list.
     """
     rows = verdict_rows(trial)
     held, judged = held_once(rows)
@@ -139,9 +140,25 @@ def claims_json(
         "headline": headline_rows(trial, headline),
         "predictions": headline_rows(trial, _withheld(trial)),
         "readings": reading_rows(trial, readings, headline),
-        "statements": rows,
+        "statements": [
+            _statement(claim, row) for claim, row in zip(trial.claims, rows, strict=True)
+        ],
     }
     return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
+
+
+def _statement(claim: Claim, row: Mapping[str, Any]) -> dict[str, Any]:
+    """A row of the table ``claims`` for programs: nothing in it is to be parsed."""
+    changed = {
+        "curves": [condition._asdict() for condition in claim.curves],
+        "references": [condition._asdict() for condition in claim.references],
+        "loads": claim.limits,
+        "published": claim.published,
+        "range": [row["range_low"], row["range_high"]],
+        "contradicts": claim.contradicts,
+    }
+    parts = {"range_low", "range_high"}
+    return {name: value for name, value in row.items() if name not in parts} | changed
 
 
 def _withheld(trial: Trial) -> list[str]:
@@ -233,17 +250,32 @@ def _contradictions(trial: Trial, rows) -> str:
 
 
 def _statements(rows) -> str:
-    columns = ("id", "role", "published", "measured", "tolerance", "score", "verdict")
     cells = [
-        [
-            *(_cell(row[column]) for column in columns),
-            f"{row['ensemble_agree']}/{row['ensemble_size']}",
-            f"{row['readings_agree']}/{row['readings_size']}",
-        ]
+        {
+            "id": row["id"],
+            "statement": _cell(row["statement"]),
+            "role": row["role"],
+            "paper": row["published"],
+            "model": row["measured"],
+            "tolerance": _tolerance(row),
+            "score": _cell(row["score"]),
+            "verdict": row["verdict"],
+            "ensemble agrees": f"{row['ensemble_agree']}/{row['ensemble_size']}",
+            "readings agree": f"{row['readings_agree']}/{row['readings_size']}",
+        }
         for row in rows
     ]
-    headers = [*columns, "ensemble agrees", "readings agree"]
-    return tabulate(cells, headers, tablefmt="github", disable_numparse=True)
+    return tabulate(cells, headers="keys", tablefmt="github", disable_numparse=True)
+
+
+def _tolerance(row: Mapping) -> str:
+    """What still counts as agreement, as a share of the number or in its unit."""
+    size = row["tolerance"]
+    return (
+        f"{100 * size:g} %, relative"
+        if row["tolerance_kind"] == "relative"
+        else f"{size:g}, absolute"
+    )
 
 
 def _cell(value) -> str:

@@ -164,7 +164,8 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
     -------
     list of dict
         For each statement what is published and measured, how far apart they are, the verdict
-        under the default inputs, and how many members of the ensemble and readings agree with it.
+        under the default inputs, the range that holds 90 % of the ensemble, and how many members
+        of the ensemble and readings agree with the verdict.
 
     Examples
     --------
@@ -202,11 +203,15 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
             "quote": claim.quote,
             "kind": claim.kind,
             "role": claim.role,
+            "curves": claim.curves_told,
             "published": _published(claim),
             "measured": verdict.measured,
             "value": verdict.value,
+            "range_low": low,
+            "range_high": high,
             "deviation": verdict.deviation,
             "tolerance": claim.tolerance,
+            "tolerance_kind": "relative" if claim.relative else "absolute",
             "score": verdict.score,
             "verdict": outcome(claim, verdict),
             "ensemble_agree": _agreeing(trial.ensemble, index, verdict),
@@ -219,6 +224,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
         for index, (claim, verdict) in enumerate(
             zip(trial.claims, trial.main.verdicts, strict=True)
         )
+        for low, high in [_range(trial, index)]
     ]
 
 
@@ -243,11 +249,9 @@ def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]
     for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True)):
         if claim.id not in chosen:
             continue
-        values = np.array([each.value for each in _on(trial.ensemble, index)])
-        values = values[np.isfinite(values)]
-        if values.size and np.isfinite(verdict.value):
-            ends = np.quantile(values, [0.05, 0.95])
-            within = " to ".join(f"{end:.3g}" for end in ends)
+        low, high = _range(trial, index)
+        if np.isfinite(low):
+            within = f"{low:.3g} to {high:.3g}"
         else:
             same = _agreeing(trial.ensemble, index, verdict)
             within = f"{same} of {len(trial.ensemble)} agree"
@@ -262,6 +266,16 @@ def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]
             }
         )
     return rows
+
+
+def _range(trial: Trial, index: int) -> tuple[float, float]:
+    """The ends that hold 90 % of the ensemble's numbers; nan if the statement at ``index`` has none."""
+    values = np.array([each.value for each in _on(trial.ensemble, index)])
+    values = values[np.isfinite(values)]
+    if not (values.size and np.isfinite(trial.main.verdicts[index].value)):
+        return np.nan, np.nan
+    low, high = np.quantile(values, [0.05, 0.95])
+    return float(low), float(high)
 
 
 def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
