@@ -24,6 +24,7 @@ VARIABLES = (
     "fluid_load_fraction",
     "separation",
     "film_thickness",
+    "error_bound",
     *FLAGS,
 )
 

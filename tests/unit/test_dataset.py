@@ -37,6 +37,7 @@ UNITS = {
     "fluid_load_fraction": "1",
     "separation": "m",
     "film_thickness": "1",
+    "error_bound": "1",
 }
 # symbol and equation
 MEANINGS = {
@@ -47,6 +48,7 @@ MEANINGS = {
     "fluid_load_fraction": ("L_f", "9"),
     "separation": ("d", "4"),
     "film_thickness": ("H_c", "7"),
+    "error_bound": ("none", "none"),
 }
 FLAGS = {
     "lubrication_regime": "boundary mixed full_film",

@@ -17,7 +17,7 @@ def test_every_variable_of_a_solution_is_described_and_no_other():
     assert VARIABLES.keys() == set(solution.VARIABLES)
     assert FLAGS.keys() == set(solution.FLAGS)
     assert list(QUANTITIES) == list(solution.QUANTITIES)
-    assert set(VARIABLES) - set(CONTRACT) == {"error_bound", "separation_count"}
+    assert set(VARIABLES) - set(CONTRACT) == {"separation_count"}
 
 
 def test_each_stands_under_its_own_name_and_only_flags_have_meanings():

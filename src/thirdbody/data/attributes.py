@@ -15,7 +15,7 @@ from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
-SCHEMA_VERSION = "1.1"
+SCHEMA_VERSION = "1.2"
 PAPER_DOI = "10.3389/fmech.2024.1390335"
 # What ACDD-1.3 asks of every file beside the attributes that depend on its content; the dates are
 # that of this version of the software, so that the same inputs give the same bytes.

@@ -21,7 +21,7 @@ from thirdbody.data.quantities import (
     FILL_FLOAT,
     FLAGS,
     NORMAL_LOAD,
-    QUANTITIES,
+    NUMBERS,
     SEPARATION_COUNT,
     STATUS,
     VARIABLES,
@@ -182,7 +182,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     """
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())
-    values = {name: np.full(shape, FILL_FLOAT) for name in QUANTITIES}
+    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)

@@ -61,7 +61,12 @@ class Quantity:
 
 NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
 ERROR_BOUND = Quantity(
-    "error_bound", "none", "1", "bound on the relative error of every variable", "none"
+    "error_bound",
+    "none",
+    "1",
+    "bound on the relative error of every variable",
+    "none",
+    comment="of numbers above 2.2e-308, below which float64 loses digits",
 )
 SEPARATION_COUNT = Quantity(
     "separation_count",
@@ -121,9 +126,10 @@ FLAGS = _by_name(
         "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )
-CONTRACT = (*QUANTITIES, *FLAGS)  # names of the variables of every dataset of a figure
-# all that a dataset can hold
-VARIABLES = QUANTITIES | _by_name(ERROR_BOUND) | FLAGS | _by_name(SEPARATION_COUNT)
+# numbers and flags of every dataset of a figure, and all that a dataset can hold
+NUMBERS = QUANTITIES | _by_name(ERROR_BOUND)
+CONTRACT = (*NUMBERS, *FLAGS)
+VARIABLES = NUMBERS | FLAGS | _by_name(SEPARATION_COUNT)
 
 
 def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
