@@ -15,7 +15,7 @@ from benchmarks.classes import ROUGHNESS, SPANS
 from benchmarks.measuring import MEGABYTE, MICROSECONDS, wall_seconds
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed
-from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.data.quantities import FLAGS, NUMBERS
 from thirdbody.data.streaming import (
     POINTS_PER_BLOCK,
     block_lengths,
@@ -28,7 +28,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solve import solve
 
-POINT_BYTES = 8 * len(QUANTITIES) + len(FLAGS)
+POINT_BYTES = 8 * len(NUMBERS) + len(FLAGS)
 
 
 def stream_rows(
