@@ -36,7 +36,7 @@ class Court:
             self.in_full.append(inputs["truncation"])
             found = IN_FULL
         verdicts = (
-            Verdict("", 0.0, 0.0, 0.0, (0.0, 0.0), True, word == "1")
+            Verdict("", (0.0,), 0, 0.0, 0.0, (0.0, 0.0), True, word == "1")
             for word in found[inputs["truncation"]]
         )
         return Judgement(name, tuple(verdicts))

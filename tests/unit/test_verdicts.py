@@ -13,9 +13,9 @@ from thirdbody.study.claims import Claim
 from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
 from thirdbody.study.verdicts import Judgement, Trial, counted_once, discriminating, outcome
 
-HELD = Verdict("1", 1.0, 0.0, 0.0, (0.0, 0.0), True, True)
-MISSED = Verdict("2", 2.0, 1.0, 3.0, (3.0, 3.0), True, False)
-BEYOND = Verdict("> 2", 2.0, 1.0, 0.0, (0.0, 0.0), False, False)
+HELD = Verdict("1", (1.0,), 0, 0.0, 0.0, (0.0, 0.0), True, True)
+MISSED = Verdict("2", (2.0,), 0, 1.0, 3.0, (3.0, 3.0), True, False)
+BEYOND = Verdict("> 2", (2.0,), 0, 1.0, 0.0, (0.0, 0.0), False, False)
 
 
 def claim(name, role="calibration", loads=(), **fields):
@@ -94,10 +94,10 @@ def test_the_page_shows_contradictions_apart():
     held = Trial(held.claims, held.main, (), (Judgement("lower one", main),), held.readings)
     page = claims_markdown(held, DEFAULT, contents, [])
     assert "**Of 2 distinct statements of the paper that can be judged 0 hold (0 %)**" in page
-    apart = page.split("## Where the paper contradicts itself")[1].split("## The statements")[0]
-    (row,) = (line for line in apart.splitlines() if line.startswith("| aside"))
+    apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
+    (row,) = (line for line in apart.splitlines() if "Figure 9" in line)
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
-    assert cells == ["aside", "yes", "taken (fails)", "Figure 9 says so or twice"]
+    assert cells == ["statement", "yes", "taken (fails)", "Figure 9 says so or twice"]
     assert claims_html(held).count("<tr>") == 1 + len(held.claims)
     failed = page.split("## What fails, and what would change it")[1]
     assert "**taken**" in failed
@@ -107,11 +107,11 @@ def test_the_page_shows_contradictions_apart():
 
 def numbered(value):
     """A verdict that holds, with this number."""
-    return Verdict(str(value), value, 0.0, 0.0, (0.0, 0.0), True, True)
+    return Verdict(str(value), (value,), 0, 0.0, 0.0, (0.0, 0.0), True, True)
 
 
 def test_headlines_give_the_range_of_the_ensemble_or_how_many_agree():
-    wordy = Verdict("boundary", float("nan"), 0.0, 0.0, (0.0, 0.0), True, True)
+    wordy = Verdict("boundary", (), 0, 0.0, 0.0, (0.0, 0.0), True, True)
     main = (numbered(10.0), HELD, wordy, HELD, numbered(3.0))
     members = [
         Judgement("member", (numbered(float(n)), HELD, MISSED if n < 5 else wordy, HELD, HELD))
@@ -124,6 +124,33 @@ def test_headlines_give_the_range_of_the_ensemble_or_how_many_agree():
     assert rows["taken"]["ensemble, 90 %"] == "1 to 19"
     assert (rows["taken"]["paper"], rows["taken"]["model"]) == ("1.0", "10.0")
     assert rows["one"]["ensemble, 90 %"] == "16 of 21 agree"
+
+
+def window(low, high):
+    """A verdict that holds, with these ends."""
+    return Verdict(f"{low} to {high}", (low, high), 1, 0.0, 0.0, (0.0, 0.0), True, True)
+
+
+def test_each_number_of_a_statement_has_its_own_range():
+    members = [
+        Judgement("member", (window(n / 20, 1 + n / 10), HELD, HELD, HELD, HELD)) for n in range(21)
+    ]
+    judged = replace(
+        trial((window(0.5, 2.0), HELD, HELD, HELD, HELD)),
+        ensemble=(*members, Judgement("none", (MISSED._replace(numbers=()), *(HELD,) * 4))),
+    )
+    (row,) = verdicts.headline_rows(judged, ["taken"])
+    assert row["ensemble, 90 %"] == "0.05 to 0.95, 1.1 to 2.9"
+    row = verdicts.verdict_rows(judged)[0]
+    assert (row["value"], row["range_low"], row["range_high"]) == pytest.approx((2.0, 1.1, 2.9))
+
+
+def test_what_is_the_same_on_every_curve_is_said_once():
+    same = HELD._replace(measured="1, 1, 1", numbers=(1.0,) * 3)
+    judged = trial((same, HELD, HELD, HELD, HELD))
+    judged = replace(judged, ensemble=(Judgement("member", judged.main.verdicts),))
+    (row,) = verdicts.headline_rows(judged, ["taken"])
+    assert (row["model"], row["ensemble, 90 %"]) == ("1", "1 to 1")
 
 
 def test_the_first_reading_is_the_one_that_the_rule_prefers():
@@ -144,7 +171,7 @@ def test_the_first_reading_is_the_one_that_the_rule_prefers():
 def test_programs_read_what_the_page_says():
     nan = float("nan")
     judged = trial(
-        (HELD, MISSED, HELD, MISSED, Verdict("?", nan, nan, nan, (nan, nan), False, False))
+        (HELD, MISSED, HELD, MISSED, Verdict("?", (nan,), 0, nan, nan, (nan, nan), False, False))
     )
     judged = replace(judged, ensemble=(Judgement("member", judged.main.verdicts),))
     content = json.loads(claims_json(judged, DEFAULT, [], ["taken"]))
@@ -153,13 +180,13 @@ def test_programs_read_what_the_page_says():
     assert [row["id"] for row in content["headline"]] == ["taken"]
     assert [row["id"] for row in content["predictions"]] == ["kept back"]
     first, *_, last = content["statements"]
-    assert (first["place"], first["published"], first["range"]) == ("Figure 4A", 1.0, [1.0, 1.0])
+    assert (first["place"], first["published"], first["ranges"]) == ("Figure 4A", 1.0, [[1.0, 1.0]])
     (curve,) = first["curves"]
     assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5}
     assert (first["tolerance"], first["tolerance_kind"]) == (0.1, "absolute")
-    assert (last["score"], last["range"]) == (None, [None, None])
+    assert (last["score"], last["numbers"], last["ranges"]) == (None, [None], [[None, None]])
 
 
 def test_a_table_tells_the_curves_and_the_kind_of_each_tolerance():

@@ -12,6 +12,7 @@ Kinds of statements are explained at the head of ``config/claims.yaml``.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple, Protocol
@@ -41,7 +42,8 @@ BOUND_TOLERANCE = 0.02
 BEND = 0.1  # by how much a curve's slope must have fallen for a bend that a reader sees [1]
 SATURATED = 1e-12  # nearer to 0 or 1, a ratio has lost the digits that tell its odds
 TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
-Measured = tuple[str, float, float, float, float]  # what a check returns
+# what a check returns: text, numbers, the place of the worst, its deviation, both ends of the distances
+Measured = tuple[str, Iterable[float], int, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -185,8 +187,11 @@ class Verdict(NamedTuple):
     ----------
     measured : str
         What was measured, as text.
-    value : float
-        The same as a number, where it is one [unit of the quantity]; else nan.
+    numbers : tuple of float
+        The numbers that were compared with published ones [unit of the quantity]; none where other
+        than numbers are compared.
+    worst : int
+        Which of them is farthest off.
     deviation : float
         Measured minus published [unit of the quantity], or the relative deviation [1] if the
         claim's tolerance is relative.
@@ -205,12 +210,18 @@ class Verdict(NamedTuple):
     """
 
     measured: str
-    value: float
+    numbers: tuple[float, ...]
+    worst: int
     deviation: float
     score: float
     ends: tuple[float, float]
     tested: bool
     holds: bool
+
+    @property
+    def value(self) -> float:
+        """The number that is farthest off [unit of the quantity]; nan if there are none."""
+        return self.numbers[self.worst] if self.numbers else np.nan
 
 
 class NotReached(Exception):
@@ -267,11 +278,12 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     (0.0, 0.0, True)
     """
     try:
-        measured, value, deviation, low, high = CHECKS[claim.kind](claim, evidence)
+        measured, numbers, worst, deviation, low, high = CHECKS[claim.kind](claim, evidence)
         tested = _is_within_the_loads(claim, evidence)
     except NotReached as short:
         tested = False
-        measured, value, deviation = f"not reached, by {short.args[0]:.3g}", np.nan, np.nan
+        measured, numbers, worst = f"not reached, by {short.args[0]:.3g}", (), 0
+        deviation = np.nan
         low = high = 2.0 + short.args[0] / BOUND_TOLERANCE
     if claim.source == "turning_point":
         curves = claim.curves + claim.references
@@ -282,7 +294,8 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     ends = (np.nan, np.nan) if claim.is_withheld else (_score(low), _score(high))
     score = max(map(abs, ends))
     holds = bool(tested and score <= 1.0)
-    return Verdict(measured, float(value), float(deviation), score, ends, tested, holds)
+    numbers = tuple(map(float, numbers))
+    return Verdict(measured, numbers, worst, float(deviation), score, ends, tested, holds)
 
 
 def _score(distance: float) -> float:
@@ -342,7 +355,8 @@ def check_reach(claim: Claim, evidence: Evidence) -> Measured:
     lacks = np.maximum(sign * (values - claim.published), 0.0)
     worst = int(np.argmax(lacks))
     distance = lacks[worst] / claim.tolerance
-    return _shown(claim, evidence, values), values[worst], sign * lacks[worst], distance, distance
+    text = _shown(claim, evidence, values)
+    return text, values, worst, sign * lacks[worst], distance, distance
 
 
 def check_range(claim: Claim, evidence: Evidence) -> Measured:
@@ -428,14 +442,14 @@ def _against_published(claim, measured, text) -> Measured:
         distance = np.copysign(np.log(ratio) / width, deviation)
     worst = int(np.argmax(np.abs(distance)))
     ends = np.min(distance), np.max(distance)
-    return text, measured.flat[worst], deviation.flat[worst], *ends
+    return text, measured.flat, worst, deviation.flat[worst], *ends
 
 
 def _missed(claim, text, miss) -> Measured:
     """Result of a check that found by how much a course or an order is missed."""
     deviation = np.expm1(miss) if claim.relative else miss
     distance = np.maximum(miss / claim.step, 0.0)
-    return text, np.nan, deviation, distance, distance
+    return text, (), 0, deviation, distance, distance
 
 
 # --- measuring ---

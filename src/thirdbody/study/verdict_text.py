@@ -10,7 +10,6 @@ from typing import Any
 from tabulate import tabulate
 
 from thirdbody.data.readable import Sheet, page
-from thirdbody.study.claims import Claim
 from thirdbody.study.verdicts import (
     FAILS,
     Trial,
@@ -19,6 +18,8 @@ from thirdbody.study.verdicts import (
     explanations,
     headline_rows,
     held_once,
+    once,
+    ranges,
     reading_rows,
     verdict_rows,
 )
@@ -46,9 +47,9 @@ def claims_markdown(
     Returns
     -------
     str
-        Markdown: the verdict in a sentence, headline numbers, what fails, the inputs, predictions;
-        then counts, how near each reading comes, every verdict, and for each statement that fails
-        what would change it.
+        Markdown: the verdict in a sentence, headline numbers, what fails, the inputs, where the paper
+        contradicts itself, predictions; then counts, how near each reading comes, every verdict, and
+        for each statement that fails what would change it.
     """
     rows, why = verdict_rows(trial), explanations(trial)
     compared = reading_rows(trial, readings, headline)
@@ -62,6 +63,10 @@ def claims_markdown(
         _misfits(rows),
         "## The inputs that it took",
         _inputs(default),
+        "## Where the paper contradicts itself",
+        "Of two sentences that exclude each other one is taken, and the other stays outside the shares "
+        "and the calibration.",
+        _contradictions(trial, rows),
         "## Predictions of the numbers that the text keeps back",
         _numbers(headline_rows(trial, _withheld(trial))),
         "## How to read this page",
@@ -84,10 +89,6 @@ def claims_markdown(
         "knows nothing of `validation`: most statements of the calibration hold, repeats counted once; "
         "then the least penalty for unusual inputs; then the fewest inputs that were searched.",
         tabulate(compared, headers="keys", tablefmt="github", disable_numparse=True),
-        "## Where the paper contradicts itself",
-        "Of two sentences that exclude each other one is taken, and the other stays outside the shares "
-        "and the calibration.",
-        _contradictions(trial, rows),
         "## The statements",
         "A relative tolerance is a share of the number, an absolute one in its unit; `claims.csv` and "
         "`claims.json` tell the curves and the ranges of the ensemble, too.",
@@ -126,8 +127,8 @@ def claims_json(
 
     Parameters are those of ``claims_markdown``; numbers that are none are null.  A statement has the
     columns of the table ``claims``, but ``curves`` and what they are held against, ``references``, as
-    conditions in SI, ``loads`` that are bounded or named, ``published`` numbers or states as such,
-    ``range`` as both its ends and ``contradicts`` as a list.
+    conditions in SI, ``loads`` that are bounded or named, ``published`` numbers or states as such, all
+    ``numbers`` that are compared with the range of each over the ensemble, and ``contradicts`` as a list.
     """
     rows = verdict_rows(trial)
     held, judged = held_once(rows)
@@ -140,21 +141,21 @@ def claims_json(
         "headline": headline_rows(trial, headline),
         "predictions": headline_rows(trial, _withheld(trial)),
         "readings": reading_rows(trial, readings, headline),
-        "statements": [
-            _statement(claim, row) for claim, row in zip(trial.claims, rows, strict=True)
-        ],
+        "statements": [_statement(trial, index, row) for index, row in enumerate(rows)],
     }
     return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
 
 
-def _statement(claim: Claim, row: Mapping[str, Any]) -> dict[str, Any]:
+def _statement(trial: Trial, index: int, row: Mapping[str, Any]) -> dict[str, Any]:
     """A row of the table ``claims`` for programs: nothing in it is to be parsed."""
+    claim = trial.claims[index]
     changed = {
         "curves": [condition._asdict() for condition in claim.curves],
         "references": [condition._asdict() for condition in claim.references],
         "loads": claim.limits,
         "published": claim.published,
-        "range": [row["range_low"], row["range_high"]],
+        "numbers": trial.main.verdicts[index].numbers,
+        "ranges": ranges(trial, index).tolist(),
         "contradicts": claim.contradicts,
     }
     parts = {"range_low", "range_high"}
@@ -204,7 +205,7 @@ def _misfits(rows) -> str:
     return "\n".join(
         "- "
         + "; ".join(
-            f"{row['place'].split(', section')[0]}: {row['statement']} Measured: {row['measured']}"
+            f"{row['place'].split(', section')[0]}: {row['statement']} Measured: {once(row['measured'])}"
             + (f" (paper: {row['published']})" if row["published"] else "")
             for row in some
         )
@@ -236,7 +237,7 @@ def _contradictions(trial: Trial, rows) -> str:
     verdicts = {row["id"]: row["verdict"] for row in rows}
     cells = [
         {
-            "set aside": claim.id,
+            "set aside": _cell(claim.statement),
             "would hold": "yes" if verdict.holds else "no",
             "taken instead": ", ".join(
                 f"{other} ({verdicts[other]})" for other in claim.contradicts
@@ -256,7 +257,7 @@ def _statements(rows) -> str:
             "statement": _cell(row["statement"]),
             "role": row["role"],
             "paper": row["published"],
-            "model": row["measured"],
+            "model": once(row["measured"]),
             "tolerance": _tolerance(row),
             "score": _cell(row["score"]),
             "verdict": row["verdict"],

@@ -224,7 +224,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
         for index, (claim, verdict) in enumerate(
             zip(trial.claims, trial.main.verdicts, strict=True)
         )
-        for low, high in [_range(trial, index)]
+        for low, high in [_range_of_worst(trial, index)]
     ]
 
 
@@ -241,17 +241,18 @@ def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]
     Returns
     -------
     list of dict
-        For each, in the order of the statements: what it says, the paper's and the model's number,
-        the range that holds 90 % of the ensemble, and the verdict.  Where the statement is no single
-        number, the range is the share of the ensemble that agrees with the verdict.
+        For each, in the order of the statements: what it says, the paper's and the model's numbers,
+        of each the range that holds 90 % of the ensemble, and the verdict.  Numbers of several curves
+        that are the same are given once.  Where no numbers are compared, the range is the share of the
+        ensemble that agrees with the verdict.
     """
     rows = []
     for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True)):
         if claim.id not in chosen:
             continue
-        low, high = _range(trial, index)
-        if np.isfinite(low):
-            within = f"{low:.3g} to {high:.3g}"
+        ends = ranges(trial, index)
+        if np.isfinite(ends).any():
+            within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
         else:
             same = _agreeing(trial.ensemble, index, verdict)
             within = f"{same} of {len(trial.ensemble)} agree"
@@ -260,22 +261,61 @@ def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]
                 "statement": claim.statement,
                 "id": claim.id,
                 "paper": _published(claim),
-                "model": verdict.measured,
-                "ensemble, 90 %": within,
+                "model": once(verdict.measured),
+                "ensemble, 90 %": once(within),
                 "verdict": outcome(claim, verdict),
             }
         )
     return rows
 
 
-def _range(trial: Trial, index: int) -> tuple[float, float]:
-    """The ends that hold 90 % of the ensemble's numbers; nan if the statement at ``index`` has none."""
-    values = np.array([each.value for each in _on(trial.ensemble, index)])
-    values = values[np.isfinite(values)]
-    if not (values.size and np.isfinite(trial.main.verdicts[index].value)):
-        return np.nan, np.nan
-    low, high = np.quantile(values, [0.05, 0.95])
+def ranges(trial: Trial, index: int) -> NDArray[np.float64]:
+    """Which range holds 90 % of the ensemble, for each number of a statement.
+
+    Parameters
+    ----------
+    trial : Trial
+        All statements, judged under all sets of inputs.
+    index : int
+        Place of the statement.
+
+    Returns
+    -------
+    array, shape (numbers, 2)
+        Low and high ends, in the order of ``Verdict.numbers`` [unit of the quantity]; nan without a
+        member that has the number.
+    """
+    members = [each.numbers for each in _on(trial.ensemble, index) if each.numbers]
+    ends = np.full((len(trial.main.verdicts[index].numbers), 2), np.nan)
+    for place, numbers in enumerate(ends):
+        known = [each[place] for each in members if np.isfinite(each[place])]
+        if known:
+            numbers[:] = np.quantile(known, [0.05, 0.95])
+    return ends
+
+
+def _range_of_worst(trial: Trial, index: int) -> tuple[float, float]:
+    """Of the ``ranges`` that of the number that is farthest off; nan if there are none."""
+    verdict = trial.main.verdicts[index]
+    low, high = ranges(trial, index)[verdict.worst] if verdict.numbers else (np.nan, np.nan)
     return float(low), float(high)
+
+
+def once(text: str) -> str:
+    """What was measured on several curves, said once if it is the same on all.
+
+    Parameters
+    ----------
+    text : str
+        Numbers with ``, `` between them, or what else was measured.
+
+    Examples
+    --------
+    >>> once("0.2, 0.2"), once("0.2, 0.3")
+    ('0.2', '0.2, 0.3')
+    """
+    first, *others = text.split(", ")
+    return text if set(others) - {first} else first
 
 
 def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
