@@ -111,6 +111,13 @@ def test_the_papers_numbers_stand_beside_those_of_the_model(results):
             assert f"{row['value']:.3g} ± " in windows
 
 
+def test_what_occurs_at_the_default_responds_to_every_input_by_both_measures(results):
+    rows = read_csv(results / "tables" / "sensitivity.csv", TABLES["sensitivity"])
+    responses = [row for row in rows if row["value"] is not None]
+    assert {row["measure"] for row in responses} == {"elasticity", "sobol_total"}
+    assert [row for row in responses if row["sensitivity"] is None] == []
+
+
 @pytest.mark.parametrize("name", ["tpca_loads", "transitions"])
 def test_each_row_says_how_to_take_it(results, tables, defaults, name):
     conditions = Condition(*columns(tables[name], CONDITIONS))._asdict()

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib.style
 import numpy as np
@@ -28,7 +29,12 @@ from thirdbody.study.sensitivity import (
     sensitivity_rows,
     varied_inputs,
 )
-from thirdbody.study.sobol import ResponseSurface, Sampling, quadratic_terms
+from thirdbody.study.sobol import (
+    ResponseSurface,
+    Sampling,
+    default_indices,
+    quadratic_terms,
+)
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
@@ -119,6 +125,16 @@ def test_crossings_of_known_courses():
     twice = curve_of(logistic(2 * x), logistic(2.0 - (x + 2.0) ** 2), load)
     root = np.sqrt(2.0 + np.log(19.0)) - 2.0
     assert_allclose(last_crossings(twice)[3], 1e-5 * np.exp(root), rtol=1e-5)
+
+
+def test_a_crossing_next_to_a_bend_is_found_from_the_side_where_the_share_is_known():
+    load = np.geomspace(1e-7, 1e-4, 60)
+    x = np.log(load / 1e-5)
+    share = np.where(x < 0.0, 1.0, np.exp(-2.0 * np.maximum(x, 0.0)))  # 0.9 is next to the bend
+    found = last_crossings(curve_of(share, np.full_like(load, 0.5), load))
+    assert_allclose(found[0], 1e-5 / np.sqrt(0.9), rtol=5e-3)
+    assert_allclose(found[1], 1e-5 / np.sqrt(0.03), rtol=1e-6)
+    assert np.isnan(found[2:]).all()
 
 
 def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
@@ -212,6 +228,20 @@ def test_response_surface_refuses_too_few_sets():
     values = np.where(np.arange(30) < 17, 1.0, np.nan)
     with pytest.raises(ValueError, match="occurs in 17 sets"):
         ResponseSurface(terms, values)
+
+
+def test_an_input_at_its_bound_is_varied_within_it(parameters):
+    def values(changed, effort):
+        return np.array([changed.participation**2 * changed.apparent_area])
+
+    subject = SimpleNamespace(outputs=["product"], values=values)
+    at_bound = replace(parameters, participation=1.0)
+    inputs = varied_inputs(at_bound, ["participation", "apparent_area"])
+    settings = {"spread": 0.05, "solved": 12, "base_samples": 256, "seed": 1}
+    _, found = default_indices(subject, at_bound, inputs, settings)
+    assert found.occurs == [1.0]
+    # half the range of one, twice as steep: as much variance as of the other
+    assert_allclose(found.value, [[0.5, 0.5]], atol=0.03)
 
 
 def test_total_indices_of_known_variances():

@@ -213,8 +213,10 @@ class _Places:
         found = np.flatnonzero(
             values == (values.min() if row["extreme"] == "minimum" else values.max())
         )
-        # where it has the value throughout, the end of what the paper speaks of tells more
-        return float(self.load[found[-1 if row["load_max"] else 0]])
+        # where it has the value throughout: the end of what the paper speaks of, and a least share
+        # where shares of the solid and of particles have it, at high loads
+        is_last = row["load_max"] or row["extreme"] == "minimum"
+        return float(self.load[found[-1 if is_last else 0]])
 
 
 def draw_printed_windows(

@@ -35,6 +35,9 @@ INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
 # Share of a window's end, to either side, within which it is sought again for changed inputs.
 REACH = 0.01
 SIDE = 2  # points on each side of a crossing between which it is interpolated
+# By how many places these points move where some cannot be used: a share that a film leaves at exactly 1
+# falls from there with a bend, and is known on the other side of it.
+SHIFTS = (0, 1, -1, 2, -2)
 # Loads on each side of a result that are solved again for changed inputs: it stays among them.
 AROUND = 6
 
@@ -204,27 +207,37 @@ class Subject:
 def last_crossings(curve: Curve) -> list[float]:
     """Last load F_t* [1] at which a curve crosses each of ``LIMITS``, those of regimes and modes.
 
-    It is interpolated among the four loads around it; nan where a limit is not crossed.
+    It is interpolated among the four loads around it, or next to it where a share is 0 or 1 on the
+    other side; nan where a limit is not crossed.
     """
     found = []
     for quantity, level in LIMITS:
         with np.errstate(divide="ignore"):
             excess = logit(getattr(curve, quantity)) - logit(level)
         steps = np.flatnonzero((excess[1:] > 0.0) != (excess[:-1] > 0.0))
-        around = slice(steps[-1] + 1 - SIDE, steps[-1] + 1 + SIDE) if steps.size else slice(0)
-        known = excess[around]
-        usable = known.size == 2 * SIDE and np.isfinite(known).all() and _is_monotonic(known)
+        usable = _usable(excess, steps[-1] + 1) if steps.size else None
+        if usable is None:
+            found.append(np.nan)
+            continue
         # The interpolator draws its order of summation at random: the seed makes all runs equal.
-        found.append(
-            np.exp(BarycentricInterpolator(known, np.log(curve.load[around]), rng=0)(0.0))
-            if usable
-            else np.nan
-        )
+        inverse = BarycentricInterpolator(excess[usable], np.log(curve.load[usable]), rng=0)
+        found.append(np.exp(inverse(0.0)))
     return found
 
 
-def _is_monotonic(values) -> bool:
-    return np.abs(np.sign(np.diff(values)).sum()) == values.size - 1
+def _usable(excess: NDArray[np.float64], beyond: int) -> slice | None:
+    """The points nearest to a sign change before the place ``beyond`` that give its place, if any do."""
+    for shift in SHIFTS:
+        around = slice(max(beyond + shift - SIDE, 0), beyond + shift + SIDE)
+        known = excess[around]
+        steps = np.sign(np.diff(known))
+        if (
+            known.size == 2 * SIDE
+            and np.isfinite(known).all()
+            and np.abs(steps.sum()) == steps.size
+        ):
+            return around
+    return None
 
 
 def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:

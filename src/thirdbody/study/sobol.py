@@ -22,6 +22,7 @@ from SALib.analyze import sobol as analysis
 from SALib.sample import sobol as sampling
 from scipy.stats import qmc
 
+from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 from thirdbody.study.sensitivity import Found, Subject
@@ -160,7 +161,7 @@ def default_indices(
         Which of them vary, with their values, SI: those of ``varied_inputs``.
     settings : mapping
         The entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to
-        either side, ``solved`` the number of sets of inputs, ``base_samples`` and ``seed`` those
+        either side, as far as the input may have such values, ``solved`` the number of sets of inputs, ``base_samples`` and ``seed`` those
         of ``Sampling``.
 
     Returns
@@ -205,9 +206,17 @@ def _solved_sets(subject, parameters, inputs, settings):
     """Evenly scattered sets of inputs: positions from -1 to 1, and the outputs of each set."""
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     positions = 2.0 * scattered - 1.0
-    sets = np.array(list(inputs.values())) * (1.0 + settings["spread"] * positions)
+    low, high = np.transpose([_ends(*each, settings["spread"]) for each in inputs.items()])
+    sets = low + (high - low) * scattered
     changes = [dict(zip(inputs, some, strict=True)) for some in sets.tolist()]
     return positions, np.array([_values(subject, parameters, some) for some in changes])
+
+
+def _ends(name: str, value: float, spread: float) -> tuple[float, float]:
+    """Between which values an input is varied: ``spread`` to either side, and within its bounds."""
+    reach = spread * abs(value)
+    least, most = BOUNDS.get(name, (-np.inf, np.inf))
+    return max(value - reach, least), min(value + reach, most)
 
 
 def _values(subject, parameters, changes):
