@@ -180,13 +180,13 @@ def test_programs_read_what_the_page_says():
     assert [row["id"] for row in content["headline"]] == ["taken"]
     assert [row["id"] for row in content["predictions"]] == ["kept back"]
     first, *_, last = content["statements"]
-    assert (first["place"], first["published"], first["ranges"]) == ("Figure 4A", 1.0, [[1.0, 1.0]])
+    assert (first["place"], first["published"], first["range"]) == ("Figure 4A", 1.0, [[1.0, 1.0]])
     (curve,) = first["curves"]
     assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5}
     assert (first["tolerance"], first["tolerance_kind"]) == (0.1, "absolute")
-    assert (last["score"], last["numbers"], last["ranges"]) == (None, [None], [[None, None]])
+    assert (last["score"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
 
 
 def test_a_table_tells_the_curves_and_the_kind_of_each_tolerance():

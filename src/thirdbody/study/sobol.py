@@ -161,8 +161,8 @@ def default_indices(
         Which of them vary, with their values, SI: those of ``varied_inputs``.
     settings : mapping
         The entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to
-        either side, as far as the input may have such values, ``solved`` the number of sets of inputs, ``base_samples`` and ``seed`` those
-        of ``Sampling``.
+        either side, as far as the input may have such values, ``solved`` the number of sets of
+        inputs, ``base_samples`` and ``seed`` those of ``Sampling``.
 
     Returns
     -------

@@ -128,7 +128,7 @@ def claims_json(
     Parameters are those of ``claims_markdown``; numbers that are none are null.  A statement has the
     columns of the table ``claims``, but ``curves`` and what they are held against, ``references``, as
     conditions in SI, ``loads`` that are bounded or named, ``published`` numbers or states as such, all
-    ``numbers`` that are compared with the range of each over the ensemble, and ``contradicts`` as a list.
+    ``numbers`` that are compared, the ``range`` of each over the ensemble, and ``contradicts`` as a list.
     """
     rows = verdict_rows(trial)
     held, judged = held_once(rows)
@@ -155,7 +155,7 @@ def _statement(trial: Trial, index: int, row: Mapping[str, Any]) -> dict[str, An
         "loads": claim.limits,
         "published": claim.published,
         "numbers": trial.main.verdicts[index].numbers,
-        "ranges": ranges(trial, index).tolist(),
+        "range": ranges(trial, index).tolist(),
         "contradicts": claim.contradicts,
     }
     parts = {"range_low", "range_high"}
