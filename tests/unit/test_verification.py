@@ -264,33 +264,20 @@ def test_changed_flag_is_found_though_all_sums_agree(copy, verify, release, flag
     assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
 
 
-def restate(path, status, unsolved):
-    """Say of the last shown point of the dataset ``path`` that it is ``status``, perhaps unsolved."""
+def restate(path, status, unsolved=False, **numbers):
+    """Say of the last shown point of the dataset ``path`` that it is ``status``, perhaps unsolved, and
+    that it has other ``numbers``."""
     with netCDF4.Dataset(path, "a") as dataset:
         dataset.set_auto_maskandscale(False)
         shown = tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
         missing = dict.fromkeys((*QUANTITIES, "error_bound"), np.nan) if unsolved else {}
         missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
         meanings = dataset["solution_status"].flag_meanings.split()
-        for name, value in {**missing, "solution_status": meanings.index(status)}.items():
-            replace_at(shown, dataset[name], value)
-
-
-def bound_last(path, bound):
-    """Say of the last shown point of the dataset ``path`` that its errors stay below ``bound``."""
-    with netCDF4.Dataset(path, "a") as dataset:
-        dataset.set_auto_maskandscale(False)
-        replace_at(
-            tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1]),
-            dataset["error_bound"],
-            bound,
-        )
-
-
-def replace_at(place, variable, value):
-    values = variable[:]
-    values[place] = value
-    variable[:] = values
+        said = {**missing, "solution_status": meanings.index(status), **numbers}
+        for name, value in said.items():
+            values = dataset[name][:]
+            values[shown] = value
+            dataset[name][:] = values
 
 
 @pytest.mark.parametrize(
@@ -320,16 +307,15 @@ def test_a_false_number_of_separations_is_found(copy, verify, release, count, wr
 
 @pytest.mark.parametrize("unsolved", [False, True])
 def test_point_that_is_said_not_to_have_converged_may_have_values(copy, verify, release, unsolved):
-    restate(copy / "data/datasets/fig04.nc", "not_converged", unsolved)
-    if not unsolved:
-        bound_last(copy / "data/datasets/fig04.nc", np.inf)
+    bound = np.nan if unsolved else np.inf
+    restate(copy / "data/datasets/fig04.nc", "not_converged", unsolved, error_bound=bound)
     mend_sums(copy, release)
     assert not found(verify, copy)
 
 
 @pytest.mark.parametrize("bound", [1e-8, np.inf])
 def test_a_point_that_converged_is_bounded_as_was_asked(copy, verify, release, bound):
-    bound_last(copy / "data/datasets/fig04.nc", bound)
+    restate(copy / "data/datasets/fig04.nc", "converged", error_bound=bound)
     mend_sums(copy, release)
     assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
-from thirdbody.answers.ensemble import spread
+from thirdbody.data.spread import spread
 
 Value = float | str | None  # a number, the name of a regime or mode, or nothing: it does not occur
 DIGITS = 4

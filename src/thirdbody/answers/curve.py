@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.answers.ensemble import ENDS
 from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.data.spread import ENDS
 from thirdbody.solver.solution import Solution
 
 

@@ -7,18 +7,13 @@ nine in ten of them give is the range that stands beside it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
-
-import numpy as np
 
 from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.arguments import check_parameters
-
-ENDS = (0.05, 0.95)  # quantiles between which the range lies
 
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
@@ -60,18 +55,3 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
         replace(parameters, **{name: member[name] for name in varied & member.keys()})
         for member in content["ensemble"]
     )
-
-
-def spread(values: Sequence[float]) -> tuple[float, float] | None:
-    """Between which two numbers nine in ten of ``values`` lie, None where there are none.
-
-    Examples
-    --------
-    >>> spread([float(value) for value in range(21)])
-    (1.0, 19.0)
-    """
-    known = [value for value in values if np.isfinite(value)]
-    if not known:
-        return None
-    low, high = np.quantile(known, ENDS)
-    return float(low), float(high)

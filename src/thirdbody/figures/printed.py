@@ -213,8 +213,8 @@ class _Places:
         found = np.flatnonzero(
             values == (values.min() if row["extreme"] == "minimum" else values.max())
         )
-        # where it has the value throughout: the end of what the paper speaks of, and a least share
-        # where shares of the solid and of particles have it, at high loads
+        # A constant curve has it everywhere: the end of what the paper speaks of tells most, or high
+        # loads of a least share, as shares of the solid and of particles fall with the load.
         is_last = row["load_max"] or row["extreme"] == "minimum"
         return float(self.load[found[-1 if is_last else 0]])
 

@@ -206,17 +206,12 @@ def _solved_sets(subject, parameters, inputs, settings):
     """Evenly scattered sets of inputs: positions from -1 to 1, and the outputs of each set."""
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     positions = 2.0 * scattered - 1.0
-    low, high = np.transpose([_ends(*each, settings["spread"]) for each in inputs.items()])
+    sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])
+    ends = [np.clip(value * sides, *BOUNDS[name]) for name, value in inputs.items()]
+    low, high = np.transpose(ends)
     sets = low + (high - low) * scattered
     changes = [dict(zip(inputs, some, strict=True)) for some in sets.tolist()]
     return positions, np.array([_values(subject, parameters, some) for some in changes])
-
-
-def _ends(name: str, value: float, spread: float) -> tuple[float, float]:
-    """Between which values an input is varied: ``spread`` to either side, and within its bounds."""
-    reach = spread * abs(value)
-    least, most = BOUNDS.get(name, (-np.inf, np.inf))
-    return max(value - reach, least), min(value + reach, most)
 
 
 def _values(subject, parameters, changes):

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.places import part_of_paper
+from thirdbody.data.spread import spread
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.checks import Verdict, judge
@@ -27,6 +28,7 @@ from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEv
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
 LEAST_GAIN = 0.01  # smaller improvements of a score are not told
+NO_RANGE = (np.nan, np.nan)
 NUDGE = 0.08  # how far an input is moved by itself, as a share of its bounds
 
 
@@ -207,8 +209,7 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
             "published": _published(claim),
             "measured": verdict.measured,
             "value": verdict.value,
-            "range_low": low,
-            "range_high": high,
+            **_range_of_value(trial, index),
             "deviation": verdict.deviation,
             "tolerance": claim.tolerance,
             "tolerance_kind": "relative" if claim.relative else "absolute",
@@ -224,7 +225,6 @@ def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
         for index, (claim, verdict) in enumerate(
             zip(trial.claims, trial.main.verdicts, strict=True)
         )
-        for low, high in [_range_of_worst(trial, index)]
     ]
 
 
@@ -286,19 +286,16 @@ def ranges(trial: Trial, index: int) -> NDArray[np.float64]:
         member that has the number.
     """
     members = [each.numbers for each in _on(trial.ensemble, index) if each.numbers]
-    ends = np.full((len(trial.main.verdicts[index].numbers), 2), np.nan)
-    for place, numbers in enumerate(ends):
-        known = [each[place] for each in members if np.isfinite(each[place])]
-        if known:
-            numbers[:] = np.quantile(known, [0.05, 0.95])
-    return ends
+    places = range(len(trial.main.verdicts[index].numbers))
+    ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
+    return np.reshape(ends, (-1, 2))
 
 
-def _range_of_worst(trial: Trial, index: int) -> tuple[float, float]:
-    """Of the ``ranges`` that of the number that is farthest off; nan if there are none."""
+def _range_of_value(trial: Trial, index: int) -> dict[str, float]:
+    """Columns of the range of ``Verdict.value``, the number that is farthest off; nan if there is none."""
     verdict = trial.main.verdicts[index]
-    low, high = ranges(trial, index)[verdict.worst] if verdict.numbers else (np.nan, np.nan)
-    return float(low), float(high)
+    ends = ranges(trial, index)[verdict.worst].tolist() if verdict.numbers else NO_RANGE
+    return dict(zip(("range_low", "range_high"), ends, strict=True))
 
 
 def once(text: str) -> str:
