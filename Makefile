@@ -1,14 +1,9 @@
 # make reproduce   every dataset, table and figure of the paper, from a fresh clone
 # make test        the tests, likewise from a fresh clone
 # make docs        the documentation as a site, docs/_build/index.html
-# make verify      whether the release is whole, and the products are those that it holds
-# make sums     which products are not as they were made
+# make verify      whether all products are as they were made, and the release, if there is one, holds them
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make accuracy    errors and times of the solver, measured on this machine (some 15 minutes)
-# make overhead    where the time of a clean run goes, in an environment of its own: what only tests need
-#                  would be loaded as well
-# make cluster     the time of a clean run on a cluster of one node, started for it, against one without
-#                  (needs root and Debian's slurm-wlm and munge)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
 # make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)
@@ -20,13 +15,13 @@ BIN := $(VENV)/bin
 # after pip with --no-compile, which would use one core, and compile the tests of all packages too
 COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
-OVERHEAD := $(VENV)/overhead
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
+RELEASE := results/release/thirdbody-$(VERSION)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify sums accuracy overhead cluster lock vendor lowest format clean
+.PHONY: reproduce test docs test-survival verify accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/thirdbody/explorer/vendor
@@ -61,23 +56,15 @@ $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 	touch $@
 
 verify: $(VENV)/workflow.done
-	@$(BIN)/python verification/verify.py results/release/thirdbody-$(VERSION) --results results
-
-sums:
-	@find results -path '*/.custody/*' -name '[!.]*.sha256' -exec sha256sum --quiet --check {} +
+	cd results && sha256sum --quiet --check SHA256SUMS
+	@if [ -d $(RELEASE) ]; then $(BIN)/python verification/verify.py $(RELEASE) --results results; fi
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
 
-overhead:
-	$(MAKE) VENV=$(OVERHEAD) $(OVERHEAD)/workflow.done
-	$(OVERHEAD)/bin/python benchmarks/measure_overhead.py
-
-cluster: $(VENV)/test.done
-	$(BIN)/python -m benchmarks.measure_cluster
-
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --extra slurm --constraint locks/workflow.txt --output-file locks/slurm.txt pyproject.toml
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
 
 vendor:

@@ -216,25 +216,6 @@ def check_products(found, results, faults):
             faults.add(product, f"cannot be read ({error.strerror})")
 
 
-def check_cost(folder, results, faults):
-    """What solving cost, which is not in the archive, is there for all that is on record."""
-    record = record_beside(folder)["solver_cost"]
-    cost = results / "accuracy/solver_cost.csv"
-    try:
-        with open(cost, encoding="utf-8", newline="") as file:
-            told = [what_was_solved(row) for row in csv.DictReader(file)]
-        if told != [what_was_solved(row) for row in record]:
-            faults.add(cost, "is not of what provenance.json lists")
-    except FORESEEN as error:
-        faults.add(cost, f"cannot be read ({type(error).__name__})")
-
-
-def what_was_solved(row):
-    """A row of the cost without its times, which must be numbers and differ from run to run."""
-    float(row["seconds"]), float(row["microseconds_per_point"])
-    return row["figure"], float(row["points"]), float(row["rtol"])
-
-
 def check_packed(folder, found, faults):
     """The packed archive beside ``folder`` is the one on record and holds the same files."""
     packed = packed_beside(folder)
@@ -271,7 +252,6 @@ def verify(folder, count, seed, results=None):
     }
     if results is not None:
         checks[results] = lambda: check_products(found, results, faults)
-        checks["provenance.json"] = lambda: check_cost(folder, results, faults)
         checks[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
     for subject, check in checks.items():
         try:

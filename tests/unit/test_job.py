@@ -1,12 +1,12 @@
 """What a script begins with: its log, one line for a foreseeable failure, and when garbage is searched for."""
 
-from thirdbody.run.job import logged
-
 import os
 import subprocess
 import sys
 
 import pytest
+
+from thirdbody.run.job import logged
 
 WHEN_GARBAGE_IS_SEARCHED_FOR = """
 import gc

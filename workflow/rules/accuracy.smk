@@ -1,20 +1,19 @@
 # Accuracy: `snakemake -c2 accuracy`, not part of the default run: errors, extremes and what follows
 # from them and from the times of timing.smk.
-import sys
 
-from thirdbody.configuration.schema import read_valid
-
-try:
-    ACCURACY = read_valid(settings["accuracy"], "accuracy")
-except ValueError as error:
-    sys.exit(f"{error}")
+ACCURACY = settings["accuracy"]
+LIBRARY = sorted(
+    str(path.relative_to(HOME))
+    for folder in ("src", "benchmarks")
+    for path in HOME.glob(f"{folder}/**/*.py")
+)
 
 
 rule measure_errors:
     input:
-        points=place_of("tests/golden/accuracy_points.csv"),
-        plain=place_of("verification/plain_model.py"),
-        modules=import_closure("workflow/scripts/measure_errors.py"),
+        points=project_file("tests/golden/accuracy_points.csv"),
+        plain=project_file("verification/plain_model.py"),
+        modules=LIBRARY,
     output:
         errors="<results>/accuracy/errors.csv",
     log:
@@ -23,7 +22,6 @@ rule measure_errors:
         "<logs>/measure_errors.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:
@@ -36,8 +34,8 @@ rule measure_errors:
 
 rule judge_extremes:
     input:
-        extremes=place_of("tests/golden/extremes.csv"),
-        modules=import_closure("workflow/scripts/judge_extremes.py"),
+        extremes=project_file("tests/golden/extremes.csv"),
+        modules=LIBRARY,
     output:
         verdicts="<results>/accuracy/extremes.csv",
     log:
@@ -46,7 +44,6 @@ rule judge_extremes:
         "<logs>/judge_extremes.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:
@@ -59,8 +56,8 @@ rule judge_extremes:
 
 rule compare_oracle:
     input:
-        oracle=place_of("tests/oracle/contact.c"),
-        modules=import_closure("workflow/scripts/compare_oracle.py"),
+        oracle=project_file("tests/oracle/contact.c"),
+        modules=LIBRARY,
     output:
         table="<results>/accuracy/oracle.csv",
     log:
@@ -69,7 +66,6 @@ rule compare_oracle:
         "<logs>/compare_oracle.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=60,
     params:
@@ -91,7 +87,7 @@ rule gather_accuracy:
         surfaces="<results>/accuracy/surfaces.csv",
         starts="<results>/accuracy/starts.csv",
         streaming="<results>/accuracy/streaming.csv",
-        modules=import_closure("workflow/scripts/gather_accuracy.py"),
+        modules=LIBRARY,
     output:
         dataset="<results>/accuracy/accuracy.nc",
         bars="<results>/accuracy/bars.csv",
@@ -102,7 +98,6 @@ rule gather_accuracy:
         "<logs>/gather_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Gathering errors and times"
     script:
@@ -113,18 +108,22 @@ rule render_accuracy:
     input:
         errors="<results>/accuracy/errors.csv",
         times="<results>/accuracy/times.csv",
-        style=place_of("src/thirdbody/figures/paper.mplstyle"),
-        modules=import_closure("workflow/scripts/render_accuracy.py"),
+        style=STYLE,
+        modules=LIBRARY,
     output:
         multiext("<results>/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/accuracy.png", subcategory="Figures", **IN_REPORT),
+        png=report(
+            "<results>/figures/accuracy.png",
+            caption="../report/product.rst",
+            category="Accuracy",
+            labels={"figure": "accuracy"},
+        ),
     log:
         "<logs>/render_accuracy.log",
     benchmark:
         "<logs>/render_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Drawing errors against times"
     script:
@@ -148,3 +147,97 @@ rule accuracy:
         multiext("<results>/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),
     message:
         "All that measures accuracy is made"
+
+
+rule time_classes:
+    input:
+        plain=project_file("verification/plain_model.py"),
+        modules=LIBRARY,
+    output:
+        times="<results>/accuracy/times.csv",
+    log:
+        "<logs>/time_classes.log",
+    benchmark:
+        "<logs>/time_classes.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        quiet=100,
+        runtime=30,
+    params:
+        budget=ACCURACY,
+        parameters=settings["parameters"],
+    message:
+        "Timing every class of points"
+    script:
+        "../scripts/time_classes.py"
+
+
+rule time_sweeps:
+    input:
+        modules=LIBRARY,
+    output:
+        omissions="<results>/accuracy/omissions.csv",
+        scaling="<results>/accuracy/scaling.csv",
+        surfaces="<results>/accuracy/surfaces.csv",
+    log:
+        "<logs>/time_sweeps.log",
+    benchmark:
+        "<logs>/time_sweeps.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        quiet=100,
+        runtime=30,
+    params:
+        budget=ACCURACY,
+        parameters=settings["parameters"],
+    message:
+        "Timing omissions, sizes, surfaces, processes and threads"
+    script:
+        "../scripts/time_sweeps.py"
+
+
+rule time_starts:
+    input:
+        modules=LIBRARY,
+    output:
+        table="<results>/accuracy/starts.csv",
+    log:
+        "<logs>/time_starts.log",
+    benchmark:
+        "<logs>/time_starts.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        quiet=100,
+        runtime=30,
+    params:
+        settings=ACCURACY["starts"],
+    message:
+        "Timing processes from their start to their answer"
+    script:
+        "../scripts/time_starts.py"
+
+
+rule time_streaming:
+    input:
+        modules=LIBRARY,
+    output:
+        table="<results>/accuracy/streaming.csv",
+    log:
+        "<logs>/time_streaming.log",
+    benchmark:
+        "<logs>/time_streaming.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        quiet=100,
+        runtime=30,
+    params:
+        settings=ACCURACY["streaming"],
+        parameters=settings["parameters"],
+    message:
+        "Timing a grid that is streamed to a file"
+    script:
+        "../scripts/time_streaming.py"

@@ -1,22 +1,15 @@
 # The release: one folder, one archive file of it, and beside them the record of their making.
-import sys
-
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.run.jobs import jobs_behind
 from thirdbody.release.sources import source_files
 
 try:
     RELEASE = Release.of("pyproject.toml", "CITATION.cff")
 except ValueError as error:
-    sys.exit(f"{error}")
+    sys.exit(str(error))
 
-# nothing but the paper's configuration is sealed under the name and version of the project
-IS_CHANGED = config != {key: value for key, value in PAPER.items() if key != "run"}
-if IS_CHANGED:
+# nothing but the paper's configuration is archived under the name and version of the project
+if not settings["is_paper"]:
     RELEASE = RELEASE.of_other_configuration()
-
-# what is measured on a machine differs from run to run: it goes to the record
-MEASURED = f"{PLACES.products}/accuracy/"
 
 
 rule release:
@@ -27,33 +20,44 @@ rule release:
         "The release is made"
 
 
+rule list_jobs:
+    input:
+        products=PRODUCTS,
+        modules=modules_of("list_jobs.py"),
+    output:
+        jobs="<results>/release/jobs.json",
+    log:
+        "<logs>/list_jobs.log",
+    localrule: True
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        config=settings["config"],
+        run=settings["run"],
+    message:
+        "Listing which job made which product"
+    script:
+        "../scripts/list_jobs.py"
+
+
 rule stage_release:
     input:
-        products=[path for path in rules.all.input if not path.startswith(MEASURED)],
-        bands=branch(
-            settings["bands"],
-            then=expand("<results>/bands/{figure}.nc", figure=CURVE_FIGURES),
-            otherwise=[],
-        ),
+        products=PRODUCTS,
+        sums="<results>/SHA256SUMS",
+        jobs="<results>/release/jobs.json",
         sources=source_files(),
-        modules=import_closure("workflow/scripts/stage_release.py"),
+        modules=modules_of("stage_release.py"),
     output:
         sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha512.txt",
     log:
         "<logs>/stage_release.log",
-    benchmark:
-        "<logs>/stage_release.tsv"
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
-        settings={"config": config, "parameters": settings["parameters"]},
-        jobs=lambda wildcards, input: jobs_behind(
-            [*input.products, *input.bands], workflow.rules, PLACES
-        ),
+        settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
-        is_changed=IS_CHANGED,
+        is_changed=not settings["is_paper"],
     message:
         "Filling the folder of the release"
     script:
@@ -63,17 +67,14 @@ rule stage_release:
 rule pack_release:
     input:
         sealed=rules.stage_release.output.sealed,
-        modules=import_closure("workflow/scripts/pack_release.py"),
+        modules=modules_of("pack_release.py"),
     output:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
     log:
         "<logs>/pack_release.log",
-    benchmark:
-        "<logs>/pack_release.tsv"
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         date=RELEASE.date,
     message:
@@ -85,18 +86,14 @@ rule pack_release:
 rule record_provenance:
     input:
         archive=rules.pack_release.output.archive,
-        cost="<results>/accuracy/solver_cost.csv",
-        modules=import_closure("workflow/scripts/record_provenance.py"),
+        modules=modules_of("record_provenance.py"),
     output:
         provenance="<results>/release/provenance.json",
     log:
         "<logs>/record_provenance.log",
-    benchmark:
-        "<logs>/record_provenance.tsv"
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Recording when and where the release was made"
     script:

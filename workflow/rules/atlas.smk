@@ -1,13 +1,7 @@
 # The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the roughnesses
 # for all inputs, once; all else is taken from its file.  An interruption loses the chunks under way.
-import sys
 
-from thirdbody.configuration.schema import read_valid
-
-try:
-    ATLAS = read_valid(settings["atlas"], "atlas")
-except ValueError as error:
-    sys.exit(f"{error}")
+ATLAS = settings["atlas"]
 CHARTS = ["largest_particle", "least_viscosity"]
 
 
@@ -17,7 +11,7 @@ scattergather:
 
 rule solve_chunk:
     input:
-        modules=import_closure("workflow/scripts/solve_chunk.py"),
+        modules=modules_of("solve_chunk.py"),
     output:
         chunk="<results>/atlas/chunks/{scatteritem}.nc",
         cost="<results>/atlas/cost/{scatteritem}.csv",
@@ -27,7 +21,6 @@ rule solve_chunk:
         "<logs>/solve_chunk/{scatteritem}.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:
@@ -46,7 +39,7 @@ rule catalogue_atlas:
     input:
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
         cost=gather.atlas("<results>/atlas/cost/{scatteritem}.csv"),
-        modules=import_closure("workflow/scripts/catalogue_atlas.py"),
+        modules=modules_of("catalogue_atlas.py"),
     output:
         catalogue="<results>/atlas/catalogue.json",
         cost="<results>/atlas/cost.csv",
@@ -56,7 +49,6 @@ rule catalogue_atlas:
         "<logs>/catalogue_atlas.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Cataloguing the atlas"
     script:
@@ -67,7 +59,7 @@ rule extract_chart:
     input:
         catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-        modules=import_closure("workflow/scripts/extract_chart.py"),
+        modules=modules_of("extract_chart.py"),
     output:
         rows="<results>/extracted/{chart}/all.csv",
     log:
@@ -78,7 +70,6 @@ rule extract_chart:
         chart="|".join(CHARTS),
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         charts=ATLAS["charts"],
     message:
@@ -91,11 +82,16 @@ rule render_chart:
     input:
         catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-        style=place_of("src/thirdbody/figures/paper.mplstyle"),
-        modules=import_closure("workflow/scripts/render_chart.py"),
+        style=STYLE,
+        modules=modules_of("render_chart.py"),
     output:
         multiext("<results>/figures/{chart}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/{chart}.png", subcategory="Figures", **IN_REPORT),
+        png=report(
+            "<results>/figures/{chart}.png",
+            caption="../report/product.rst",
+            category="Atlas",
+            labels={"figure": "{chart}"},
+        ),
     log:
         "<logs>/render_chart/{chart}.log",
     benchmark:
@@ -104,7 +100,6 @@ rule render_chart:
         chart="|".join(CHARTS),
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         charts=ATLAS["charts"],
     message:
@@ -117,7 +112,7 @@ use rule write_table as write_chart_table with:
     input:
         parts=["<results>/extracted/{table}/all.csv"],
         printed=[],
-        modules=import_closure("workflow/scripts/write_table.py"),
+        modules=modules_of("write_table.py"),
     log:
         "<logs>/write_chart_table/{table}.log",
     benchmark:
@@ -128,7 +123,7 @@ use rule write_table as write_chart_table with:
 
 rule find_lookup:
     input:
-        modules=import_closure("workflow/scripts/find_lookup.py"),
+        modules=modules_of("find_lookup.py"),
     output:
         table="<results>/atlas/lookup.nc",
     log:
@@ -137,7 +132,6 @@ rule find_lookup:
         "<logs>/find_lookup.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:

@@ -9,8 +9,7 @@ CALIBRATION = settings["calibration"]
 rule search_reading:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
-        modules=import_closure("workflow/scripts/search_reading.py"),
+        modules=modules_of("search_reading.py"),
     output:
         evaluations="<results>/calibration/{reading}/seed{seed}.csv",
         fronts="<results>/calibration/{reading}/seed{seed}_fronts.json",
@@ -22,7 +21,6 @@ rule search_reading:
         seed="[0-9]+",
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:
@@ -40,8 +38,7 @@ rule sample_reading:
             "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
         ),
         claims=f"{CONFIG}/claims.yaml",
-        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
-        modules=import_closure("workflow/scripts/sample_reading.py"),
+        modules=modules_of("sample_reading.py"),
     output:
         samples="<results>/calibration/{reading}/seed{seed}_samples.csv",
     log:
@@ -52,7 +49,6 @@ rule sample_reading:
         seed="[0-9]+",
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=90,
     params:
@@ -76,8 +72,7 @@ rule summarise_reading:
             "<results>/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
         ),
         claims=f"{CONFIG}/claims.yaml",
-        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
-        modules=import_closure("workflow/scripts/summarise_reading.py"),
+        modules=modules_of("summarise_reading.py"),
     output:
         calibrated="<results>/calibration/{reading}.yaml",
     log:
@@ -86,7 +81,6 @@ rule summarise_reading:
         "<logs>/summarise_reading/{reading}.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=30,
     params:
@@ -101,7 +95,7 @@ rule summarise_reading:
 rule calibrate:
     input:
         calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
-        modules=import_closure("workflow/scripts/adopt_calibration.py"),
+        modules=modules_of("adopt_calibration.py"),
     output:
         adopted="<results>/calibration/adopted.txt",
     log:
@@ -111,7 +105,6 @@ rule calibrate:
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Copying the calibrated inputs to config/calibrated"
     script:

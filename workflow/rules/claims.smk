@@ -1,21 +1,56 @@
-# The verdicts drawn, and what it costs the other statements that a chief one holds.
+# The verdict on every statement of the paper, and what it costs the others that a statement holds.
+
+CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
+
+
+rule judge_claims:
+    input:
+        claims=f"{CONFIG}/claims.yaml",
+        inputs=f"{CONFIG}/inputs.yaml",
+        default=settings["calibrated"],
+        calibrated=CALIBRATED,
+        modules=modules_of("judge_claims.py"),
+    output:
+        table="<results>/claims/claims.csv",
+        text="<results>/claims/claims.md",
+        page=report(
+            "<results>/claims/claims.html",
+            caption="../report/claims.rst",
+            category="Statements",
+            labels={"table": "claims"},
+        ),
+        data="<results>/claims/claims.json",
+    log:
+        "<logs>/judge_claims.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        settings=settings["calibration"],
+        parameters=settings["uncalibrated"],
+        laid_over=settings["inputs"],
+    message:
+        "Judging every statement of the paper"
+    script:
+        "../scripts/judge_claims.py"
 
 
 rule render_claims:
     input:
         claims="<results>/claims/claims.csv",
-        style=place_of("src/thirdbody/figures/paper.mplstyle"),
-        modules=import_closure("workflow/scripts/render_claims.py"),
+        style=STYLE,
+        modules=modules_of("render_claims.py"),
     output:
         multiext("<results>/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/claims.png", subcategory="Figures", **IN_REPORT),
+        png=report(
+            "<results>/figures/claims.png",
+            caption="../report/product.rst",
+            category="Statements",
+            labels={"figure": "claims"},
+        ),
     log:
         "<logs>/render_claims.log",
-    benchmark:
-        "<logs>/render_claims.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Drawing the verdicts"
     script:
@@ -25,18 +60,20 @@ rule render_claims:
 rule render_fronts:
     input:
         calibrated=CALIBRATED,
-        style=place_of("src/thirdbody/figures/paper.mplstyle"),
-        modules=import_closure("workflow/scripts/render_fronts.py"),
+        style=STYLE,
+        modules=modules_of("render_fronts.py"),
     output:
         multiext("<results>/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/fronts.png", subcategory="Figures", **IN_REPORT),
+        png=report(
+            "<results>/figures/fronts.png",
+            caption="../report/product.rst",
+            category="Statements",
+            labels={"figure": "fronts"},
+        ),
     log:
         "<logs>/render_fronts.log",
-    benchmark:
-        "<logs>/render_fronts.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         default=Path(settings["calibrated"]).stem,
     message:

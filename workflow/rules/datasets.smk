@@ -1,30 +1,22 @@
-# Solving: all that takes solutions of a scene, in one process, as loading what solves takes longer
-# than solving; and one NetCDF file a schematic with the sections that it shows.
+# Solving: one dataset a figure, the ranges of the ensemble around its curves, the sections of a schematic.
 
 
 rule solve_scene:
     input:
-        modules=import_closure("workflow/scripts/solve_scene.py"),
+        modules=modules_of("solve_scene.py"),
     output:
         dataset="<results>/datasets/{figure}.nc",
-        cost="<results>/accuracy/solver_cost/{figure}.csv",
-        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
-        transitions="<results>/extracted/transitions/{figure}.csv",
-        band="<results>/bands/{figure}.nc",
     log:
         "<logs>/solve_scene/{figure}.log",
     benchmark:
         "<logs>/solve_scene/{figure}.tsv"
     wildcard_constraints:
         figure="|".join(settings["scenes"]),
-    priority: 1
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         scene=lookup(dpath="scenes/{figure}", within=settings),
         parameters=settings["parameters"],
-        ensemble=settings["ensemble"],
         software=settings["software"],
     message:
         "Solving {wildcards.figure}"
@@ -32,20 +24,40 @@ rule solve_scene:
         "../scripts/solve_scene.py"
 
 
+rule solve_ensemble:
+    input:
+        dataset="<results>/datasets/{figure}.nc",
+        modules=modules_of("solve_ensemble.py"),
+    output:
+        band="<results>/bands/{figure}.nc",
+    log:
+        "<logs>/solve_ensemble/{figure}.log",
+    benchmark:
+        "<logs>/solve_ensemble/{figure}.tsv"
+    wildcard_constraints:
+        figure="|".join(settings["scenes"]),
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        parameters=settings["parameters"],
+        ensemble=settings["ensemble"],
+    message:
+        "Solving {wildcards.figure} for each member of the ensemble"
+    script:
+        "../scripts/solve_ensemble.py"
+
+
 rule compute_schematic:
     input:
-        modules=import_closure("workflow/scripts/compute_schematic.py"),
+        modules=modules_of("compute_schematic.py"),
     output:
         sections="<results>/schematics/{figure}.nc",
     log:
         "<logs>/compute_schematic/{figure}.log",
-    benchmark:
-        "<logs>/compute_schematic/{figure}.tsv"
     wildcard_constraints:
-        figure="|".join(settings["schematics"]),
+        figure="|".join(SCHEMATICS),
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         panels=lookup(dpath="schematics/{figure}", within=settings),
         parameters=settings["parameters"],

@@ -1,46 +1,35 @@
-# The explorer: one page for a browser that shows the figures and evaluates the equations.  It waits
-# for every figure: rules that it needs have priority, so that others run beside it at the end.
-
-EXPLORER = sorted(
-    str(path)
-    for folder in ("page", "vendor")  # beside them lies bytecode, which comes and goes
-    for path in Path(place_of(f"src/thirdbody/explorer/{folder}")).glob("*.*")
-)
+# The explorer: one page for a browser that shows the figures and evaluates the equations.
 
 
 rule build_explorer:
     input:
-        points=expand("<results>/figures/{figure}.csv", figure=CURVE_FIGURES),
-        captions=expand("<results>/figures/{figure}.md", figure=CURVE_FIGURES),
+        points=expand("<results>/figures/{figure}.csv", figure=SCENES),
+        captions=expand("<results>/figures/{figure}.md", figure=SCENES),
         claims=f"{CONFIG}/claims.yaml",
-        schemas=[
-            place_of("config/claims.schema.yaml"),
-            place_of("config/conditions.schema.yaml"),
-            place_of("config/inputs.schema.yaml"),
-            f"{CONFIG}/inputs.yaml",
-        ],
+        inputs=f"{CONFIG}/inputs.yaml",
         tables=f"{CONFIG}/paper_tables.yaml",
         verdicts="<results>/claims/claims.json",
         calibrated=CALIBRATED,
-        page=EXPLORER,
-        modules=import_closure("workflow/scripts/build_explorer.py"),
+        page=[
+            project_file(path)
+            for folder in ("page", "vendor")
+            for path in sorted(PACKAGE.glob(f"explorer/{folder}/*.*"))
+        ],
+        modules=modules_of("build_explorer.py"),
     output:
         page=report(
             "<results>/explorer/index.html",
             caption="../report/explorer.rst",
-            category=part_of_report,
-            labels={"title": "The explorer: figures, statements and the model itself"},
+            category="Explorer",
+            labels={"page": "explorer"},
         ),
     log:
         "<logs>/build_explorer.log",
-    benchmark:
-        "<logs>/build_explorer.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         parameters=settings["parameters"],
-        calibration=CALIBRATION,
+        calibration=settings["calibration"],
     message:
         "Building the explorer"
     script:

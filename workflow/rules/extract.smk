@@ -1,19 +1,36 @@
-# Extraction: windows of the turning point, and what the paper prints.
+# Extraction: what the curves of a dataset hold, where turning points occur, what the paper prints.
+
+
+rule extract_curves:
+    input:
+        dataset="<results>/datasets/{figure}.nc",
+        modules=modules_of("extract_curves.py"),
+    output:
+        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
+        transitions="<results>/extracted/transitions/{figure}.csv",
+    log:
+        "<logs>/extract_curves/{figure}.log",
+    wildcard_constraints:
+        figure="|".join(settings["scenes"]),
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        parameters=settings["parameters"],
+    message:
+        "Extracting turning points and transitions of {wildcards.figure}"
+    script:
+        "../scripts/extract_curves.py"
 
 
 rule find_windows:
     input:
-        modules=import_closure("workflow/scripts/find_windows.py"),
+        modules=modules_of("find_windows.py"),
     output:
         windows="<results>/extracted/tpca_windows/all.csv",
     log:
         "<logs>/find_windows.log",
-    benchmark:
-        "<logs>/find_windows.tsv"
-    priority: 1
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         windows=settings["windows"],
         load_axis=settings["load_axis"],
@@ -27,18 +44,13 @@ rule find_windows:
 rule gather_printed:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        schemas=[place_of("config/claims.schema.yaml"), place_of("config/conditions.schema.yaml")],
-        modules=import_closure("workflow/scripts/gather_printed.py"),
+        modules=modules_of("gather_printed.py"),
     output:
         table="<results>/extracted/printed/all.csv",
     log:
         "<logs>/gather_printed.log",
-    benchmark:
-        "<logs>/gather_printed.tsv"
-    priority: 1
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Gathering the numbers that the paper prints"
     script:
@@ -48,18 +60,15 @@ rule gather_printed:
 rule recompute_paper_table:
     input:
         printed=f"{CONFIG}/paper_tables.yaml",
-        modules=import_closure("workflow/scripts/recompute_paper_table.py"),
+        modules=modules_of("recompute_paper_table.py"),
     output:
         rows="<results>/extracted/{table}/all.csv",
     log:
         "<logs>/recompute_paper_table/{table}.log",
-    benchmark:
-        "<logs>/recompute_paper_table/{table}.tsv"
     wildcard_constraints:
         table="table[12]",
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         parameters=settings["parameters"],
     message:

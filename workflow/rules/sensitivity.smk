@@ -1,26 +1,21 @@
 # Sensitivity: how results respond to the inputs that the paper does not print, at the default.
+
 SENSITIVITY = settings["sensitivity"]
-UNPUBLISHED = [*CALIBRATION["unknowns"], *SENSITIVITY["also"]]
 
 
-# both in one process, as loading what solves takes about as long as either
 rule compute_sensitivities:
     input:
-        modules=import_closure("workflow/scripts/compute_sensitivities.py"),
+        modules=modules_of("compute_sensitivities.py"),
     output:
         elasticities="<results>/extracted/sensitivity/elasticities.csv",
         indices="<results>/extracted/sensitivity/sobol_indices.csv",
     log:
         "<logs>/compute_sensitivities.log",
-    benchmark:
-        "<logs>/compute_sensitivities.tsv"
-    priority: 1
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     params:
         settings=SENSITIVITY,
-        unpublished=UNPUBLISHED,
+        unpublished=[*settings["calibration"]["unknowns"], *SENSITIVITY["also"]],
         parameters=settings["parameters"],
     message:
         "Computing how results respond to each unpublished input"
@@ -31,18 +26,20 @@ rule compute_sensitivities:
 rule render_sensitivity:
     input:
         table="<results>/tables/sensitivity.csv",
-        style=place_of("src/thirdbody/figures/paper.mplstyle"),
-        modules=import_closure("workflow/scripts/render_sensitivity.py"),
+        style=STYLE,
+        modules=modules_of("render_sensitivity.py"),
     output:
         multiext("<results>/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/sensitivity.png", subcategory="Figures", **IN_REPORT),
+        png=report(
+            "<results>/figures/sensitivity.png",
+            caption="../report/product.rst",
+            category="Sensitivity",
+            labels={"figure": "sensitivity"},
+        ),
     log:
         "<logs>/render_sensitivity.log",
-    benchmark:
-        "<logs>/render_sensitivity.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
         "Drawing the sensitivities"
     script:

@@ -1,11 +1,10 @@
 """Copy calibrated inputs to where the default run reads them."""
 
-from thirdbody.run.job import logged
-
 import shutil
 from pathlib import Path
 
 from thirdbody.data.files import whole
+from thirdbody.job_log import logged
 
 PLACE = Path("config/calibrated")
 

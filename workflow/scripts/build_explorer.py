@@ -1,7 +1,5 @@
 """Build the explorer: one page for a browser, from figures, statements and inputs of the run."""
 
-from thirdbody.run.job import logged
-
 import json
 from dataclasses import asdict
 from pathlib import Path
@@ -11,6 +9,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import whole
 from thirdbody.explorer.content import page_content
 from thirdbody.explorer.page import page_text
+from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 
 

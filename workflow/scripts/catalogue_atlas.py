@@ -1,10 +1,9 @@
 """Catalogue the chunks of the atlas, and gather what they cost."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.atlas.catalogue import write_catalogue
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv
+from thirdbody.job_log import logged
 
 
 def write(chunks, costs, catalogue, cost):

@@ -1,10 +1,9 @@
 """The library against an implementation in extended precision, in all readings."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.oracle import oracle_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 
 
 def measure(settings, threads, table):

@@ -1,10 +1,9 @@
 """Solve the interfaces of one schematic and draw lots for the sections through them."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.data.files import whole
 from thirdbody.data.schematic import write_sections
 from thirdbody.data.section import sections
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

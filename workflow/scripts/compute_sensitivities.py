@@ -1,9 +1,8 @@
 """Elasticities and total Sobol indices of results in the inputs that the paper does not print."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.sensitivity import (
     Subject,

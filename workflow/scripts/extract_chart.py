@@ -1,11 +1,10 @@
 """Read the rows of a design chart's table off the atlas; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import chart_panels, chart_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 
 
 def extract(chart, catalogue, charts, place):

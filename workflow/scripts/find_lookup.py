@@ -1,10 +1,9 @@
 """Find the smallest table from which L_s and A_sa,t* are interpolated in real time."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.atlas.smallest import search_lookup
 from thirdbody.data.files import whole
 from thirdbody.data.netcdf import write_netcdf
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

@@ -1,13 +1,12 @@
 """Ranges of x_a/sigma in which dry contact has a turning point."""
 
-from thirdbody.run.job import logged
-
 import numpy as np
 
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

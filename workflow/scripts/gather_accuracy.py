@@ -1,11 +1,10 @@
 """The measured errors and times as one dataset, and what the solver is to achieve beside them."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.archive import accuracy_dataset
 from benchmarks.bars import bar_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_text
+from thirdbody.job_log import logged
 
 MEASURED = "errors", "extremes", "oracle"
 TIMED = "times", "omissions", "scaling", "surfaces", "starts", "streaming"

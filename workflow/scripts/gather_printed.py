@@ -1,9 +1,8 @@
 """The numbers that the paper prints, with their tolerances, as a table."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows
 

@@ -1,10 +1,9 @@
 """The verdict on every statement of the paper, as a table and as text."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.claims import load_claims

@@ -1,13 +1,12 @@
 """The verdict on each extreme at which models of this kind break."""
 
-from thirdbody.run.job import logged
-
 from collections import Counter
 
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import read_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 
 
 def judge(extremes, rtols, verdicts):

@@ -1,12 +1,11 @@
 """Errors of the library and of the baselines at points known in multiple precision."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.baselines import load_plain_model
 from benchmarks.errors import error_rows
 from benchmarks.points import read_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 
 
 def measure(points, plain, rtols, errors):

@@ -1,10 +1,9 @@
 """Pack the folder of a release into one archive file."""
 
-from thirdbody.run.job import logged
-
 from pathlib import Path
 
 from thirdbody.data.files import whole
+from thirdbody.job_log import logged
 from thirdbody.release.pack import pack
 
 

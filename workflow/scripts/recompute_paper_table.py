@@ -1,11 +1,10 @@
 """One of the paper's own tables with each derived entry recomputed."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import whole
 from thirdbody.data.paper_tables import paper_table
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

@@ -1,13 +1,12 @@
 """Draw errors against times; nothing is measured here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.accuracy import plot
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(errors, times, style, stem):

@@ -1,7 +1,5 @@
 """Draw a design chart from the atlas; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.atlas.catalogue import open_atlas
@@ -9,6 +7,7 @@ from thirdbody.atlas.charts import CHARTS, chart_panels
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.charts import plot
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(chart, catalogue, charts, style, stem):

@@ -1,13 +1,12 @@
 """Draw the verdicts on the paper's statements; nothing is judged here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.claims import plot
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(claims, style, stem):

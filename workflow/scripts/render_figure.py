@@ -1,7 +1,5 @@
 """Draw one figure from its dataset; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.data.netcdf import read_plain
@@ -11,6 +9,7 @@ from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(figure, dataset, turning_points, printed, windows, style, stem, band):

@@ -1,7 +1,5 @@
 """Draw what it costs the other statements that one of them holds; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 from pathlib import Path
 
 import matplotlib.style
@@ -10,6 +8,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.fronts import plot
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(default, calibrated, style, stem):

@@ -1,13 +1,12 @@
 """Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.data.schematic import read_sections
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.registry import SCHEMATICS
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(figure, sections, style, stem):

@@ -1,13 +1,12 @@
 """Draw the sensitivities of results to unpublished inputs; nothing is solved here."""
 
-from thirdbody.run.job import logged
-
 import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sensitivity import plot
 from thirdbody.figures.sheet.saving import save
+from thirdbody.job_log import logged
 
 
 def render(table, style, stem):

@@ -1,10 +1,9 @@
 """Sample the inputs that explain about as much as the best ones of one reading, from one seed."""
 
-from thirdbody.run.job import logged
-
 import numpy as np
 
 from thirdbody.data.files import whole
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Objective, Reading
 from thirdbody.study.claims import load_claims

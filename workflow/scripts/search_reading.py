@@ -1,12 +1,11 @@
 """Search the unprinted inputs of one reading from one seed."""
 
-from thirdbody.run.job import logged
-
 import json
 
 import numpy as np
 
 from thirdbody.data.files import whole
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Objective, Reading
 from thirdbody.study.claims import load_claims

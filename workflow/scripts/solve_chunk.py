@@ -1,7 +1,5 @@
 """Solve some surfaces of the atlas, for the default inputs and each member of the ensemble."""
 
-from thirdbody.run.job import logged
-
 import math
 import resource
 import time
@@ -11,6 +9,7 @@ from thirdbody.atlas.chunk import write_chunk
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

@@ -1,7 +1,5 @@
 """The calibrated inputs of one reading from its searches."""
 
-from thirdbody.run.job import logged
-
 import json
 from functools import partial
 from pathlib import Path
@@ -10,6 +8,7 @@ import numpy as np
 import yaml
 
 from thirdbody.data.files import whole
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Reading
 from thirdbody.study.choice import most_held

@@ -1,11 +1,10 @@
 """Time of a point in the library and in the baselines, class by class."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.baselines import load_plain_model
 from benchmarks.times import time_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

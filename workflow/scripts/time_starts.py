@@ -1,10 +1,9 @@
 """What a person waits for: time from the start of a process to its answer, by each way of solving."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.starts import start_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 
 
 def measure(settings, table):

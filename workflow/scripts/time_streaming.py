@@ -1,13 +1,12 @@
 """Time and memory of streaming a grid to a file, which is removed."""
 
-from thirdbody.run.job import logged
-
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from benchmarks.streams import stream_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

@@ -1,13 +1,12 @@
 """Times of the heaviest class: with something left out, in any number, on many surfaces, and in
 several processes and threads."""
 
-from thirdbody.run.job import logged
-
 from benchmarks.omissions import omission_rows
 from benchmarks.scaling import scaling_rows
 from benchmarks.surfaces import surface_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 

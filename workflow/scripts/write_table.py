@@ -1,10 +1,9 @@
 """Gather the parts of a table and write it as CSV with its Table Schema, Markdown, HTML and LaTeX."""
 
-from thirdbody.run.job import logged
-
 from thirdbody.data.files import whole
 from thirdbody.data.readable import markdown, page, readable
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema, write_text
+from thirdbody.job_log import logged
 from thirdbody.model.load_unit import newtons_per_load
 
 

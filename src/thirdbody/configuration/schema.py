@@ -29,7 +29,7 @@ import yaml
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.rules import RULES, Breach
 from thirdbody.messages import LONGEST, shown, shown_file
-from thirdbody.run.home import HOME
+from thirdbody.project import HOME
 
 SHARED = "conditions"  # what the schemas of several files say of the same quantities
 LONGEST_LIST = 1000  # what the schemas allow at most

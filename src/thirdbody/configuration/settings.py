@@ -55,6 +55,52 @@ def read_changes(path: str | None) -> dict:
     return read_yaml(path)
 
 
+def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict:
+    """All settings of a run of the workflow, checked before anything is computed.
+
+    Parameters
+    ----------
+    config : Mapping
+        What Snakemake has read: keys that are missing are those of the paper, and ``changes`` is the
+        path of a file that is laid over all of them.
+    folder : str or Path
+        The folder of the configuration.
+    *given : str or Path
+        Files of the command line, which Snakemake has merged into ``config``.
+
+    Returns
+    -------
+    dict
+        What ``workflow_settings`` returns, and
+
+        - ``run``, the name of the run or None;
+        - ``config``, the merged configuration, and ``is_paper``, whether it is the paper's.
+
+    Raises
+    ------
+    ValueError
+        In one line: the file, the key at fault, its value and what is allowed.
+    """
+    paper = read_plain(Path(folder, "config.yaml"), Path(folder, "scenes.yaml"))
+    read_plain(*given)
+    changes = {key: value for key, value in config.items() if key != "changes"}
+    merged = _merged(_merged(paper, changes), read_changes(config.get("changes")))
+    settings = workflow_settings(merged, folder)
+    require_surfaces(settings)
+    run = merged.pop("run", None)
+    paper.pop("run", None)
+    return settings | {"run": run, "config": merged, "is_paper": merged == paper}
+
+
+def _merged(base: Mapping, changes: Mapping) -> dict:
+    """``base`` with ``changes`` laid over it, key by key, as Snakemake merges configurations."""
+    merged = dict(base)
+    for key, value in changes.items():
+        both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
+        merged[key] = _merged(merged[key], value) if both else value
+    return merged
+
+
 def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict:
     """The configuration that the rules take their parameters from.
 
@@ -76,7 +122,7 @@ def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict
           without calibrated file and what is laid over it, SI;
         - ``calibrated``, the path of that file, ``inputs``, the values laid over it, and
           ``ensemble``, the members of its ensemble with these values;
-        - ``accuracy`` and ``atlas``, the paths of the settings of these runs;
+        - ``accuracy`` and ``atlas``, the settings of these runs;
         - ``software``, the versions of what computes.
 
     Raises
@@ -109,8 +155,8 @@ def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict
         "inputs": chosen.laid_over,
         "ensemble": chosen.ensemble,
         "uncalibrated": uncalibrated(entries),
-        "accuracy": _found(config["accuracy"], directory),
-        "atlas": _found(config["atlas"], directory),
+        "accuracy": read_valid(_found(config["accuracy"], directory), "accuracy"),
+        "atlas": read_valid(_found(config["atlas"], directory), "atlas"),
         "software": {name: version(name) for name in SOFTWARE},
     }
 

@@ -3,39 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.quantities import STATUS, shown_combinations
+from thirdbody.data.quantities import STATUS, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve_arrays
-
-
-def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves that a dataset shows.
-
-    Parameters
-    ----------
-    dataset : PlainDataset
-        One of ``read_plain``.
-
-    Returns
-    -------
-    conditions : ndarray, shape (4, curves)
-        What is held along each curve, SI, in the order of ``Condition``.
-    shown : ndarray of bool
-        Index of the curves in a variable of the dataset, behind its axis of loads:
-        ``values[:, shown]`` has shape (loads, curves).
-    """
-    shown = shown_combinations(dataset)
-    axes = [dataset[name].values for name in Condition._fields]
-    conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
-    return conditions, shown
 
 
 def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:

@@ -1,9 +1,8 @@
-"""Products that appear whole or not at all."""
+"""Files that appear whole or not at all."""
 
 from __future__ import annotations
 
 import errno
-import glob
 import os
 import secrets
 from collections.abc import Iterator
@@ -11,20 +10,16 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from thirdbody.messages import shown, shown_file
-from thirdbody.run.custody import record_of, record_text
-from thirdbody.run.places import PRODUCTS
 
 
 @contextmanager
-def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Path, ...]]:
+def whole(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files that take their places together, once all of them are written.
 
     Parameters
     ----------
     *paths
         The places of the files.
-    recorded
-        Whether those in ``results/`` get a record of what was made (`thirdbody.run.custody`).
 
     Yields
     ------
@@ -53,28 +48,24 @@ def whole(*paths: str | Path, recorded: bool = True) -> Iterator[Path | tuple[Pa
     True
     """
     places = [_place(path) for path in paths]
-    products = [place for place in places if recorded and place.is_relative_to(PRODUCTS)]
-    # records first: what a process killed between them leaves differs from its record
-    parts = {place: _part_of(place) for place in [*map(record_of, products), *places]}
+    parts = [_part_of(place) for place in places]
     try:
-        for place in places:
-            _require_possible(place, parts[place])
-        yield parts[places[0]] if len(places) == 1 else tuple(parts[place] for place in places)
-        for place in places:
-            with open(parts[place], "rb") as written:
+        for place, part in zip(places, parts, strict=True):
+            _require_possible(place, part)
+        yield parts[0] if len(parts) == 1 else tuple(parts)
+        for part in parts:
+            with open(part, "rb") as written:
                 os.fsync(written.fileno())
-        for product in products:
-            _write_record(product, parts)
-        for place, part in parts.items():
+        for place, part in zip(places, parts, strict=True):
             os.replace(part, place)
     except OSError as error:
-        elsewhere = error.filename and Path(error.filename) not in (*parts, *parts.values())
+        elsewhere = error.filename and Path(error.filename) not in (*places, *parts)
         if elsewhere or error.strerror is None:
             raise
         names = ", ".join(map(shown_file, places))
         raise OSError(f"{names} cannot be written ({error.strerror})") from None
     finally:
-        for part in parts.values():
+        for part in parts:
             with suppress(OSError):
                 part.unlink()
 
@@ -91,12 +82,7 @@ def _place(path: str | Path) -> Path:
 
 
 def _part_of(place: Path) -> Path:
-    """Name beside ``place`` for this process alone, after removal of what others left there.
-
-    Such a process was killed, or lives on without the run that started it, maybe on another host.
-    """
-    for left in place.parent.glob(f".{glob.escape(place.stem)}.partial*{place.suffix}"):
-        left.unlink(missing_ok=True)
+    """A name beside ``place`` that no other process uses."""
     return place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
 
 
@@ -106,10 +92,3 @@ def _require_possible(place: Path, part: Path) -> None:
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
     part.touch()
     part.unlink()
-
-
-def _write_record(product: Path, parts: dict[Path, Path]) -> None:
-    record = record_of(product)
-    record.parent.mkdir(parents=True, exist_ok=True)
-    with open(parts[product], "rb") as content:
-        parts[record].write_text(record_text(product, content), encoding="utf-8")

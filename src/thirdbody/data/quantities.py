@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.data.conditions import Condition
 from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
 
 if TYPE_CHECKING:
@@ -143,3 +144,25 @@ def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
     status = dataset[STATUS].values
     # nan where xarray has masked points, of which it makes floats
     return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
+
+
+def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The curves that a dataset shows.
+
+    Parameters
+    ----------
+    dataset : PlainDataset
+        One of ``read_plain``.
+
+    Returns
+    -------
+    conditions : ndarray, shape (4, curves)
+        What is held along each curve, SI, in the order of ``Condition``.
+    shown : ndarray of bool
+        Index of the curves in a variable of the dataset, behind its axis of loads:
+        ``values[:, shown]`` has shape (loads, curves).
+    """
+    shown = shown_combinations(dataset)
+    axes = [dataset[name].values for name in Condition._fields]
+    conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
+    return conditions, shown

@@ -156,7 +156,7 @@ def write_blocks(
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     types = {name: np.dtype(type_of(name)) for name in names}
-    with whole(path, recorded=False) as part:
+    with whole(path) as part:
         if not compression:
             _require_room(path, prod(shape), sum(kind.itemsize for kind in types.values()))
         empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}

@@ -191,13 +191,6 @@ TABLES = {
         Column("sensitivity", "number", "1", "d ln(result)/d ln(input), or the total index"),
         Column("error", "number", "1", "what twice the step changes, or half the 95 % interval"),
     ),
-    "solver_cost": (
-        Column("figure", "string", "", "figure whose dataset was solved"),
-        Column("points", "number", "1", "solved points"),
-        Column("rtol", "number", "1", "relative error asked for"),
-        Column("seconds", "number", "s", "processor time of the solver, tables included"),
-        Column("microseconds_per_point", "number", "us", "the same over the points"),
-    ),
     "atlas_cost": (
         Column("chunk", "string", "", "file of the atlas"),
         Column("conditions", "number", "1", "combinations of the five axes"),

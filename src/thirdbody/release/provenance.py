@@ -18,15 +18,13 @@ from typing import Any
 from thirdbody.release.bag import ALGORITHMS, digest
 
 
-def provenance(archive: Path, cost: list[dict[str, Any]]) -> dict[str, Any]:
+def provenance(archive: Path) -> dict[str, Any]:
     """Record the making of an archive, now and on this machine.
 
     Parameters
     ----------
     archive : Path
         The archive file, which is read for its sums.
-    cost : list of dict
-        Rows of the table of what solving took.
 
     Returns
     -------
@@ -44,7 +42,6 @@ def provenance(archive: Path, cost: list[dict[str, Any]]) -> dict[str, Any]:
         "python": sys.version,
         "commit": commit(),
         "packages": dict(sorted((one.name, one.version) for one in distributions())),
-        "solver_cost": cost,
     }
 
 

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
-from thirdbody.data.extraction import curves_of
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES
+from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve

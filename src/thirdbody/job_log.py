@@ -1,0 +1,29 @@
+"""The log file of a job of the workflow."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from pathlib import Path
+
+
+@contextmanager
+def logged(log: str | Path) -> Iterator[None]:
+    """Send what a script prints to the file ``log``.
+
+    Raises
+    ------
+    SystemExit
+        With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, which a user can mend: the
+        log then ends with their message instead of a traceback.
+    """
+    try:
+        stream = open(log, "w", encoding="utf-8", buffering=1)  # noqa: SIM115
+    except OSError as error:
+        raise SystemExit(f"{log} cannot be written ({error.strerror})") from None
+    with stream, redirect_stdout(stream), redirect_stderr(stream):
+        try:
+            yield
+        except (ValueError, OSError, MemoryError) as error:
+            print(str(error) or type(error).__name__)
+            raise SystemExit(1) from None

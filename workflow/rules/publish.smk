@@ -1,0 +1,54 @@
+# The page that leads to all products, and the sums of all of them.
+
+# what products are made from
+INTERMEDIATE = [
+    *expand("<results>/schematics/{figure}.nc", figure=SCHEMATICS),
+    *expand(
+        "<results>/extracted/{kind}/{figure}.csv", kind=["tpca_loads", "transitions"], figure=SCENES
+    ),
+    *expand(
+        "<results>/extracted/{kind}/all.csv", kind=["tpca_windows", "printed", "table1", "table2"]
+    ),
+    *expand("<results>/extracted/sensitivity/{kind}.csv", kind=["elasticities", "sobol_indices"]),
+]
+
+
+rule write_index:
+    input:
+        captions=expand("<results>/figures/{figure}.md", figure=FIGURES),
+        thumbnails=expand("<results>/figures/{figure}.png", figure=FIGURES),
+        tables=expand("<results>/tables/{table}.html", table=TABLES),
+        verdicts="<results>/claims/claims.json",
+        explorer="<results>/explorer/index.html",
+        datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
+        template=project_file("workflow/templates/index.html"),
+        modules=modules_of("write_index.py"),
+    output:
+        page="<results>/index.html",
+    log:
+        "<logs>/write_index.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    message:
+        "Writing the page that leads to all products"
+    script:
+        "../scripts/write_index.py"
+
+
+rule write_sums:
+    input:
+        INTERMEDIATE,
+        PRODUCTS,
+        "<results>/index.html",
+    output:
+        sums="<results>/SHA256SUMS",
+    log:
+        "<logs>/write_sums.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        folder=lambda wildcards, output: Path(output.sums).parent,
+    message:
+        "Writing the sums of all products"
+    script:
+        "../scripts/write_sums.py"

@@ -1,0 +1,83 @@
+"""Which job made which product from what, as Snakemake's own summary says."""
+
+import csv
+import json
+import subprocess
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from thirdbody.data.files import whole
+from thirdbody.job_log import logged
+
+
+def summary(config, run):
+    """Rows of ``snakemake --detailed-summary`` for the configuration of this run."""
+    with TemporaryDirectory() as folder:
+        file = Path(folder, "config.json")
+        file.write_text(json.dumps(config | ({"run": run} if run else {})), encoding="utf-8")
+        command = [sys.executable, "-m", "snakemake", "--detailed-summary", "--nolock"]
+        done = subprocess.run(
+            [*command, "--configfile", file], capture_output=True, text=True, check=False
+        )
+    if done.returncode:
+        raise ValueError(done.stderr)
+    lines = [line for line in done.stdout.splitlines() if "\t" in line]
+    return list(csv.DictReader(lines, delimiter="\t"))
+
+
+def jobs_of(rows, run):
+    """One entry a job, each after those that it depends on; files are called as in a run without a name."""
+    jobs = {}
+    for row in rows:
+        log = row["log-file(s)"]
+        files = row["input-file(s)"].split(",")
+        modules = [name for name in files if name.endswith(".py")]
+        rule = row["rule"]
+        stem = Path(log).stem
+        job = jobs.setdefault(
+            log,
+            {
+                "rule": rule,
+                "wildcards": {} if stem == rule else {"name": stem},
+                "script": f"workflow/scripts/{rule}.py",
+                "modules": modules,
+                "inputs": [without_run(name, run) for name in files if name not in modules],
+                "outputs": [],
+                "configured": not rule.startswith(("render_", "write_")),
+            },
+        )
+        job["outputs"].append(without_run(row["output_file"], run))
+    return in_order(list(jobs.values()))
+
+
+def without_run(name, run):
+    """The name of a product in a run without a name."""
+    return name.replace(f"results/{run}/", "results/", 1) if run else name
+
+
+def in_order(jobs):
+    """The same ``jobs``, each after those that make its inputs."""
+    maker = {output: job for job in jobs for output in job["outputs"]}
+    ordered = []
+
+    def add(job):
+        if job in ordered:
+            return
+        for name in job["inputs"]:
+            if name in maker:
+                add(maker[name])
+        ordered.append(job)
+
+    for job in jobs:
+        add(job)
+    return ordered
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        found = jobs_of(
+            summary(snakemake.params.config, snakemake.params.run), snakemake.params.run
+        )
+        with whole(snakemake.output.jobs) as part:
+            part.write_text(json.dumps(found, indent=1), encoding="utf-8")
