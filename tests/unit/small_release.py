@@ -15,7 +15,6 @@ from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.crate import Job, Run
 from thirdbody.release.pack import pack
 from thirdbody.release.staging import stage, whole_folder
-from thirdbody.run.closure import import_closure
 
 SCENES = {
     # dry, with and without particles
@@ -65,7 +64,7 @@ def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
-    modules = import_closure(SCRIPT)
+    modules = ["src/thirdbody/model/film.py", "src/thirdbody/solver/solve.py"]
     jobs = [
         Job("solve_scene", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
         for path in products

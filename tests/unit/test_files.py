@@ -94,47 +94,6 @@ def test_leftovers_of_a_killed_run_do_no_harm(tmp_path):
     with whole(place) as part:
         part.write_text("newer")
     assert place.read_text() == "newer"
-    assert listing(tmp_path) == ["table.csv"]
-
-
-def test_what_a_killed_process_left_half_written_goes(tmp_path):
-    (tmp_path / ".table.partial1.csv").write_text("half")
-    with whole(tmp_path / "table.csv") as part:
-        part.write_text("new")
-    assert listing(tmp_path) == ["table.csv"]
-
-
-@pytest.mark.parametrize(
-    ("place", "recorded", "files"),
-    [
-        ("results/a.csv", True, ["results/.custody/a.csv.sha256", "results/a.csv"]),
-        ("results/a.csv", False, ["results/a.csv"]),
-        ("elsewhere/a.csv", True, ["elsewhere/a.csv"]),
-    ],
-)
-def test_what_is_made_in_results_is_recorded(tmp_path, monkeypatch, place, recorded, files):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / place).parent.mkdir()
-    with whole(place, recorded=recorded) as part:
-        part.write_text("new")
-        assert not (tmp_path / "results/.custody").exists()
-    found = sorted(path for path in tmp_path.rglob("*") if path.is_file())
-    assert [str(path.relative_to(tmp_path)) for path in found] == files
-
-
-def test_a_failure_leaves_the_record_as_it_was(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "results").mkdir()
-    with whole("results/a.csv") as part:
-        part.write_text("old")
-    record = tmp_path / "results/.custody/a.csv.sha256"
-    before = record.read_bytes()
-    places, missing = ("results/a.csv", "results/b.csv"), "a.csv, results/b.csv cannot be written"
-    with pytest.raises(OSError, match=missing), whole(*places) as (first, _):
-        first.write_text("new")
-    assert record.read_bytes() == before
-    assert listing(record.parent) == ["a.csv.sha256"]
-    assert listing(tmp_path / "results") == [".custody", "a.csv"]
 
 
 def test_want_of_room_names_the_product(tmp_path):

@@ -1,7 +1,7 @@
 """A change is followed by what depends on it, and by nothing else."""
 
 import pytest
-from workspace import ROOT
+from workspace import ROOT, with_value
 
 from thirdbody.configuration.plain_yaml import read_yaml
 
@@ -9,20 +9,18 @@ DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = (
     "datasets/{0}.nc",
     "bands/{0}.nc",
-    "accuracy/solver_cost/{0}.csv",
     "extracted/*/{0}.csv",
     "figures/{0}.*",
 )
 ALL_CURVES = (
     "datasets/*",
     "bands/*",
-    "accuracy/solver_cost/*",
     "extracted/tpca_loads/*",
     "extracted/transitions/*",
     "figures/fig0[3-9].*",
     "figures/fig1?.*",
 )
-GATHERED = ("accuracy/solver_cost.csv", "tables/tpca_loads.*", "tables/transitions.*")
+GATHERED = ("tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 SHOWING_WINDOWS = ("figures/fig09.*", "figures/fig10.*")
 PRINTED = (  # what stands beside the paper's numbers
@@ -36,7 +34,9 @@ PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
 CLAIMS = ("claims/*", "figures/claims.*")
-PAGE = ("explorer/*",)
+PAGE = ("explorer/*", "index.html", "SHA256SUMS")
+SUMS = ("SHA256SUMS",)
+TABLES_SHOWN = ("index.html", "SHA256SUMS")
 
 
 def of_figure(name):
@@ -62,6 +62,52 @@ def followers(recorded, changed):
     return {name.removeprefix("results/") for name in known - {changed}}
 
 
+def jobs_after(workspace, file, change):
+    """Rules of the jobs that the next run would do after a ``change`` of a ``file``, with their wildcards."""
+    workspace.rewrite(file, change)
+    asked = workspace.snakemake("--dry-run")
+    assert asked.returncode == 0, asked.stdout + asked.stderr
+    counted = asked.stdout.partition("Job stats:\n")[2].partition("\n\n")[0].splitlines()[2:]
+    return {name: int(count) for name, count in map(str.split, counted) if name != "total"}
+
+
+def commented(text):
+    return f"{text}\n# changed\n"
+
+
+PUBLISHED = {"write_index": 1, "write_sums": 1, "paper": 1}
+
+
+def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(workspace):
+    jobs = jobs_after(workspace, "src/thirdbody/curves/turning_point.py", commented)
+    assert jobs["extract_curves"] == 11
+    assert jobs["find_windows"] == 1
+    assert not jobs.keys() & {"solve_scene", "solve_ensemble", "compute_schematic"}
+
+
+def test_another_style_of_one_figure_draws_that_figure(workspace):
+    jobs = jobs_after(workspace, "src/thirdbody/figures/fronts.py", commented)
+    assert jobs == {"render_fronts": 1} | PUBLISHED
+
+
+def test_another_scene_remakes_the_chain_of_its_figure(workspace):
+    def changed(text):
+        return with_value(text, "scenes/fig08/curves/0/viscosity_cSt", [0, 80])
+
+    chain = {"solve_scene": 1, "solve_ensemble": 1, "extract_curves": 1, "render_figure": 1}
+    gathered = {"write_table": 2, "build_explorer": 1}
+    assert jobs_after(workspace, "config/scenes.yaml", changed) == chain | gathered | PUBLISHED
+
+
+def test_another_statement_remakes_the_verdicts(workspace):
+    def changed(text):
+        return with_value(text, "0/statement", "Particles matter.")
+
+    jobs = jobs_after(workspace, "config/claims.yaml", changed)
+    assert jobs.keys() >= {"judge_claims", "render_claims"}
+    assert not jobs.keys() & {"solve_scene", "solve_ensemble", "extract_curves", "find_windows"}
+
+
 def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspace):
     workspace.put("config/scenes.yaml", "scenes/fig08/curves/0/viscosity_cSt", [0, 80])
     assert remade(workspace) == workspace.products(*of_figure("fig08"), *GATHERED, *PAGE)
@@ -84,7 +130,7 @@ def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
     before = workspace.stamps()
     run = workspace.snakemake()
     changed = {name for name, stamp in workspace.stamps().items() if before[name] != stamp}
-    assert changed == workspace.products(*PAPER_TABLES)
+    assert changed == workspace.products(*PAPER_TABLES, *TABLES_SHOWN)
     assert f"these tables are from {workspace.root / module}" in run.stdout + run.stderr
 
 
@@ -111,10 +157,10 @@ def test_touching_a_module_without_changing_it_reruns_nothing(workspace):
 
 
 def test_missing_products_are_made_again_and_no_others(workspace):
-    for name in ("tables/table2.tex", "figures/fig07.svg", "accuracy/solver_cost.csv"):
+    for name in ("tables/table2.tex", "figures/fig07.svg"):
         (workspace.root / "results" / name).unlink()
     made = remade(workspace)
-    assert made == workspace.products("tables/table2.*", "figures/fig07.*", GATHERED[0], *PAGE)
+    assert made == workspace.products("tables/table2.*", "figures/fig07.*", *PAGE)
 
 
 def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(workspace):
@@ -138,7 +184,7 @@ def test_a_missing_dataset_is_solved_again_and_what_is_made_from_it_follows(work
             "config/config.yaml",
             "schematics/fig01/0/load_N",
             21.0,
-            ("schematics/fig01.nc", "figures/fig01.*"),
+            ("schematics/fig01.nc", "figures/fig01.*", "index.html", "SHA256SUMS"),
         ),
         (
             "config/scenes.yaml",

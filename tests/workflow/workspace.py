@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import fcntl
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -112,7 +111,7 @@ class Workspace:
     def stamps(self) -> dict[str, int]:
         """When each product under ``results/`` was written [ns]."""
         results = self.root / "results"
-        files = (path for path in results.rglob("*") if is_product(path))
+        files = (path for path in results.rglob("*") if path.is_file())
         return {str(path.relative_to(results)): path.stat().st_mtime_ns for path in files}
 
     def pending(self) -> set[str]:
@@ -140,14 +139,6 @@ class Workspace:
         """Give ``key`` of a YAML file, such as ``scenes/fig03/curves/0``, another value."""
         self.rewrite(path, lambda text: with_value(text, key, value))
 
-    def rules(self) -> dict[str, str]:
-        """Text of each rule that makes something, by name."""
-        found = {}
-        for file in sorted((self.root / "workflow" / "rules").glob("*.smk")):
-            parts = re.split(r"(?m)^rule (\w+):\n", file.read_text(encoding="utf-8"))
-            found |= dict(zip(parts[1::2], parts[2::2], strict=True))
-        return found
-
 
 def start(workspace: Workspace, *arguments, config=MINIMAL, prepare=None) -> subprocess.Popen:
     """A run under way in a session of its own; ``prepare`` is called in its first process."""
@@ -169,14 +160,6 @@ def ended(run: subprocess.Popen) -> tuple[int, str]:
     said, _ = run.communicate(timeout=900)
     assert "Traceback" not in said, said
     return run.returncode, said
-
-
-def is_product(path: Path) -> bool:
-    """Whether a file under ``results/`` is no mere record of one."""
-    # not at the top: ``run_here`` imports the library of its copy in a process that has none yet
-    from thirdbody.run.places import CUSTODY
-
-    return path.is_file() and CUSTODY not in path.parts
 
 
 ABSENT = object()

@@ -5,7 +5,9 @@ TABLE_PARTS = {
     "transitions": SCENES,
     "sensitivity": ["elasticities", "sobol_indices"],
 }
+BESIDE_PRINTED = ["tpca_loads", "tpca_windows", "transitions"]
 PRINTED = "<results>/extracted/printed/all.csv"  # the numbers of the paper
+WINDOWS = "<results>/extracted/tpca_windows/all.csv"
 
 
 rule render_figure:
@@ -13,11 +15,7 @@ rule render_figure:
         dataset="<results>/datasets/{figure}.nc",
         turning_points="<results>/extracted/tpca_loads/{figure}.csv",
         printed=PRINTED,
-        windows=branch(
-            lambda wildcards: wildcards.figure in ("fig09", "fig10"),
-            then="<results>/extracted/tpca_windows/all.csv",
-            otherwise=[],
-        ),
+        windows=lambda wildcards: WINDOWS if wildcards.figure in ("fig09", "fig10") else [],
         band=branch(settings["bands"], then="<results>/bands/{figure}.nc", otherwise=[]),
         style=STYLE,
         modules=modules_of("render_figure.py"),
@@ -73,11 +71,7 @@ rule write_table:
             table=wildcards.table,
             part=TABLE_PARTS.get(wildcards.table, "all"),
         ),
-        printed=branch(
-            lambda wildcards: wildcards.table in ("tpca_loads", "tpca_windows", "transitions"),
-            then=PRINTED,
-            otherwise=[],
-        ),
+        printed=lambda wildcards: PRINTED if wildcards.table in BESIDE_PRINTED else [],
         modules=modules_of("write_table.py"),
     output:
         multiext("<results>/tables/{table}", csv=".csv", json=".json", md=".md", tex=".tex"),

@@ -17,8 +17,6 @@ from harm import (
 )
 from workspace import MINIMAL, SNAKEMAKE
 
-from thirdbody.run.lock import Hold
-
 GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
 # runs in a disk of its own: little room, what it left, more room, what it left
@@ -105,31 +103,6 @@ def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, te
     complete(workspace)
     assert_same(workspace.root / "results", undisturbed)
     tell(f"read-only results: {len(kept)} products as they were")
-
-
-def test_of_two_runs_at_once_one_says_that_the_other_is_running(workspace, undisturbed, tell):
-    for product in (workspace.root / "results/tables").iterdir():
-        product.unlink()
-    runs = [ended(run) for run in [start(workspace), start(workspace)]]
-    codes, said = zip(*sorted(runs), strict=True)
-    assert codes[0] == 0, said
-    assert codes[1] != 0, said
-    assert said[1].splitlines()[-1].startswith("another run is under way in this folder")
-    assert_same(workspace.root / "results", undisturbed)
-    tell("2 runs at once: 1 completed, 1 refused")
-
-
-def test_while_a_run_holds_the_folder_a_dry_run_may_look_on_and_no_other_may_begin(workspace):
-    """The test holds what a run holds: Snakemake cannot look on while files come and go."""
-    (workspace.root / "results/tables/table1.md").unlink()
-    with Hold(workspace.root / ".snakemake/thirdbody.lock"):
-        looked = workspace.snakemake("--dry-run")
-        code, said = ended(start(workspace))
-    assert looked.returncode == 0, looked.stdout + looked.stderr
-    assert "results/tables/table1.md" in looked.stdout
-    assert code != 0
-    assert said.splitlines()[-1].startswith("another run is under way in this folder")
-    assert not (workspace.root / "results/tables/table1.md").exists()
 
 
 @long

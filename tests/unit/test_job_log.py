@@ -1,27 +1,11 @@
-"""What a script begins with: its log, one line for a foreseeable failure, and when garbage is searched for."""
+"""The log of a job, and one line for a failure that a user can mend."""
 
 import os
-import subprocess
 import sys
 
 import pytest
 
-from thirdbody.run.job import logged
-
-WHEN_GARBAGE_IS_SEARCHED_FOR = """
-import gc
-from thirdbody.run.job import logged
-print(gc.isenabled(), gc.get_freeze_count() > 0)
-with logged("log"):
-    found = gc.isenabled(), gc.get_freeze_count() > 0
-print(*found)
-"""
-
-
-def test_garbage_is_searched_for_after_imports_and_not_among_them(tmp_path):
-    command = [sys.executable, "-c", WHEN_GARBAGE_IS_SEARCHED_FOR]
-    told = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
-    assert told.stdout.splitlines() == ["False False", "True True"]
+from thirdbody.job_log import logged
 
 
 def test_what_is_printed_goes_to_the_log(tmp_path, capsys):
