@@ -48,6 +48,7 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --no-compile --require-hashes --requirement locks/workflow.txt
 	$(COMPILE)
 	$(BIN)/python -m pip install --quiet --no-compile --no-deps --no-build-isolation --editable .
+	cp workflow/envs/container_home.* $(VENV)/lib/python3*/site-packages
 	touch $@
 
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
