@@ -1,35 +1,26 @@
-"""The classes of points whose cost and error are measured, and random points of a class."""
+"""Classes of points whose time and error are measured; random points and grids of a class."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.parameters import Parameters
+import thirdbody as tb
 
 
 class PointClass(NamedTuple):
-    """A class of points.
+    """A class of points."""
 
-    Attributes
-    ----------
-    medium : str
-        ``dry`` or ``lubricated``.
-    bodies : str
-        ``two_body`` or ``three_body``: without or with particles.
-    span : str
-        ``usual``: conditions within the ranges of Table 2; or ``extremes``.
-    """
-
-    medium: str
-    bodies: str
-    span: str
+    medium: str  # dry or lubricated
+    bodies: str  # two_body or three_body: without or with particles
+    span: str  # usual: within the ranges of Table 2; or extremes
 
 
-# The class that costs most among the usual ones: comparisons of methods refer to it.
+# The most expensive of the usual classes, by which methods are compared.
 HEAVIEST = PointClass("lubricated", "three_body", "usual")
 CLASSES = [
     PointClass(*names)
@@ -56,34 +47,9 @@ ROUGHNESS = {"usual": (300e-9,), "extremes": (1e-9, 100e-9, 1e-6, 10e-6)}  # val
 
 
 def random_conditions(
-    kind: PointClass, count: int, parameters: Parameters, seed: int = SEED
+    kind: PointClass, count: int, parameters: tb.Parameters, seed: int = SEED
 ) -> dict[str, NDArray[np.float64]]:
-    """Draw random points of a class.
-
-    Parameters
-    ----------
-    kind : PointClass
-        The class.
-    count : int
-        Number of points.
-    parameters : Parameters
-        Inputs of the model, which relate loads in newtons to dimensionless ones.
-    seed : int
-        The same seed gives the same points.
-
-    Returns
-    -------
-    dict of array, shape (count,)
-        The five conditions by the names of the arguments of ``thirdbody.solve``, in its units.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters, solve
-    >>> inputs = load_parameters()
-    >>> points = random_conditions(HEAVIEST, 3, inputs)
-    >>> solve(**points, parameters=inputs).solid_load_fraction.shape
-    (3,)
-    """
+    """Random points of a class: the five arguments of ``thirdbody.solve``, shape (count,)."""
     random = np.random.default_rng(seed)
     drawn = {
         name: np.exp(random.uniform(*np.log(ends), count))
@@ -100,3 +66,23 @@ def random_conditions(
         "roughness": random.choice(ROUGHNESS[kind.span], count),
         "particle_density": drawn["particle_density"],
     }
+
+
+def grid_axes(
+    kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
+) -> dict[str, NDArray[np.float64]]:
+    """Axes of a grid over the span of a class, with so many values each, on its first roughness."""
+    spans = SPANS[kind.span]
+    axes = {
+        name: np.geomspace(*spans[name], counts[name]) for name in ("viscosity", "particle_density")
+    }
+    axes["particle_diameter"] = np.geomspace(
+        *spans["particle_diameter"], counts["particle_diameter"]
+    )
+    axes["load"] = np.geomspace(*spans["normal_load"], counts["load"]) / parameters.newtons_per_load
+    axes["roughness"] = np.array(ROUGHNESS[kind.span][:1])
+    if kind.medium == "dry":
+        axes["viscosity"] = np.zeros(1)
+    if kind.bodies == "two_body":
+        axes["particle_diameter"] = np.zeros(1)
+    return axes

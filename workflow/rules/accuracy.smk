@@ -1,5 +1,4 @@
-# Accuracy: `snakemake -c2 accuracy`, not part of the default run: errors, extremes and what follows
-# from them and from the times of timing.smk.
+# `snakemake -c2 accuracy`, not part of the default run: errors, verdicts on extremes, times, and targets.
 import sys
 
 from thirdbody.configuration.schema import read_valid
@@ -13,48 +12,24 @@ except ValueError as error:
 rule measure_errors:
     input:
         points=place_of("tests/golden/accuracy_points.csv"),
+        extremes=place_of("tests/golden/extremes.csv"),
         plain=place_of("verification/plain_model.py"),
         modules=import_closure("workflow/scripts/measure_errors.py"),
     output:
         errors="<results>/accuracy/errors.csv",
+        verdicts="<results>/accuracy/extremes.csv",
     log:
         "<logs>/measure_errors.log",
     benchmark:
         "<logs>/measure_errors.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
-    resources:
-        runtime=30,
     params:
         rtol=ACCURACY["rtol"],
     message:
-        "Measuring errors against multiple precision"
+        "Measuring errors and judging every extreme"
     script:
         "../scripts/measure_errors.py"
-
-
-rule judge_extremes:
-    input:
-        extremes=place_of("tests/golden/extremes.csv"),
-        modules=import_closure("workflow/scripts/judge_extremes.py"),
-    output:
-        verdicts="<results>/accuracy/extremes.csv",
-    log:
-        "<logs>/judge_extremes.log",
-    benchmark:
-        "<logs>/judge_extremes.tsv"
-    conda:
-        "../envs/thirdbody.yaml"
-    threads: 1
-    resources:
-        runtime=30,
-    params:
-        rtol=ACCURACY["rtol"],
-    message:
-        "Judging every extreme"
-    script:
-        "../scripts/judge_extremes.py"
 
 
 rule compare_oracle:
@@ -69,82 +44,73 @@ rule compare_oracle:
         "<logs>/compare_oracle.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     resources:
         runtime=60,
     params:
         settings=ACCURACY["oracle"],
     message:
-        "Comparing all readings with extended precision"
+        "Comparing all interpretations with extended precision"
     script:
         "../scripts/compare_oracle.py"
 
 
-rule gather_accuracy:
+# Takes all of the resource `quiet`, so that it runs alone.
+rule time_library:
     input:
-        errors="<results>/accuracy/errors.csv",
-        extremes="<results>/accuracy/extremes.csv",
-        oracle="<results>/accuracy/oracle.csv",
-        times="<results>/accuracy/times.csv",
-        omissions="<results>/accuracy/omissions.csv",
-        scaling="<results>/accuracy/scaling.csv",
-        surfaces="<results>/accuracy/surfaces.csv",
-        starts="<results>/accuracy/starts.csv",
-        streaming="<results>/accuracy/streaming.csv",
-        modules=import_closure("workflow/scripts/gather_accuracy.py"),
+        plain=place_of("verification/plain_model.py"),
+        modules=import_closure("workflow/scripts/time_library.py"),
     output:
-        dataset="<results>/accuracy/accuracy.nc",
-        bars="<results>/accuracy/bars.csv",
-        text="<results>/accuracy/bars.md",
+        times="<results>/accuracy/times.csv",
+        uses="<results>/accuracy/uses.csv",
     log:
-        "<logs>/gather_accuracy.log",
+        "<logs>/time_library.log",
     benchmark:
-        "<logs>/gather_accuracy.tsv"
+        "<logs>/time_library.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
+    resources:
+        quiet=100,
+        runtime=30,
+    params:
+        budget=ACCURACY,
+        parameters=settings["parameters"],
     message:
-        "Gathering errors and times"
+        "Timing points, grids and typical uses"
     script:
-        "../scripts/gather_accuracy.py"
+        "../scripts/time_library.py"
+
+
+ACCURACY_TABLES = {
+    name: f"<results>/accuracy/{name}.csv"
+    for name in ("errors", "extremes", "oracle", "times", "uses")
+}
 
 
 rule render_accuracy:
     input:
-        errors="<results>/accuracy/errors.csv",
-        times="<results>/accuracy/times.csv",
+        **ACCURACY_TABLES,
         style=place_of("src/thirdbody/figures/paper.mplstyle"),
         modules=import_closure("workflow/scripts/render_accuracy.py"),
     output:
         multiext("<results>/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report("<results>/figures/accuracy.png", subcategory="Figures", **IN_REPORT),
+        targets="<results>/accuracy/targets.csv",
     log:
         "<logs>/render_accuracy.log",
     benchmark:
         "<logs>/render_accuracy.tsv"
     conda:
         "../envs/thirdbody.yaml"
-    threads: 1
     message:
-        "Drawing errors against times"
+        "Drawing errors against times; comparing with targets"
     script:
         "../scripts/render_accuracy.py"
 
 
 rule accuracy:
     input:
-        "<results>/accuracy/errors.csv",
-        "<results>/accuracy/extremes.csv",
-        "<results>/accuracy/oracle.csv",
-        "<results>/accuracy/times.csv",
-        "<results>/accuracy/omissions.csv",
-        "<results>/accuracy/scaling.csv",
-        "<results>/accuracy/surfaces.csv",
-        "<results>/accuracy/starts.csv",
-        "<results>/accuracy/streaming.csv",
-        "<results>/accuracy/bars.csv",
-        "<results>/accuracy/bars.md",
-        "<results>/accuracy/accuracy.nc",
+        *ACCURACY_TABLES.values(),
+        "<results>/accuracy/targets.csv",
         multiext("<results>/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),
     message:
-        "All that measures accuracy is made"
+        "Errors, extremes, times and targets are there"
