@@ -5,10 +5,6 @@
 # make sums     which products are not as they were made
 # make test-survival   runs killed, damaged, starved and misconfigured, at length (15 minutes)
 # make accuracy    errors and times of the solver, measured on this machine (some 15 minutes)
-# make overhead    where the time of a clean run goes, in an environment of its own: what only tests need
-#                  would be loaded as well
-# make cluster     the time of a clean run on a cluster of one node, started for it, against one without
-#                  (needs root and Debian's slurm-wlm and munge)
 # make lock        renew the locked dependencies (needs uv)
 # make vendor      the charting library of the explorer, fetched again (needs npm)
 # make lowest      the unit tests with the oldest dependencies that pyproject.toml allows (needs uv)
@@ -20,13 +16,12 @@ BIN := $(VENV)/bin
 # after pip with --no-compile, which would use one core, and compile the tests of all packages too
 COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
-OVERHEAD := $(VENV)/overhead
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 
 export PYTHONHASHSEED := 0
 
-.PHONY: reproduce test docs test-survival verify sums accuracy overhead cluster lock vendor lowest format clean
+.PHONY: reproduce test docs test-survival verify sums accuracy lock vendor lowest format clean
 
 D3 := 7.9.0
 VENDOR := src/thirdbody/explorer/vendor
@@ -68,13 +63,6 @@ sums:
 
 accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
-
-overhead:
-	$(MAKE) VENV=$(OVERHEAD) $(OVERHEAD)/workflow.done
-	$(OVERHEAD)/bin/python benchmarks/measure_overhead.py
-
-cluster: $(VENV)/test.done
-	$(BIN)/python -m benchmarks.measure_cluster
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
