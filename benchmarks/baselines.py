@@ -151,7 +151,7 @@ class ElementwiseRoots:
         """ln F_s* (Eq. 4)."""
         area, covered = self._particles(d, diameter, density)
         if self.model.coverage_limits == "printed":
-            covered = self._covered(np.full_like(d, -np.inf), diameter, density)
+            _, covered = self._particles(np.full_like(d, -np.inf), diameter, density)
         summits = self._log_summits(d, self.loads) + np.log1p(-covered)
         return np.logaddexp(summits, np.log(area * self.model.H_s1 / self.model.E_ss))
 
@@ -165,12 +165,8 @@ class ElementwiseRoots:
         elastic = 2.25 * np.pi**2 * squares * self._moment(plastic - h_e, plastic, diameter)
         moment = elastic + self._moment(plastic, np.inf, diameter)
         number = np.pi * model.participation * density / (model.H_s1 + model.H_s2)
-        return number * model.H_s2 * moment, self._covered(d, diameter, density)
-
-    def _covered(self, d, diameter, density):
-        model = self.model
-        number = np.pi * model.participation * density / (model.H_s1 + model.H_s2)
-        return number * model.H_s1 * self._moment(d, np.inf, diameter)
+        covered = number * model.H_s1 * self._moment(d, np.inf, diameter)
+        return number * model.H_s2 * moment, covered
 
     def _sizes(self, diameter):
         """Mean, spread and largest size of phi_a (Eq. 6)."""

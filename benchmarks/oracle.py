@@ -10,9 +10,7 @@ from typing import Any
 import numpy as np
 
 from tests.oracle.comparison import BEYOND_BOUND, PLACES, Compared, Drawn, compare, draw_points
-from tests.oracle.extended import READINGS, Oracle, why_not
-
-WORDS = {"size_distribution": "phi_a"} | {name: name for name in READINGS if name != "phi_a"}
+from tests.oracle.extended import Oracle, why_not
 
 
 def oracle_rows(settings: Mapping[str, Any], threads: int = 1) -> list[dict[str, Any]]:
@@ -34,25 +32,21 @@ def oracle_rows(settings: Mapping[str, Any], threads: int = 1) -> list[dict[str,
 
 
 def _counted(drawn: Drawn, compared: Compared) -> Iterator[dict[str, Any]]:
-    """A row for each ``rtol`` and combination of interpretations."""
-    rtol = drawn.per_point(drawn.rtols)
-    beyond, wrong = np.zeros(rtol.shape, bool), np.zeros(rtol.shape, bool)
+    """A row for each ``rtol``."""
+    rtols = drawn.per_point(drawn.rtols)
+    beyond, wrong = np.zeros(rtols.shape, bool), np.zeros(rtols.shape, bool)
     for name, places in compared.problems.items():
         (beyond if name.endswith(BEYOND_BOUND) else wrong)[places] = True
     good = compared.known & compared.good
     largest = np.max([np.where(good, each, 0.0) for each in compared.error.values()], axis=0)
-    columns = [rtol, *(drawn.model[name] for name in WORDS.values())]
-    kinds = list(zip(*(column.tolist() for column in columns), strict=True))
-    places_of: dict[tuple, list[int]] = {}
-    for index, kind in enumerate(kinds):
-        places_of.setdefault(kind, []).append(index)
-    for kind, places in places_of.items():
-        yield dict(zip(("rtol", *WORDS), kind, strict=True)) | {
-            "points": len(places),
-            "without_values": int(np.count_nonzero(~compared.known[places])),
-            "not_converged": int(np.count_nonzero((compared.known & ~compared.good)[places])),
-            "beyond_bound": int(np.count_nonzero(beyond[places])),
-            "wrong": int(np.count_nonzero(wrong[places])),
-            "largest_error": float(largest[places].max()),
-            "over_rtol": float(largest[places].max() / kind[0]),
+    for rtol in np.unique(rtols):
+        here = rtols == rtol
+        yield {
+            "rtol": float(rtol),
+            "points": int(here.sum()),
+            "without_values": int((here & ~compared.known).sum()),
+            "not_converged": int((here & compared.known & ~compared.good).sum()),
+            "beyond_bound": int((here & beyond).sum()),
+            "wrong": int((here & wrong).sum()),
+            "largest_error": float(largest[here].max()),
         }

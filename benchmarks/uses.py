@@ -11,13 +11,14 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
 
 import thirdbody as tb
 from benchmarks.classes import HEAVIEST, grid_axes, random_conditions
-from benchmarks.measuring import MICROSECONDS, least_seconds, processor_seconds, wall_seconds
+from benchmarks.measuring import MICROSECONDS, least_seconds
 
 ONE, SURFACES, STREAM, START = (
     "one point a call",
@@ -61,10 +62,10 @@ def use_rows(
 
     command = [sys.executable, "-c", FIRST_ANSWER.format(rtol=rtol)]
     runs = {
-        ONE: (call_each, processor_seconds, sizes["calls"]),
-        SURFACES: (solve_surfaces, processor_seconds, sizes["surfaces"]),
-        STREAM: (stream, wall_seconds, math.prod(axis.size for axis in axes.values())),
-        START: (partial(subprocess.run, command, check=True), wall_seconds, 1),
+        ONE: (call_each, process_time, sizes["calls"]),
+        SURFACES: (solve_surfaces, process_time, sizes["surfaces"]),
+        STREAM: (stream, perf_counter, math.prod(axis.size for axis in axes.values())),
+        START: (partial(subprocess.run, command, check=True), perf_counter, 1),
     }
     with warnings.catch_warnings(action="ignore"):
         for use, (function, clock, count) in runs.items():

@@ -134,10 +134,6 @@ CHOICES = (
 CALLS = {"library": "`tb.solve`", "library_grid": "`tb.grid`"}
 
 
-OF_READING = (
-    *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
-    "film_load",
-)
 SHOWN = "times", "errors", "uses"  # tables
 
 
@@ -183,13 +179,12 @@ def oracle_block() -> str:
     points, wrong, beyond, less_exact, without = (
         int(sum(row[name] for row in rows)) for name in names
     )
-    readings = len({tuple(row[column] for column in OF_READING) for row in rows})
     return (
-        f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all {readings} combinations "
-        f"of interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond their "
+        f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all combinations of "
+        f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond their "
         f"bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
         f"{100.0 * without / points:.1f} % have no values. The largest error of the others is "
-        f"{max(row['over_rtol'] for row in rows):.2f} of `rtol`."
+        f"{max(row['largest_error'] / row['rtol'] for row in rows):.2f} of `rtol`."
     )
 
 

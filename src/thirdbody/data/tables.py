@@ -231,13 +231,6 @@ TABLES = {
             "place", "string", "", "where points are drawn: anywhere, or next to kinks of F_s(d)"
         ),
         RTOL,
-        *(
-            Column(name, "string", "", "reading, as in config/inputs.yaml")
-            for name in (
-                *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
-                "film_load",
-            )
-        ),
         Column("points", "number", "1", "points compared with extended precision"),
         Column("without_values", "number", "1", "those that have no values, here or there"),
         Column("not_converged", "number", "1", "those with values and the status not_converged"),
@@ -251,7 +244,6 @@ TABLES = {
         Column(
             "largest_error", "number", "1", "largest relative error of those with a good status"
         ),
-        Column("over_rtol", "number", "1", "this over the error asked for"),
     ),
     "times": (
         METHOD,
