@@ -92,11 +92,10 @@ def _error_rows_of(method, rtol, groups, solve):
         errors = [relative_error(getattr(solution, v), group.expected[v]) for v in VARIABLES]
         found[PointClass(*(group.rows[0][name] for name in CLASS))].append(errors)
     return [
-        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name}
-        | _summary(errors, rtol)
+        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(each, rtol)}
         for kind, parts in found.items()
         if parts
-        for name, errors in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)
+        for name, each in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)
     ]
 
 

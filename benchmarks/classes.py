@@ -20,12 +20,9 @@ class PointClass(NamedTuple):
     span: str  # usual: within the ranges of Table 2; or extremes
 
 
-# The most expensive of the usual classes, by which methods are compared.
-HEAVIEST = PointClass("lubricated", "three_body", "usual")
-CLASSES = [
-    PointClass(*names)
-    for names in product(("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes"))
-]
+HEAVIEST = PointClass("lubricated", "three_body", "usual")  # the most expensive of the usual ones
+NAMES = ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
+CLASSES = [PointClass(*names) for names in product(*NAMES)]
 # Ends between which conditions are drawn, evenly in their logarithms, SI: F_t [N], nu [m2/s],
 # x_a [m], eta_a [m-2].  The usual ones are those of Table 2.
 SPANS = {
@@ -51,38 +48,29 @@ def random_conditions(
 ) -> dict[str, NDArray[np.float64]]:
     """Random points of a class: the five arguments of ``thirdbody.solve``, shape (count,)."""
     random = np.random.default_rng(seed)
-    drawn = {
-        name: np.exp(random.uniform(*np.log(ends), count))
-        for name, ends in SPANS[kind.span].items()
-    }
-    if kind.medium == "dry":
-        drawn["viscosity"] = np.zeros(count)
-    if kind.bodies == "two_body":
-        drawn["particle_diameter"] = np.zeros(count)
-    return {
-        "load": drawn["normal_load"] / parameters.newtons_per_load,
-        "viscosity": drawn["viscosity"],
-        "particle_diameter": drawn["particle_diameter"],
-        "roughness": random.choice(ROUGHNESS[kind.span], count),
-        "particle_density": drawn["particle_density"],
-    }
+    spans = SPANS[kind.span].items()
+    drawn = {name: np.exp(random.uniform(*np.log(ends), count)) for name, ends in spans}
+    return _of_class(kind, drawn, random.choice(ROUGHNESS[kind.span], count), parameters)
 
 
 def grid_axes(
     kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
 ) -> dict[str, NDArray[np.float64]]:
     """Axes of a grid over the span of a class, with so many values each, on its first roughness."""
-    spans = SPANS[kind.span]
-    axes = {
-        name: np.geomspace(*spans[name], counts[name]) for name in ("viscosity", "particle_density")
+    counts = {"normal_load": counts["load"], **counts}
+    spans = SPANS[kind.span].items()
+    axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
+    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span][:1]), parameters)
+    return {name: np.unique(values) for name, values in axes.items()}
+
+
+def _of_class(kind, given, roughness, parameters):
+    """Conditions without film, or without particles, where the class has none."""
+    wet, bodies = kind.medium == "lubricated", kind.bodies == "three_body"
+    return {
+        "load": given["normal_load"] / parameters.newtons_per_load,
+        "viscosity": wet * given["viscosity"],
+        "particle_diameter": bodies * given["particle_diameter"],
+        "roughness": roughness,
+        "particle_density": given["particle_density"],
     }
-    axes["particle_diameter"] = np.geomspace(
-        *spans["particle_diameter"], counts["particle_diameter"]
-    )
-    axes["load"] = np.geomspace(*spans["normal_load"], counts["load"]) / parameters.newtons_per_load
-    axes["roughness"] = np.array(ROUGHNESS[kind.span][:1])
-    if kind.medium == "dry":
-        axes["viscosity"] = np.zeros(1)
-    if kind.bodies == "two_body":
-        axes["particle_diameter"] = np.zeros(1)
-    return axes

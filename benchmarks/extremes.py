@@ -3,19 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.points import VARIABLES, grouped, parameters_of, relative_error
+from benchmarks.points import VARIABLES, Group, grouped, parameters_of, relative_error
 from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
-
-LOAD_ROUNDING = (
-    1e-14  # relative error that rounding leaves in a load, through logarithms of its parts
-)
-GAP_ROUNDING = 2.3e-16  # and in a separation
 
 
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
@@ -30,51 +25,42 @@ def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str
             parameters_of(row)
             accepted.append(row)
         except ValueError as error:
-            verdicts[id(row)] = _found(row, rtol, "none", 0.0, "", f"refused: {error}")
+            verdicts[id(row)] = "none", 0.0, "", f"refused: {error}"
     for group in grouped(accepted):
-        verdicts |= {id(row): found for row, found in _judge_group(group, rtol)}
-    return [verdicts[id(row)] for row in rows]
-
-
-def _judge_group(group, rtol):
-    """Pairs of a row and its verdict."""
-    with warnings.catch_warnings(action="error"):
-        warnings.simplefilter("ignore", tb.OutOfRangeWarning)
-        try:
-            solution = tb.solve(**group.conditions, parameters=group.parameters, rtol=rtol)
-        except (ArithmeticError, ValueError, Warning) as error:
-            text = f"wrong: {type(error).__name__}: {error}"
-            return [(row, _found(row, rtol, "none", np.inf, "", text)) for row in group.rows]
-    errors = {
-        name: relative_error(getattr(solution, name), group.expected[name]) for name in VARIABLES
-    }
+        keys = map(id, group.rows)
+        verdicts |= zip(keys, _judge_group(group, rtol), strict=True)
+    names = "status", "largest_error", "variable", "verdict"
     return [
-        (row, _judge_point(row, index, solution, errors, rtol))
-        for index, row in enumerate(group.rows)
+        {name: row[name] for name in ("item", "case", "origin")}
+        | {"rtol": rtol, "expected_status": row["status"]}
+        | dict(zip(names, verdicts[id(row)], strict=True))
+        for row in rows
     ]
 
 
-def _judge_point(row, index, solution, errors, rtol):
-    """Row of the table for the point ``index`` of a solution."""
-    status = SOLUTION_STATUSES[solution.solution_status[index]]
-    worst = max(VARIABLES, key=lambda name: errors[name][index])
-    error = float(errors[worst][index])
-    if row["status"] in WITHOUT_VALUES:
-        error, worst = 0.0, ""
-    bound = float(solution.error_bound[index])
-    return _found(row, rtol, status, error, worst, verdict(row, status, error, bound, rtol))
-
-
-def _found(row, rtol, status, error, worst, text):
-    found = {name: row[name] for name in ("item", "case", "origin")}
-    found |= {"rtol": rtol, "expected_status": row["status"], "status": status}
-    return found | {"largest_error": error, "variable": worst, "verdict": text}
+def _judge_group(group: Group, rtol: float) -> Iterator[tuple[str, float, str, str]]:
+    """Status, largest error, its variable and the verdict of each point."""
+    with warnings.catch_warnings(action="error"):
+        warnings.simplefilter("ignore", tb.OutOfRangeWarning)
+        try:
+            found = tb.solve(**group.conditions, parameters=group.parameters, rtol=rtol)
+        except (ArithmeticError, ValueError, Warning) as error:
+            text = f"wrong: {type(error).__name__}: {error}"
+            yield from [("none", np.inf, "", text)] * len(group.rows)
+            return
+    errors = {v: relative_error(getattr(found, v), group.expected[v]) for v in VARIABLES}
+    for index, row in enumerate(group.rows):
+        status = SOLUTION_STATUSES[found.solution_status[index]]
+        worst = max(VARIABLES, key=lambda name: errors[name][index])
+        error = float(errors[worst][index])
+        if row["status"] in WITHOUT_VALUES:
+            error, worst = 0.0, ""
+        bound = float(found.error_bound[index])
+        yield status, error, worst, verdict(row, status, error, bound, rtol)
 
 
 def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rtol: float) -> str:
     """``right``; ``refused: ...`` if the library truly says that its error is above ``rtol``; or ``wrong``.
-
-    Of the ``row`` of ``extremes.csv`` the expected ``status`` is used.
 
     Examples
     --------
@@ -88,11 +74,3 @@ def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rto
     if status == "not_converged" and error <= bound and bound > rtol:
         return f"refused: the error is below {bound:.1e} only"
     return "wrong"
-
-
-def beyond_float64(row: Mapping[str, str], rtol: float) -> bool:
-    """Whether float64 cannot hold a point to ``rtol``: rounding changes its separation or its loads by more."""
-    conditioning = float(row["gap_conditioning"] or 0.0)
-    if conditioning == 0.0:
-        return False
-    return max(conditioning * LOAD_ROUNDING, GAP_ROUNDING / conditioning) > rtol

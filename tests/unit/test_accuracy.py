@@ -19,7 +19,7 @@ from benchmarks.classes import (
     grid_axes,
     random_conditions,
 )
-from benchmarks.extremes import beyond_float64, judge_extremes, verdict
+from benchmarks.extremes import judge_extremes, verdict
 from benchmarks.measuring import least_seconds
 from benchmarks.points import VARIABLES, grouped, read_rows, relative_error
 from benchmarks.targets import TARGETS, target_rows
@@ -152,13 +152,6 @@ def test_the_points_of_a_class_are_what_its_name_says(kind, parameters):
 )
 def test_a_refusal_must_give_a_bound_that_holds(status, error, bound, expected):
     assert verdict({"status": "converged"}, status, error, bound, 1e-9) == expected
-
-
-@pytest.mark.parametrize(
-    ("conditioning", "beyond"), [("0.1", False), ("1e7", True), ("1e-8", True), ("", False)]
-)
-def test_conditioning_tells_what_float64_cannot_resolve(conditioning, beyond):
-    assert beyond_float64({"gap_conditioning": conditioning}, 1e-9) == beyond
 
 
 def test_a_warning_makes_a_point_wrong(monkeypatch):
