@@ -240,7 +240,8 @@ def largest_difference(row):
     again = model.solve_contact(row | numbers, most_coverage=1)
     assert row["status"] == again["status"], row
     differences = (
-        abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS
+        abs(mp.mpf(row[name]) - again[name]) / max(again[name], mp.mpf("1e-300"))
+        for name in model.OUTPUTS
     )
     return float(max(differences))
 
