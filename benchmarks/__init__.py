@@ -1,11 +1,8 @@
-"""What measures the library: the errors that it makes and the time that it takes.
+"""What users choose by: time, true error, and behaviour at extremes.
 
-Errors are taken at points known in multiple precision (``points``, ``errors``, ``extremes``) and in all
-readings against the implementation in extended precision of ``tests/oracle`` (``oracle``), times for
-random points of several classes (``classes``, ``times``, ``scaling``, ``omissions``,
-``starts``, ``streams``), and both are compared with two simpler ways of solving (``baselines``) and
-with what the solver is to achieve (``bars``); ``archive`` makes a dataset of them.  Two programs
-measure by themselves: ``measure_overhead`` and ``measure_compression``.  The folder stands beside
-the package and may import all of it; the package imports nothing from here.  Begin with
-``times.time_rows`` and ``errors.error_rows``.
+``snakemake -c2 accuracy`` runs it.  True errors come from points known in multiple precision (``points``,
+``accuracy``, ``extremes``) and from the oracle in extended precision (``oracle``).  Times are those of random points
+and grids (``classes``, ``accuracy``) and of typical uses (``uses``).  Two simpler solvers run beside the library
+(``baselines``), and ``targets`` compares the results with what the library should reach.  ``compare_runs`` compares
+two runs of the workflow.  Only the public interface of the library is measured.
 """

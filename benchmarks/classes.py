@@ -1,40 +1,28 @@
-"""The classes of points whose cost and error are measured, and random points of a class."""
+"""Classes of points whose time and error are measured; random points and grids of a class."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.parameters import Parameters
+import thirdbody as tb
 
 
 class PointClass(NamedTuple):
-    """A class of points.
+    """A class of points."""
 
-    Attributes
-    ----------
-    medium : str
-        ``dry`` or ``lubricated``.
-    bodies : str
-        ``two_body`` or ``three_body``: without or with particles.
-    span : str
-        ``usual``: conditions within the ranges of Table 2; or ``extremes``.
-    """
-
-    medium: str
-    bodies: str
-    span: str
+    medium: str  # dry or lubricated
+    bodies: str  # two_body or three_body: without or with particles
+    span: str  # usual: within the ranges of Table 2; or extremes
 
 
-# The class that costs most among the usual ones: comparisons of methods refer to it.
-HEAVIEST = PointClass("lubricated", "three_body", "usual")
-CLASSES = [
-    PointClass(*names)
-    for names in product(("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes"))
-]
+HEAVIEST = PointClass("lubricated", "three_body", "usual")  # the most expensive of the usual ones
+NAMES = ("dry", "lubricated"), ("two_body", "three_body"), ("usual", "extremes")
+CLASSES = [PointClass(*names) for names in product(*NAMES)]
 # Ends between which conditions are drawn, evenly in their logarithms, SI: F_t [N], nu [m2/s],
 # x_a [m], eta_a [m-2].  The usual ones are those of Table 2.
 SPANS = {
@@ -56,47 +44,33 @@ ROUGHNESS = {"usual": (300e-9,), "extremes": (1e-9, 100e-9, 1e-6, 10e-6)}  # val
 
 
 def random_conditions(
-    kind: PointClass, count: int, parameters: Parameters, seed: int = SEED
+    kind: PointClass, count: int, parameters: tb.Parameters, seed: int = SEED
 ) -> dict[str, NDArray[np.float64]]:
-    """Draw random points of a class.
-
-    Parameters
-    ----------
-    kind : PointClass
-        The class.
-    count : int
-        Number of points.
-    parameters : Parameters
-        Inputs of the model, which relate loads in newtons to dimensionless ones.
-    seed : int
-        The same seed gives the same points.
-
-    Returns
-    -------
-    dict of array, shape (count,)
-        The five conditions by the names of the arguments of ``thirdbody.solve``, in its units.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters, solve
-    >>> inputs = load_parameters()
-    >>> points = random_conditions(HEAVIEST, 3, inputs)
-    >>> solve(**points, parameters=inputs).solid_load_fraction.shape
-    (3,)
-    """
+    """Random points of a class: the five arguments of ``thirdbody.solve``, shape (count,)."""
     random = np.random.default_rng(seed)
-    drawn = {
-        name: np.exp(random.uniform(*np.log(ends), count))
-        for name, ends in SPANS[kind.span].items()
-    }
-    if kind.medium == "dry":
-        drawn["viscosity"] = np.zeros(count)
-    if kind.bodies == "two_body":
-        drawn["particle_diameter"] = np.zeros(count)
+    spans = SPANS[kind.span].items()
+    drawn = {name: np.exp(random.uniform(*np.log(ends), count)) for name, ends in spans}
+    return _of_class(kind, drawn, random.choice(ROUGHNESS[kind.span], count), parameters)
+
+
+def grid_axes(
+    kind: PointClass, counts: Mapping[str, int], parameters: tb.Parameters
+) -> dict[str, NDArray[np.float64]]:
+    """Axes of a grid over the span of a class, with so many values each, on its first roughness."""
+    counts = {"normal_load": counts["load"], **counts}
+    spans = SPANS[kind.span].items()
+    axes = {name: np.geomspace(*ends, counts[name]) for name, ends in spans}
+    axes = _of_class(kind, axes, np.array(ROUGHNESS[kind.span][:1]), parameters)
+    return {name: np.unique(values) for name, values in axes.items()}
+
+
+def _of_class(kind, given, roughness, parameters):
+    """Conditions without film, or without particles, where the class has none."""
+    wet, bodies = kind.medium == "lubricated", kind.bodies == "three_body"
     return {
-        "load": drawn["normal_load"] / parameters.newtons_per_load,
-        "viscosity": drawn["viscosity"],
-        "particle_diameter": drawn["particle_diameter"],
-        "roughness": random.choice(ROUGHNESS[kind.span], count),
-        "particle_density": drawn["particle_density"],
+        "load": given["normal_load"] / parameters.newtons_per_load,
+        "viscosity": wet * given["viscosity"],
+        "particle_diameter": bodies * given["particle_diameter"],
+        "roughness": roughness,
+        "particle_density": given["particle_density"],
     }

@@ -3,39 +3,20 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from benchmarks.library import solutions
-from benchmarks.points import VARIABLES, grouped, parameters_of, relative_errors
+import thirdbody as tb
+from benchmarks.points import VARIABLES, Group, grouped, parameters_of, relative_error
 from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
-
-VERDICTS = ("right", "refused", "wrong")
-# Relative errors that rounding leaves in a load, through the logarithms of its parts, and in a
-# separation.
-LOAD_ROUNDING = 1e-14
-GAP_ROUNDING = 2.3e-16
 
 
 def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str, Any]]:
-    """Judge what the library gives at extremes.
+    """Rows of the table ``extremes`` for lines of ``tests/golden/extremes.csv``, in their order.
 
-    Points of one surface are solved together, by each way, and every way must be right.  A warning
-    or an exception makes all of them wrong.
-
-    Parameters
-    ----------
-    rows : sequence of dict
-        Lines of ``tests/golden/extremes.csv``, as ``benchmarks.points.read_rows`` returns them.
-    rtol : float
-        Relative error asked for [1].
-
-    Returns
-    -------
-    list of dict
-        Rows of the table ``extremes``, in the order of ``rows``; of several ways the worst counts.
+    Points of one surface are solved together; a warning or an exception makes all of them wrong.
     """
     verdicts = {}
     accepted = []
@@ -44,81 +25,42 @@ def judge_extremes(rows: Sequence[dict[str, str]], rtol: float) -> list[dict[str
             parameters_of(row)
             accepted.append(row)
         except ValueError as error:
-            verdicts[id(row)] = _found(row, rtol, "none", 0.0, "", f"refused: {error}")
+            verdicts[id(row)] = "none", 0.0, "", f"refused: {error}"
     for group in grouped(accepted):
-        verdicts |= {id(row): found for row, found in _judge_group(group, rtol)}
-    return [verdicts[id(row)] for row in rows]
+        keys = map(id, group.rows)
+        verdicts |= zip(keys, _judge_group(group, rtol), strict=True)
+    names = "status", "largest_error", "variable", "verdict"
+    return [
+        {name: row[name] for name in ("item", "case", "origin")}
+        | {"rtol": rtol, "expected_status": row["status"]}
+        | dict(zip(names, verdicts[id(row)], strict=True))
+        for row in rows
+    ]
 
 
-def _judge_group(group, rtol):
-    """Pairs of a row and its verdict."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
+def _judge_group(group: Group, rtol: float) -> Iterator[tuple[str, float, str, str]]:
+    """Status, largest error, its variable and the verdict of each point."""
+    with warnings.catch_warnings(action="error"):
+        warnings.simplefilter("ignore", tb.OutOfRangeWarning)
         try:
-            solved = solutions(group, rtol)
+            found = tb.solve(**group.conditions, parameters=group.parameters, rtol=rtol)
         except (ArithmeticError, ValueError, Warning) as error:
             text = f"wrong: {type(error).__name__}: {error}"
-            return [(row, _found(row, rtol, "none", np.inf, "", text)) for row in group.rows]
-    judged = [
-        [_judge_point(row, index, each, errors, rtol) for index, row in enumerate(group.rows)]
-        for each in solved
-        for errors in [relative_errors(each, group.expected)]
-    ]
-    worst = [max(ways, key=_badness) for ways in zip(*judged, strict=True)]
-    return zip(group.rows, worst, strict=True)
-
-
-def _badness(found):
-    """Sorts rows of the table from right to wrong, those of one verdict by their error."""
-    return VERDICTS.index(found["verdict"].partition(":")[0]), found["largest_error"]
-
-
-def _judge_point(row, index, solution, errors, rtol):
-    """Row of the table for the point ``index`` of a group in one solution."""
-    status = SOLUTION_STATUSES[solution.solution_status[index]]
-    worst = max(VARIABLES, key=lambda name: errors[name][index])
-    error = float(errors[worst][index])
-    if row["status"] in WITHOUT_VALUES:
-        error, worst = 0.0, ""
-    bound = float(solution.error_bound[index])
-    return _found(row, rtol, status, error, worst, verdict(row, status, error, bound, rtol))
-
-
-def _found(row, rtol, status, error, worst, text):
-    return {
-        "item": row["item"],
-        "case": row["case"],
-        "origin": row["origin"],
-        "rtol": rtol,
-        "expected_status": row["status"],
-        "status": status,
-        "largest_error": error,
-        "variable": worst,
-        "verdict": text,
-    }
+            yield from [("none", np.inf, "", text)] * len(group.rows)
+            return
+    errors = {v: relative_error(getattr(found, v), group.expected[v]) for v in VARIABLES}
+    for index, row in enumerate(group.rows):
+        status = SOLUTION_STATUSES[found.solution_status[index]]
+        worst = max(VARIABLES, key=lambda name: errors[name][index])
+        error = float(errors[worst][index])
+        if row["status"] in WITHOUT_VALUES:
+            error, worst = 0.0, ""
+        bound = float(found.error_bound[index])
+        yield status, error, worst, verdict(row, status, error, bound, rtol)
 
 
 def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rtol: float) -> str:
-    """Judge one point.
-
-    Parameters
-    ----------
-    row : mapping
-        Its line of ``extremes.csv``, of which the expected ``status`` is used.
-    status : str
-        Status that the library gives.
-    error : float
-        Largest relative error of all variables [1].
-    bound : float
-        Bound that the library gives for this error [1].
-    rtol : float
-        Relative error asked for [1].
-
-    Returns
-    -------
-    str
-        ``right``; ``refused: ...`` if the library says truly that its error is above ``rtol``; or
-        ``wrong``.
+    """``right``; ``refused: ...`` if the library truly says that its error is above ``rtol``; or ``wrong``.
 
     Examples
     --------
@@ -132,15 +74,3 @@ def verdict(row: Mapping[str, str], status: str, error: float, bound: float, rto
     if status == "not_converged" and error <= bound and bound > rtol:
         return f"refused: the error is below {bound:.1e} only"
     return "wrong"
-
-
-def beyond_float64(row: Mapping[str, str], rtol: float) -> bool:
-    """Whether a point cannot be solved to ``rtol`` [1] in float64, and is to be refused.
-
-    So it is if rounding of the loads changes the separation, or rounding of the separation changes
-    the loads and areas, by more than ``rtol``.  ``row`` is its line of ``extremes.csv``.
-    """
-    conditioning = float(row["gap_conditioning"] or 0.0)
-    if conditioning == 0.0:
-        return False
-    return max(conditioning * LOAD_ROUNDING, GAP_ROUNDING / conditioning) > rtol

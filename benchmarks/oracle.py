@@ -1,5 +1,4 @@
-"""How far the library is from an implementation in extended precision, over the whole domain and in
-all readings: ``tests/oracle``, which is compiled when it is needed."""
+"""The library against the oracle in extended precision (``tests/oracle``), over the whole domain."""
 
 from __future__ import annotations
 
@@ -11,65 +10,43 @@ from typing import Any
 import numpy as np
 
 from tests.oracle.comparison import BEYOND_BOUND, PLACES, Compared, Drawn, compare, draw_points
-from tests.oracle.extended import READINGS, Oracle, why_not
-from thirdbody.solver.plan import WAYS
-
-WORDS = {"size_distribution": "phi_a"} | {name: name for name in READINGS if name != "phi_a"}
+from tests.oracle.extended import Oracle, why_not
 
 
 def oracle_rows(settings: Mapping[str, Any], threads: int = 1) -> list[dict[str, Any]]:
-    """Count points that are wrong or beyond their bound, by how they are drawn, way, rtol and reading.
+    """Rows of the table ``oracle``; none, and a line that says why, where the oracle cannot run.
 
-    Parameters
-    ----------
-    settings : mapping
-        ``oracle`` of ``config/accuracy.yaml``.
-    threads : int
-        Of the oracle.
-
-    Returns
-    -------
-    list of dict
-        Rows of the table ``oracle``; none where the oracle cannot run, and a line says why.
+    ``settings`` is the entry ``oracle`` of ``config/accuracy.yaml``.
     """
     if why_not() is not None:
         print(f"nothing is compared in extended precision: {why_not()}")
         return []
-    drawing = settings["surfaces"], settings["points"], settings["seed"]
     rows = []
-    with TemporaryDirectory() as folder, warnings.catch_warnings():
-        # of points that have no film or no load, and of those far beyond usual ones
-        warnings.simplefilter("ignore")
+    with TemporaryDirectory() as folder, warnings.catch_warnings(action="ignore"):
         oracle = Oracle(folder, threads)
         for place in PLACES:
-            drawn = draw_points(oracle, *drawing, place)
-            for way in WAYS:
-                common = {"place": place, "way": way}
-                rows += [common | row for row in _counted(drawn, compare(drawn, oracle, way))]
+            surfaces, points, seed = (settings[name] for name in ("surfaces", "points", "seed"))
+            drawn = draw_points(oracle, surfaces, points, seed, place)
+            rows += [{"place": place} | row for row in _counted(drawn, compare(drawn, oracle))]
     return rows
 
 
 def _counted(drawn: Drawn, compared: Compared) -> Iterator[dict[str, Any]]:
-    """A row for each ``rtol`` and combination of readings."""
-    rtol = drawn.per_point(drawn.rtols)
-    size = rtol.shape
-    beyond, wrong = np.zeros(size, bool), np.zeros(size, bool)
+    """A row for each ``rtol``."""
+    rtols = drawn.per_point(drawn.rtols)
+    beyond, wrong = np.zeros(rtols.shape, bool), np.zeros(rtols.shape, bool)
     for name, places in compared.problems.items():
         (beyond if name.endswith(BEYOND_BOUND) else wrong)[places] = True
     good = compared.known & compared.good
     largest = np.max([np.where(good, each, 0.0) for each in compared.error.values()], axis=0)
-    columns = [rtol, *(drawn.model[name] for name in WORDS.values())]
-    kinds = list(zip(*(column.tolist() for column in columns), strict=True))
-    places_of: dict[tuple, list[int]] = {}
-    for index, kind in enumerate(kinds):
-        places_of.setdefault(kind, []).append(index)
-    for kind, places in places_of.items():
-        yield dict(zip(("rtol", *WORDS), kind, strict=True)) | {
-            "points": len(places),
-            "without_values": int(np.count_nonzero(~compared.known[places])),
-            "not_converged": int(np.count_nonzero((compared.known & ~compared.good)[places])),
-            "beyond_bound": int(np.count_nonzero(beyond[places])),
-            "wrong": int(np.count_nonzero(wrong[places])),
-            "largest_error": float(largest[places].max()),
-            "over_rtol": float(largest[places].max() / kind[0]),
+    for rtol in np.unique(rtols):
+        here = rtols == rtol
+        yield {
+            "rtol": float(rtol),
+            "points": int(here.sum()),
+            "without_values": int((here & ~compared.known).sum()),
+            "not_converged": int((here & compared.known & ~compared.good).sum()),
+            "beyond_bound": int((here & beyond).sum()),
+            "wrong": int((here & wrong).sum()),
+            "largest_error": float(largest[here].max()),
         }

@@ -1,149 +1,68 @@
-"""Points whose solutions are known in multiple precision, and how far a solution is from them.
+"""Points known in multiple precision (*golden* points) and the errors of solutions at them.
 
-Such *golden* points are read from the files of ``tests/golden``.  Each row holds every input of the
-model, the conditions of a point and its solution to 25 digits.
+A row of such a file in ``tests/golden`` holds the inputs of the model, the conditions of a point and its solution to
+25 digits.
 """
 
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping
 from os import PathLike
-from typing import Any
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solution import QUANTITIES
+from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
-VARIABLES = QUANTITIES  # of the solution: those that the files give
-CLASS = ("medium", "bodies", "span")  # columns that tell the class of a point
+CLASS = ("medium", "bodies", "span")
 SMALLEST = np.finfo(float).tiny  # smaller numbers have few digits in float64 and count as zero
 
 
-@dataclass(frozen=True)
-class Group:
-    """Golden points with the same inputs and roughness, which are solved as one array.
+class Group(NamedTuple):
+    """Golden points of one class with the same inputs; arrays of shape (rows,)."""
 
-    Attributes
-    ----------
-    parameters : Parameters
-        Their inputs of the model.
-    rows : list of dict
-        Their lines of the file, as text by name of the column.
-    conditions : dict of array, shape (rows,)
-        Their conditions, by the names of the arguments of ``thirdbody.solve`` and in its units.
-    expected : dict of array, shape (rows,)
-        Their solutions, by the names of ``VARIABLES``.
-    """
-
-    parameters: Parameters
+    parameters: tb.Parameters
     rows: list[dict[str, str]]
-    conditions: dict[str, NDArray[np.float64]]
-    expected: dict[str, NDArray[np.float64]]
-
-    def take(self, chosen: Sequence[int]) -> Group:
-        """The points at the indices ``chosen``, as a group."""
-        return Group(
-            self.parameters,
-            [self.rows[index] for index in chosen],
-            {name: values[chosen] for name, values in self.conditions.items()},
-            {name: values[chosen] for name, values in self.expected.items()},
-        )
+    conditions: dict[str, NDArray]  # arguments of ``thirdbody.solve``
+    expected: dict[str, NDArray]  # by ``VARIABLES``
 
 
 def read_rows(path: str | PathLike) -> list[dict[str, str]]:
-    """Lines of a file of golden points, as text by name of the column."""
+    """Rows of a file of golden points, as text by column."""
     with open(path, encoding="utf-8", newline="") as stream:
         return list(csv.DictReader(stream))
 
 
 def grouped(rows: Iterable[dict[str, str]]) -> list[Group]:
-    """Sort golden points into groups with the same inputs.
-
-    Parameters
-    ----------
-    rows : iterable of dict
-        As ``read_rows`` returns them.
-
-    Returns
-    -------
-    list of Group
-        In the order in which their inputs appear first.
-
-    Raises
-    ------
-    ValueError
-        If the inputs of a row are not physical.
-    """
+    """Golden points with the same inputs and class together; ``ValueError`` if inputs are not physical."""
     shared = {}
     for row in rows:
-        shared.setdefault(parameters_of(row), []).append(row)
+        kind = tuple(row.get(name) for name in CLASS)
+        shared.setdefault((parameters_of(row), kind), []).append(row)
     return [
-        Group(
-            parameters,
-            members,
-            {name: _column(members, name) for name in DIMENSIONS},
-            {name: _column(members, name) for name in VARIABLES},
-        )
-        for parameters, members in shared.items()
+        Group(parameters, members, _columns(members, DIMENSIONS), _columns(members, VARIABLES))
+        for (parameters, _), members in shared.items()
     ]
 
 
-def _column(rows, name):
-    """Numbers of a column, nan where a row leaves it empty."""
-    return np.array([float(row[name] or "nan") for row in rows])
+def _columns(rows, names):
+    """Numbers by column, nan where a row leaves one empty."""
+    return {name: np.array([float(row[name] or "nan") for row in rows]) for name in names}
 
 
-def parameters_of(row: Mapping[str, str]) -> Parameters:
-    """Inputs of the model in a row of ``read_rows``, for a surface of its own roughness.
-
-    Raises
-    ------
-    ValueError
-        If they are not physical.
-    """
-    return Parameters.on_one_surface(row, float(row["roughness"]))
+def parameters_of(row: Mapping[str, str]) -> tb.Parameters:
+    """Inputs of the model in a row; ``ValueError`` if they are not physical."""
+    return tb.Parameters.on_one_surface(row, float(row["roughness"]))
 
 
-def relative_errors(
-    solution: Any, expected: Mapping[str, NDArray[np.float64]]
-) -> dict[str, NDArray[np.float64]]:
-    """Relative errors of all variables of a solution.
+def relative_error(value: NDArray, expected: NDArray) -> NDArray[np.float64]:
+    """|value/expected - 1| [1], elementwise.
 
-    Parameters
-    ----------
-    solution : object
-        Has ``VARIABLES`` as attributes: arrays.
-    expected : mapping
-        The right values: arrays of the same shape, by the names of ``VARIABLES``.
-
-    Returns
-    -------
-    dict of array
-        As ``relative_error``, by the names of ``VARIABLES``.
-    """
-    return {name: relative_error(getattr(solution, name), expected[name]) for name in VARIABLES}
-
-
-def relative_error(
-    value: NDArray[np.float64], expected: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Relative error |value/expected - 1|, elementwise.
-
-    Parameters
-    ----------
-    value, expected : array
-        What was found and what is right, of the same unit and shape.
-
-    Returns
-    -------
-    array
-        Errors [1]: 0 where both numbers are below the least normal float64, infinite where
-        either is nan.
+    It is 0 where both numbers are below the least normal float64, and infinite where either is nan.
 
     Examples
     --------

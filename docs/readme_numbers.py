@@ -27,7 +27,6 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.solver.plan import COMPILING_WORTH, LOADING_WORTH
 from thirdbody.study.calibration import Reading, Unknown
 from thirdbody.study.verdicts import counts
 
@@ -124,93 +123,68 @@ def identified_block() -> str:
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
 
-USES = {
-    1e-3: "sweeps of 10⁸ points, design charts, monitoring",
-    1e-6: "fits and uncertainty studies, which compare results",
-    1e-9: "results that others build on (the default)",
-    1e-11: "a few points that a referee can trust",
-}
-
-
-OF_READING = (
-    *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
-    "film_load",
+# method, rtol, whom it serves
+CHOICES = (
+    ("library_grid", 1e-2, "maps on a screen"),
+    ("library_grid", 1e-3, "sweeps of 10⁸ points, design charts, the atlas"),
+    ("library", 1e-6, "fits and uncertainty studies, which compare results"),
+    ("library", 1e-9, "results that others build on (the default)"),
+    ("library", 1e-11, "a few points that a referee can trust"),
 )
-SHOWN = "times", "errors", "starts", "surfaces", "scaling"  # tables
+CALLS = {"library": "`tb.solve`", "library_grid": "`tb.grid`"}
+
+
+SHOWN = "times", "errors", "uses"  # tables
 
 
 def accuracy_block() -> str:
-    """Which rtol to choose: what each use of it costs, and the error that it makes."""
-    times, errors, starts, surfaces, scaling = (
-        read_csv(ACCURACY / f"{name}.csv", TABLES[name]) for name in SHOWN
-    )
-
-    def cost(method, rtol):
-        heaviest = (method, rtol, "lubricated", "three_body", "usual")
-        keys = "method", "rtol", "medium", "bodies", "span"
-        found = (row for row in times if tuple(row[key] for key in keys) == heaviest)
-        return next(found)["microseconds_per_point"]
-
-    def error(rtol, span):
-        some = (row for row in errors if (row["method"], row["rtol"]) == ("library", rtol))
-        return max(row["largest_error"] for row in some if row["span"] == span)
-
+    """Which call and rtol to choose: time, true error, and whom it serves."""
+    times, errors, uses = (read_csv(ACCURACY / f"{name}.csv", TABLES[name]) for name in SHOWN)
+    cost = {
+        (row["method"], row["rtol"]): row["microseconds_per_point"]
+        for row in times
+        if (row["medium"], row["bodies"], row["span"]) == ("lubricated", "three_body", "usual")
+    }
+    error: dict[tuple, float] = {}
+    for row in errors:
+        kind = row["method"], row["rtol"], row["span"]
+        error[kind] = max(error.get(kind, 0.0), row["largest_error"])
     table = [
         {
+            "call": CALLS[method],
             "`rtol`": f"{rtol:g}",
-            "for": use,
-            "time a point [µs]": f"{cost('library', rtol):.2g}",
-            "largest error made": f"{error(rtol, 'usual'):.0e}",
-            "at extremes": f"{error(rtol, 'extremes'):.0e}",
+            "whom it serves": use,
+            "time a point [µs]": f"{cost[method, rtol]:.2g}",
+            "largest true error": f"{error[method, rtol, 'usual']:.0e}",
+            "at extremes": f"{error[method, rtol, 'extremes']:.0e}",
         }
-        for rtol, use in USES.items()
+        for method, rtol, use in CHOICES
     ]
-    slowest = cost("nested_roots", None)
-    usual, loose = (float(f"{slowest / cost('library', rtol):.2g}") for rtol in (1e-9, 1e-3))
-    least = min(row["points"] for row in starts)
-    seconds = {
-        (row["start"], row["way"]): row["seconds"] for row in starts if row["points"] == least
-    }
-    bare = seconds["warm", "tables"]
-    on_many = [row for row in surfaces if row["tables"] == "ready"]
-    most, slower = (max(row[name] for row in on_many) for name in ("surfaces", "ratio"))
-    faster = max(row["ratio"] for row in scaling if row["axis"] == "threads")
-    calls = {row["axis"]: row for row in scaling if row["axis"].endswith("calls")}
-    waiting = calls["first_calls"]["points"]
-    first, later, new = (
-        calls[name]["microseconds_per_point"] / 1e3
-        for name in ("first_calls", "calls", "new_calls")
-    )
-    compiling, loading = (seconds[start, "compiled"] - bare for start in ("cold", "warm"))
+    plain, arrays = cost["nested_roots", None], cost["elementwise_roots", 1e-9]
+    one, surfaces, stream, start = (row["microseconds_per_point"] for row in uses)
     return (
         tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
-        + f"\n\nA `quad` an integral and nested `brentq` a point take {slowest / 1e3:.1f} ms: {usual:.0f} "
-        f"times as long as the default, and {loose:.0f} times as long as three digits. These are times "
-        f"of a compiled loop. It takes {compiling:.1f} s once to compile, and {loading:.1f} s in a process "
-        f"that finds it compiled, so that it is taken from {COMPILING_WORTH:,} or {LOADING_WORTH:,} points "
-        "on; fewer are solved from tables, at about 1.2 µs a point. A process that has loaded it takes it "
-        f"for any number of points. A call with one point takes {first:.1f} ms; after "
-        f"{waiting:,.0f} of them the process loads the loop, and one takes {later:.2g} ms under another "
-        f"load, {new:.2g} ms on another interface. "
-        f"A million points spread over up to {most:,.0f} surfaces, in no order, take at most {slower:.1f} times as long as on one. Two threads solve them {faster:.2f} times as "
-        "fast as one, with the same last digits."
+        + f"\n\nIn the same run `quad` and `brentq` take {plain / 1e3:.2g} ms a point and `find_root` on "
+        f"arrays {arrays:.2g} µs at 1e-9. A call with one point takes {one / 1e3:.2g} ms, a point on a "
+        f"surface of its own {surfaces:.2g} µs, a point of a grid that is streamed to a file "
+        f"{stream:.2g} µs. A new process imports the library and has its first answer after "
+        f"{start / 1e6:.2g} s."
     )
 
 
 def oracle_block() -> str:
-    """How many points are wrong in all readings, against extended precision."""
+    """How many points are wrong in all interpretations, against extended precision."""
     rows = read_csv(ACCURACY / "oracle.csv", TABLES["oracle"])
     names = "points", "wrong", "beyond_bound", "not_converged", "without_values"
     points, wrong, beyond, less_exact, without = (
         int(sum(row[name] for row in rows)) for name in names
     )
-    readings = len({tuple(row[column] for column in OF_READING) for row in rows})
     return (
-        f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all {readings} combinations "
-        f"of readings, anywhere and next to kinks, {wrong} are wrong and {beyond} beyond their bound. "
-        f"{100.0 * less_exact / points:.1f} % are said to be `not_converged`, "
-        f"{100.0 * without / points:.1f} % have no values; the largest error of the others is "
-        f"{max(row['over_rtol'] for row in rows):.2f} of that asked for."
+        f"`results/accuracy/oracle.csv` counts it: of {points:,} solutions in all combinations of "
+        f"interpretations, half of them next to kinks, {wrong} are wrong and {beyond} are beyond their "
+        f"bound. {100.0 * less_exact / points:.1f} % have the status `not_converged`, "
+        f"{100.0 * without / points:.1f} % have no values. The largest error of the others is "
+        f"{max(row['largest_error'] / row['rtol'] for row in rows):.2f} of `rtol`."
     )
 
 
@@ -257,11 +231,11 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def is_measured() -> bool:
-    """Whether there is an accuracy run with every ``rtol`` that the pages speak of."""
-    path = ACCURACY / "times.csv"
+    """Whether there is an accuracy run with every method and ``rtol`` of the table."""
     if not all((ACCURACY / f"{name}.csv").is_file() for name in SHOWN):
         return False
-    return set(USES) <= {row["rtol"] for row in read_csv(path, TABLES["times"])}
+    rows = read_csv(ACCURACY / "times.csv", TABLES["times"])
+    return {choice[:2] for choice in CHOICES} <= {(row["method"], row["rtol"]) for row in rows}
 
 
 def is_compared() -> bool:

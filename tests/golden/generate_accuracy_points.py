@@ -1,13 +1,13 @@
 """Points on which the accuracy of the library is measured: writes `accuracy_points.csv` beside this file.
 
-Rows and columns are those of `solutions.csv`, solved by `contact_in_mpmath.py`, but for the first three columns, the
+Rows and columns are those of `solutions.csv`, solved by `solved.py`, but for the first three columns, the
 class of the row: `medium` (dry, lubricated), `bodies` (two_body, three_body) and `span` (usual, extremes). Each of the
 eight classes has POINTS rows. The usual span is that of the published tables; the extremes leave it in all conditions,
 and the inputs of the model are at or beyond their bounds. Rows of one surface share all inputs, so that they can be
 solved as one array.
 
-    python tests/golden/generate_accuracy_points.py             # writes accuracy_points.csv: 10 minutes on one core
-    python tests/golden/generate_accuracy_points.py --check     # recomputes some rows another way: 3 minutes
+    python -m tests.golden.generate_accuracy_points             # writes accuracy_points.csv
+    python -m tests.golden.generate_accuracy_points --check     # recomputes some rows with more digits
 """
 
 import argparse
@@ -19,9 +19,16 @@ import sys
 import time
 from pathlib import Path
 
-import contact_in_mpmath as model
-from generate_solutions import CHECK_RULE, PUBLISHED, UNPUBLISHED, surface, text
 from mpmath import mp
+
+from tests.golden import solved as model
+from tests.golden.generate_solutions import (
+    PUBLISHED,
+    UNPUBLISHED,
+    largest_difference,
+    surface,
+    text,
+)
 
 PRODUCT = Path(__file__).with_name("accuracy_points.csv")
 CLASS = ("medium", "bodies", "span")
@@ -170,24 +177,14 @@ def generate():
 
 
 def check():
-    """Recompute every 29th row with twice the digits and another quadrature."""
+    """Recompute every 29th row with more digits."""
     with PRODUCT.open(newline="") as file:
         rows = list(csv.DictReader(file))
-    mp.dps = 2 * DIGITS
+    mp.dps = DIGITS + 8
     for index in range(0, len(rows), 29):
-        row = rows[index]
-        numbers = {name: float(row[name]) for name in (*model.COORDINATES, *model.PARAMETERS)}
-        again = model.solve_contact(
-            row | numbers | {"surface_offset": int(row["surface_offset"])}, CHECK_RULE
-        )
-        differences = [
-            abs(mp.mpf(row[name]) - again[name]) / (again[name] or 1) for name in model.OUTPUTS
-        ]
-        print(
-            f"line {index + 2}: largest relative difference {mp.nstr(max(differences), 2)}",
-            flush=True,
-        )
-        assert max(differences) < mp.mpf(10) ** -CHECKED_DIGITS, row
+        difference = largest_difference(rows[index])
+        print(f"line {index + 2}: largest relative difference {difference:.1e}", flush=True)
+        assert difference < 10.0**-CHECKED_DIGITS, rows[index]
 
 
 def main():

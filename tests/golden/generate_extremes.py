@@ -1,22 +1,22 @@
 """Extremes at which models of this kind break: writes `extremes.csv` beside this file.
 
 Columns as in `solutions.csv`, but for the first five: `item` and `case` say what is extreme; `origin` is `equations`
-where `contact_in_mpmath.py` solves the row as it stands, else the name of the function here that takes its limit;
+where `solved.py` solves the row as it stands, else the name of the function here that takes its limit;
 `status` is the `solution_status` expected, the outputs of an unsolved row are empty; `gap_conditioning` is the relative
 error of d that a relative error of 1 in the solid load makes, |d ln d/d ln F_s|.
 
-    python tests/golden/generate_extremes.py      # writes extremes.csv: 5 minutes on one core
+    python -m tests.golden.generate_extremes      # writes extremes.csv
 """
 
 import csv
 import sys
 from pathlib import Path
-from types import SimpleNamespace
 
-import contact_in_mpmath as model
-from generate_accuracy_points import inputs_of
-from generate_solutions import text
 from mpmath import mp
+
+from tests.golden import solved as model
+from tests.golden.generate_accuracy_points import inputs_of
+from tests.golden.generate_solutions import text
 
 PRODUCT = Path(__file__).with_name("extremes.csv")
 DIGITS = 40
@@ -37,18 +37,10 @@ def point(roughness=300e-9, phi_a="uncentred", **changes):
     return inputs_of(phi_a, roughness, changes) | POINT | conditions
 
 
-def parameters_of(row):
-    """The row as the equations take it."""
-    p = SimpleNamespace(rule=model.RULE, **{name: row[name] for name in model.READINGS})
-    vars(p).update({name: mp.mpf(row[name]) for name in (*model.COORDINATES, *model.PARAMETERS)})
-    p.two_body = p.particle_diameter * p.particle_density == 0
-    return p
-
-
 # ------------------------------------------------------------------------------------------------ solutions and limits
 def equations(row):
     """Outputs of a row by the equations as they stand, and their status."""
-    solved = model.solve_contact(row)
+    solved = model.solve_contact(row, most_coverage=1)
     return {name: solved[name] for name in (*model.OUTPUTS, "status")}
 
 
@@ -61,30 +53,25 @@ def outputs(p, d, L_s, L_f, A_sa, A_ss):
 
 
 def nearly_closed(row):
-    """Dry, so close to zero separation that the search has to be for d/sigma and not for its logarithm."""
-    p = parameters_of(row)
-    d = p.roughness * model.solve(
-        lambda x: mp.log(model.solid_load(p.roughness * x, p) / p.load), mp.zero, mp.one
-    )
-    total, particles, summits = model.contact_areas(d, p)
-    return outputs(p, d, mp.one, mp.zero, total * particles, total * summits)
+    """Dry, next to zero separation."""
+    return equations(row)
 
 
 def film_alone(row):
     """So thick a film that no solid touches: L_f = 1 and d = R_x H_c(F_t). Areas of exp(-1e4) and less are zero."""
-    p = parameters_of(row)
-    d = model.film_separation(p.load, p)
+    p = model.interface(row)
+    d = p.film(p.load)
     assert (d - p.y_s) / p.sigma_s > 140
     return outputs(p, d, mp.zero, mp.one, mp.zero, mp.zero)
 
 
 def vanishing_film(row):
     """The solids bear all but L_f, which follows from the dry separation: H_c(L_f F_t) = d/R_x; below 1e-25."""
-    p = parameters_of(row)
+    p = model.interface(row)
     d = particles_alone(p)
     L_f = film_share(d, p)
     assert L_f < mp.mpf("1e-25")
-    areas = model.particle_area(d, p), mp.zero
+    areas = p.particles(d), mp.zero
     return outputs(p, d, 1 - L_f, L_f, *areas)
 
 
@@ -92,9 +79,7 @@ def particles_alone(p):
     """d [m] at which particles bear the whole load, so far apart that no summit touches."""
     reach = (p.truncation * p.sigma_a_ratio + p.h_e_ratio) * p.particle_diameter
     wanted = p.load * p.E_ss / p.H_s1
-    d = reach * model.solve(
-        lambda x: model.particle_area(reach * x, p) / wanted - 1, mp.mpf("0.1"), mp.one
-    )
+    d = reach * model.root(lambda x: p.particles(reach * x) / wanted - 1, mp.mpf("0.1"), mp.one)
     assert (d - p.y_s) / p.sigma_s > 140
     return d
 
@@ -102,30 +87,26 @@ def particles_alone(p):
 def equal_particles(row):
     """All particles as large as the mean m (the limit of zero width): at the separation m they bear any load between
     that of elastic contact and their full one, at m + h_e any below; the balance says how much."""
-    p = parameters_of(row)
+    p = model.interface(row)
     m, h_e = p.mean_ratio * p.particle_diameter, p.h_e_ratio * p.particle_diameter
     largest = mp.ncdf(p.truncation)  # sizes above X_max are left out
     full = mp.pi * p.participation * p.particle_density / (p.H_s1 + p.H_s2) * largest * m**2
     elastic = 9 * mp.pi**2 / 4 * (p.H_s1**2 / p.E_sa**2 + p.H_s2**2 / p.E_ss**2)
     for d, least, most in ((m, elastic, 1), (m + h_e, 0, elastic)):
         L_f = film_share(d, p) if p.viscosity else mp.zero
-        summits = model.population(model.asperity_load(p), d, p) * (1 - p.H_s1 * full)
+        summits = p.summits(d, of_area=False) * (1 - p.H_s1 * full)
         A_sa = (p.load * (1 - L_f) - summits) * p.E_ss / p.H_s1
         share = A_sa / (p.H_s2 * full)
         if least < share < most:
             covered = p.H_s1 * full * max(share - elastic, 0) / (1 - elastic)
-            A_ss = model.population(model.asperity_area(p), d, p) * (1 - covered)
+            A_ss = p.summits(d, of_area=True) * (1 - covered)
             return outputs(p, d, 1 - L_f, L_f, A_sa, A_ss)
     raise ArithmeticError("the load lies on neither step")
 
 
 def film_share(d, p):
     """L_f of a film that is `d` thick."""
-
-    def excess(y):
-        return mp.log(model.film_separation(p.load * mp.exp(y), p) / d)
-
-    return mp.exp(model.solve(excess, -mp.mpf(1000), mp.zero))
+    return p.fluid_load(d) / p.load
 
 
 def no_particles(row):
@@ -135,10 +116,10 @@ def no_particles(row):
 
 def conditioning(row, d):
     """|d ln d/d ln F_s| at the separation `d`; zero where no solid bears load."""
-    p, step = parameters_of(row), mp.mpf("1e-12")
+    p, step = model.interface(row), mp.mpf("1e-12")
     try:
-        near, far = (mp.log(model.solid_load(d * factor, p)) for factor in (1 - step, 1 + step))
-    except (model.Meaningless, ZeroDivisionError):
+        near, far = (mp.log(p.solid_load(d * factor)) for factor in (1 - step, 1 + step))
+    except (ValueError, ZeroDivisionError):
         return mp.zero
     return abs(2 * step / (far - near)) if far != near else mp.zero
 
@@ -151,27 +132,27 @@ def both(row):
 
 def covered(row, coverage):
     """The row with the particle density that gives a coverage in Eq. 4."""
-    one = parameters_of(row | {"particle_density": 1.0})
+    one = model.interface(row | {"particle_density": 1.0})
     return row | {"particle_density": float(coverage / model.load_coverage(mp.zero, one))}
 
 
 def loaded(row, t):
     """The dry row with the load at which the separation is t from the summits' plane, in their deviations."""
-    p = parameters_of(row)
-    return row | {"viscosity": DRY, "load": float(model.solid_load(p.y_s + t * p.sigma_s, p))}
+    p = model.interface(row)
+    return row | {"viscosity": DRY, "load": float(p.solid_load(p.y_s + t * p.sigma_s))}
 
 
 def lifted(row, t):
     """The lubricated row with the viscosity at which a film alone lies t above the summits' plane."""
-    p = parameters_of(row)
+    p = model.interface(row)
     target = p.y_s + t * p.sigma_s
 
     def excess(log_viscosity):
         p.viscosity = mp.exp(log_viscosity)
-        return mp.log(model.film_separation(p.load, p) / target)
+        return mp.log(p.film(p.load) / target)
 
     return row | {
-        "viscosity": float(mp.exp(model.solve(excess, mp.log(mp.mpf("5e-6")), mp.mpf(20))))
+        "viscosity": float(mp.exp(model.root(excess, mp.log(mp.mpf("5e-6")), mp.mpf(20))))
     }
 
 
@@ -183,7 +164,7 @@ def loads():
                 # far below the film's own load no solid is felt
                 known = film_alone if medium == "wet" and load < 1e-50 else equations
                 yield f"{load:g} {bodies} {medium}", known, wet
-        closing = float(model.solid_load(mp.zero, parameters_of(row)))
+        closing = float(model.interface(row).solid_load(mp.zero))
         for below in (1e-1, 1e-2, 1e-4, 1e-6):
             nearly = row | dict(load=closing * (1 - below), viscosity=DRY)
             yield f"{below:g} below closing {bodies}", nearly_closed, nearly
@@ -395,7 +376,6 @@ def solved(item, case, known, row):
 def main():
     """Solve all rows and write the product."""
     mp.dps = DIGITS
-    model.MAX_COVERAGE = 1  # to the very limit
     rows = []
     for item, cases in ITEMS.items():
         for case, known, row in cases():

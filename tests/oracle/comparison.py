@@ -1,4 +1,4 @@
-"""The library beside the extended-precision oracle over the whole domain, in all readings.
+"""The library beside the extended-precision oracle: whole domain, all interpretations of the equations.
 
 Tests hold it to what is found here; ``benchmarks.oracle`` counts it.
 """
@@ -13,18 +13,16 @@ import thirdbody as tb
 from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, Oracle, Solved
 from tests.oracle.points import draw_for_library, move_to_kinks
 from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.several import ROUNDED
 
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
-# surfaces that have all readings, which are in turn too, with all of them
+# as many surfaces as there are interpretations, times as many as there are values of rtol
 ROUND = np.prod([len(words) for words in READINGS.values()]).item() * len(RTOLS)
 PLACES = "anywhere", "next to kinks"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 SMALLEST = np.finfo(float).tiny  # below which numbers lose their digits
-# of a load: differences that may decide whether there is a separation (that within which samples tell no
-# side, and the noise of solids beside), and how many there are; of both also so much times the elastic
-# factor, by which rounding of what particles bear is magnified
-ROUNDING, LEAST_TURN, MAGNIFIED = 1.5 * ROUNDED, 1e-9, 1e-13
+# Relative changes of a load that may decide, by rounding, whether there is a separation and how many there
+# are.  Both grow with the elastic factor, which magnifies the rounding of what particles carry.
+ROUNDING, LEAST_TURN, MAGNIFIED = 1.5e-12, 1e-9, 1e-13
 BEYOND_BOUND = "beyond its bound"
 
 
@@ -47,7 +45,7 @@ class Drawn(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """What was found at the points of ``Drawn`` by one way.
+    """What the library finds at the points of ``Drawn``.
 
     Attributes
     ----------
@@ -74,19 +72,19 @@ def draw_points(oracle: Oracle, surfaces: int, points: int, seed: int, place: st
     """``points`` points on each of so many ``surfaces``, lying as ``place`` of ``PLACES`` says."""
     model, conditions, inputs = draw_for_library(surfaces, points, seed)
     if place != PLACES[0]:
-        conditions = move_to_kinks(model, conditions, inputs, oracle, seed + 1)
+        conditions = move_to_kinks(model, conditions, oracle, seed + 1)
     return Drawn(model, conditions, inputs, oracle.solve(model, **conditions))
 
 
-def compare(drawn: Drawn, oracle: Oracle, way: str) -> Compared:
-    """Solve all points by a ``way`` of the library, and say what differs from the oracle."""
-    found = _solved(drawn, way)
+def compare(drawn: Drawn, oracle: Oracle) -> Compared:
+    """Solve all points by the library, and say what differs from the oracle."""
+    found = _solved(drawn)
     rtol, bound = drawn.per_point(drawn.rtols), found["error_bound"]
     count = _counted(drawn.expected)
     good = found["solution_status"] != NOT_CONVERGED
     has_values, exists = np.isfinite(found["separation"]), count > 0
     known = has_values & exists
-    elastic = drawn.per_point([parameters.elastic_factor for parameters in drawn.inputs])
+    elastic = _elastic_factor(drawn.model)
     differs = np.flatnonzero(has_values != exists)
     by_rounding = np.maximum(ROUNDING, MAGNIFIED * elastic)
     problems = {
@@ -111,14 +109,20 @@ def relative_error(found, expected):
     return np.where(vanishes | (found == expected), 0.0, error).astype(float)
 
 
-def _solved(drawn, way):
+def _elastic_factor(model):
+    """Of the elastic particles' area in Eq. 5."""
+    pressures = (model["H_s1"] / model["E_sa"]) ** 2 + (model["H_s2"] / model["E_ss"]) ** 2
+    return 2.25 * np.pi**2 * pressures
+
+
+def _solved(drawn):
     """The variables of all points, each surface solved in one call."""
     found = []
     points = drawn.conditions["load"].size // len(drawn.inputs)
     for index, (parameters, rtol) in enumerate(zip(drawn.inputs, drawn.rtols, strict=True)):
         here = slice(index * points, (index + 1) * points)
         given = {name: drawn.conditions[name][here] for name in CONDITIONS}
-        found.append(tb.solve(**given, parameters=parameters, rtol=rtol, way=way))
+        found.append(tb.solve(**given, parameters=parameters, rtol=rtol))
     variables = vars(found[0]).keys() - {"conditions"}
     return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
 

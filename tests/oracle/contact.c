@@ -53,9 +53,10 @@
 
 typedef long double real;
 
-enum { NODES = 24, MOST_ROOTS = 8, EDGES = 8, DEPTH = 9 };
+enum { NODES = 24, MOST_ROOTS = 8, EDGES = 8 };
 enum { UNCENTRED, CENTRED, GAP_CONVOLVED };
 enum { ELASTIC, ELASTOPLASTIC, PLASTIC };
+enum { LOAD, AREA, LOAD_SLOPE, SLOPE_EXCESS };
 
 static const real PI = 3.141592653589793238462643383279502884L;
 static const real REACH = 10.5L; /* exp(-REACH^2/2) = 1e-24 of an integrand's largest value */
@@ -191,27 +192,48 @@ static real panels(Function function, const void *what, Range range, int logarit
 
 typedef struct {
     const Point *p;
-    int law, area;
+    int law, what; /* LOAD, AREA, LOAD_SLOPE, SLOPE_EXCESS */
 } Summit;
+
+/* The slope of a summit's load, f'(w), as a difference of two functions that rise with w: f' + g and g.  Integrals of
+ * either over a Gaussian fall as the surfaces part, and so enclose the slope of F_ss between two separations.
+ * g is the term -6 u^2 w/(last - first) of the area's slope, and the steps down of f' at both kinks. */
+static real summit_slope(const Summit *s, real w)
+{
+    const Point *p = s->p;
+    real k = p->in.k, log_slope = (1 - k) / p->log_ratio, width = p->last - p->first;
+    if (s->law == ELASTIC)
+        return s->what == SLOPE_EXCESS ? 0 : 2 * sqrtl(w * p->in.sigma_s / p->in.R);
+    real unit = PI * p->hardness / p->in.E_ss, step = width > 0 ? fmaxl(0, 0.5L * k - log_slope) : 0;
+    if (s->law == PLASTIC) {
+        real excess = width > 0 ? step + 6 * p->last / width + 2 * log_slope : 0;
+        return unit * (s->what == SLOPE_EXCESS ? excess : excess + 2);
+    }
+    real u = (w - p->first) / width, growth = 1 + u * u * (3 - 2 * u);
+    real pressure = 1 - log_slope * logl(p->last / w), bend = 6 * u * w * pressure / width;
+    return unit * (step + (s->what == SLOPE_EXCESS ? u * bend : growth * (pressure + log_slope) + bend));
+}
 
 /* Area over R sigma_s, or load over E_ss R sigma_s, of a summit at interference w sigma_s. */
 static real one_summit(real w, const void *what)
 {
     const Summit *s = what;
     const Point *p = s->p;
+    if (s->what >= LOAD_SLOPE)
+        return summit_slope(s, w);
     real area = PI * w;
     if (s->law == ELASTIC)
-        return s->area ? area : 4 * w * sqrtl(w * p->in.sigma_s / p->in.R) / 3;
+        return s->what == AREA ? area : 4 * w * sqrtl(w * p->in.sigma_s / p->in.R) / 3;
     real pressure = p->hardness / p->in.E_ss;
     if (s->law == PLASTIC) {
         area *= 2;
     } else {
         real u = (w - p->first) / (p->last - p->first);
         area *= 1 + u * u * (3 - 2 * u);
-        if (!s->area)
+        if (s->what == LOAD)
             pressure *= 1 - (1 - (real)p->in.k) * logl(p->last / w) / p->log_ratio;
     }
-    return s->area ? area : area * pressure;
+    return s->what == AREA ? area : area * pressure;
 }
 
 static real separation(const Point *p, Gap gap)
@@ -219,18 +241,18 @@ static real separation(const Point *p, Gap gap)
     return gap.near_kink ? p->plane + p->x_max + gap.steps * p->h_e + gap.offset : gap.offset;
 }
 
-/* F_ss* or A_ss*, were there no particles. */
-static real summits(const Point *p, Gap gap, int area)
+/* F_ss* or A_ss*, were there no particles; of the slopes, the integrals times sigma_s. */
+static real summits(const Point *p, Gap gap, int what)
 {
     real low = (separation(p, gap) - p->in.y_s) / p->in.sigma_s, total = 0;
     Range all = range_of(low, INFINITY);
     real edges[4] = {0, p->first, p->last, INFINITY};
     for (int law = ELASTIC; law <= PLASTIC; law++) {
-        Summit s = {p, law, area};
+        Summit s = {p, law, what};
         Range part = all;
         part.from = fmaxl(part.from, edges[law] + (all.in_u ? low : 0));
         part.to = fminl(part.to, edges[law + 1] + (all.in_u ? low : 0));
-        total += panels(one_summit, &s, part, law == ELASTOPLASTIC && !area);
+        total += panels(one_summit, &s, part, law == ELASTOPLASTIC && what != AREA);
     }
     return total * p->in.eta_s * p->in.R * p->in.sigma_s;
 }
@@ -322,7 +344,7 @@ static real load_coverage(const Point *p, Gap gap)
 /* F_s*, Eq. 4. */
 static real solids(const Point *p, Gap gap)
 {
-    return summits(p, gap, 0) * fmaxl(0, 1 - load_coverage(p, gap)) + particle_load(p, gap);
+    return summits(p, gap, LOAD) * fmaxl(0, 1 - load_coverage(p, gap)) + particle_load(p, gap);
 }
 
 /* --- Film: Eqs. 7 and 8 --- */
@@ -385,7 +407,7 @@ static real balance(const Point *p, Gap gap, real summit_load)
 
 static real imbalance(const Point *p, Gap gap)
 {
-    return balance(p, gap, summits(p, gap, 0));
+    return balance(p, gap, summits(p, gap, LOAD));
 }
 
 static Gap at(real h)
@@ -440,18 +462,10 @@ static Gap exact_root(const Point *p, real a, real fa, real b, real fb)
     return found;
 }
 
-/* F_ss* above which F_s can rise with d.  The slope of Eq. 4 is that of F_ss times what is left of
- * 1, and pi H_s1 eta_a/(H_s1 + H_s2) times: d^2 phi_a(d) F_ss*, where only contacting particles
- * cover, and (printed limits) at most -(1 - factor) d^2 phi_a(d) H_s2/E_ss of the particles, or
- * (physical) at most -factor d^2 phi_a(d) H_s2/E_ss; factors above 1 can make it rise anyway. */
-static real rises_above(const Point *p)
+/* The smallest size that counts. */
+static real smallest(const Point *p)
 {
-    real factor = p->elastic_factor;
-    if (p->two_body || factor > 1)
-        return p->two_body ? INFINITY : 0;
-    if (!p->how.contacting)
-        return INFINITY;
-    return (p->how.physical ? factor : 1 - factor) * p->in.H_s2 / p->in.E_ss;
+    return fmaxl(p->x_min, p->mean - REACH * p->spread);
 }
 
 /* Separations in order: the kinks of F_s, and where the smallest sizes that count begin. */
@@ -459,7 +473,7 @@ static int edges_of(const Point *p, real *h)
 {
     if (p->two_body)
         return 0;
-    real first = fmaxl(p->x_min, p->mean - REACH * p->spread), last = p->x_max, h_e = p->h_e;
+    real first = smallest(p), last = p->x_max, h_e = p->h_e;
     real d[EDGES] = {first - h_e, first, first + h_e, 0, h_e, last - h_e, last, last + h_e};
     for (int i = 0; i < EDGES; i++) {
         int j = i;
@@ -502,24 +516,6 @@ static int lowest(const Point *p, real first, real *low)
     return 0;
 }
 
-/* Whether sign*imbalance rises above zero between a and b, by golden sections; where, and to what. */
-static int extremum(const Point *p, real a, real b, int sign, real *h, real *f)
-{
-    const real golden = 0.618033988749894848204586834365638L;
-    real x = b - golden * (b - a), y = a + golden * (b - a);
-    real fx = sign * imbalance(p, at(x)), fy = sign * imbalance(p, at(y));
-    for (int step = 0; step < 60 && fx <= 0 && fy <= 0; step++) {
-        if (fx > fy) {
-            b = y, y = x, fy = fx, x = b - golden * (b - a), fx = sign * imbalance(p, at(x));
-        } else {
-            a = x, x = y, fx = fy, y = a + golden * (b - a), fy = sign * imbalance(p, at(y));
-        }
-    }
-    *h = fx > fy ? x : y;
-    *f = sign * fmaxl(fx, fy);
-    return fx > 0 || fy > 0;
-}
-
 /* One end of a part of the separations. */
 typedef struct {
     real h, summit_load, f;
@@ -527,92 +523,141 @@ typedef struct {
 
 static End end_at(const Point *p, real h)
 {
-    real load = summits(p, at(h), 0);
+    real load = summits(p, at(h), LOAD);
     return (End){h, load, balance(p, at(h), load)};
+}
+
+/* What a value between two separations is at least and at most. */
+typedef struct {
+    real least, most;
+} Bounds;
+
+/* Bounds of F_s + F_f: each term is at one end what it is at most and at the other what it is at least. */
+static Bounds forces_between(const Point *p, End a, End b)
+{
+    Gap low = at(a.h), high = at(b.h);
+    Bounds force = {b.summit_load * fmaxl(0, 1 - load_coverage(p, low)),
+                    a.summit_load * fmaxl(0, 1 - load_coverage(p, high))};
+    if (!p->two_body) {
+        real pressure = p->in.H_s1 / (real)p->in.E_ss;
+        force.least += pressure * particle_area(p, elastic_from(p, high), plastic_from(p, low), plastic_from(p, high));
+        force.most += pressure * particle_area(p, elastic_from(p, low), plastic_from(p, high), plastic_from(p, low));
+    }
+    if (film_falls(p)) {
+        force.least += film_load(p, b.h);
+        force.most += film_load(p, a.h);
+    }
+    return force;
+}
+
+/* x^2 phi_a(x), the density in I(a, b). */
+static real squared_density(const Point *p, real x)
+{
+    Sizes sizes = {p, x};
+    return squared_size(0, &sizes) * gaussian((x - p->mean) / p->spread) / p->spread;
+}
+
+/* Bounds of x^2 phi_a(x), which has one maximum, between two sizes. */
+static Bounds density_between(const Point *p, real a, real b)
+{
+    real first = smallest(p), last = p->x_max;
+    if (a > last || b < first)
+        return (Bounds){0, 0};
+    int gap = p->how.phi_a == GAP_CONVOLVED;
+    real peak = gap ? p->mean : 0.5L * (p->mean + sqrtl(p->mean * p->mean + 8 * p->spread * p->spread));
+    Bounds q = {0, squared_density(p, fminl(fmaxl(peak, fmaxl(a, first)), fminl(b, last)))};
+    if (a >= first && b <= last)
+        q.least = fminl(squared_density(p, a), squared_density(p, b));
+    return q;
+}
+
+static Bounds times(Bounds factor, Bounds positive)
+{
+    return (Bounds){factor.least * (factor.least > 0 ? positive.least : positive.most),
+                    factor.most * (factor.most > 0 ? positive.most : positive.least)};
+}
+
+/* dF_f/dh of a film of thickness h, which bears less the slower, the thicker it is. */
+static real film_slope(const Point *p, real h)
+{
+    real load = film_load(p, h), r = p->film_rough * powl(load, -p->rough_power);
+    return -load / h / (p->power + p->rough_power * r / (1 + r));
+}
+
+/* Whether the forces surely fall, or surely rise, all the way from a to b: then there is one root at most.
+ * By Eqs. 4 and 5, d(F_s)/dd = F_ss' (1 - coverage) + unit (here q(d) + there q(d -+ h_e)), q(x) = x^2 phi_a(x). */
+static int is_monotone(const Point *p, End a, End b)
+{
+    real pressure = p->in.H_s2 / (real)p->in.E_ss, factor = p->elastic_factor;
+    real here = pressure * (p->how.physical ? -factor : factor - 1);
+    real there = pressure * (p->how.physical ? factor - 1 : -factor);
+    Bounds at_d = {here, here}, at_other = {there, there};
+    if (p->how.contacting) /* as they lose touch, particles bare summits */
+        at_d.least += b.summit_load, at_d.most += a.summit_load;
+    if (p->two_body || (at_d.most <= 0 && there <= 0))
+        return 1;
+    real low = a.h - p->plane, high = b.h - p->plane, shift = p->how.physical ? p->h_e : -p->h_e;
+    Bounds q = times(at_d, density_between(p, low, high));
+    Bounds q_other = times(at_other, density_between(p, low + shift, high + shift));
+    real unit = loaded_density(p) * p->in.H_s1, per_length = 1 / (real)p->in.sigma_s;
+    Bounds slope = {unit * (q.least + q_other.least), unit * (q.most + q_other.most)};
+    if (slope.most <= 0)
+        return 1;
+    real steep = summits(p, at(a.h), LOAD_SLOPE) - summits(p, at(b.h), SLOPE_EXCESS);
+    real gentle = summits(p, at(b.h), LOAD_SLOPE) - summits(p, at(a.h), SLOPE_EXCESS);
+    slope.least -= per_length * steep * fmaxl(0, 1 - load_coverage(p, at(b.h)));
+    slope.most -= per_length * fmaxl(0, gentle) * fmaxl(0, 1 - load_coverage(p, at(a.h)));
+    if (film_falls(p))
+        slope.least += film_slope(p, a.h), slope.most += film_slope(p, b.h);
+    real rounding = 1e-12L * fmaxl(fabsl(slope.least), fabsl(slope.most));
+    return slope.most < -rounding || slope.least > rounding;
 }
 
 typedef struct {
     const Point *p;
-    real threshold; /* of F_ss*, above which F_s can rise */
     Gap *found;
     int count;
 } Search;
 
-/* Whether F_t is below or above all that the forces can be between a and b, each term being at one
- * end what it is at most and at the other what it is at least. */
-static int impossible(const Point *p, End a, End b)
-{
-    Gap low = at(a.h), high = at(b.h);
-    real pressure = p->in.H_s1 / (real)p->in.E_ss;
-    real most = a.summit_load * fmaxl(0, 1 - load_coverage(p, high))
-                + pressure * particle_area(p, elastic_from(p, low), plastic_from(p, high), plastic_from(p, low));
-    real least = b.summit_load * fmaxl(0, 1 - load_coverage(p, low))
-                 + pressure * particle_area(p, elastic_from(p, high), plastic_from(p, low), plastic_from(p, high));
-    if (film_falls(p)) {
-        most += film_load(p, a.h);
-        least += film_load(p, b.h);
-    }
-    return most < p->in.load * (1 - 1e-12L) || least > p->in.load * (1 + 1e-12L);
-}
-
-/* Adds the roots between a and b, the largest first: halves that part until it has none, or F_s falls all over it, or
- * it has been halved ``depth`` times: then it may have one, or an extremum and two. */
-static void search(Search *s, End a, End b, int depth)
+/* Adds the roots between a and b, the largest first: halves that part until the forces are surely monotone in it,
+ * or surely never F_t, or so nearly constant that rounding decides. */
+static void search(Search *s, End a, End b)
 {
     int crosses = (a.f > 0) != (b.f > 0);
-    int falls = a.summit_load <= s->threshold;
-    if (s->count + 2 > MOST_ROOTS || (falls && !crosses))
+    real load = s->p->in.load, middle = 0.5L * (a.h + b.h);
+    if (s->count == MOST_ROOTS)
         return;
-    if (!falls && depth > 0) {
-        if (!crosses && impossible(s->p, a, b))
-            return;
-        End middle = end_at(s->p, 0.5L * (a.h + b.h));
-        search(s, middle, b, depth - 1);
-        search(s, a, middle, depth - 1);
+    Bounds force = forces_between(s->p, a, b);
+    if (!crosses && (force.most < load * (1 - 1e-12L) || force.least > load * (1 + 1e-12L)))
         return;
-    }
-    if (crosses) {
-        s->found[s->count++] = exact_root(s->p, a.h, a.f, b.h, b.f);
+    if (force.most - force.least < 1e-13L * load || middle == a.h || middle == b.h || is_monotone(s->p, a, b)) {
+        if (crosses)
+            s->found[s->count++] = exact_root(s->p, a.h, a.f, b.h, b.f);
         return;
     }
-    if (impossible(s->p, a, b))
-        return;
-    real top, value, before = a.f;
-    const real places[] = {1e-4L, 1.0L / 3, 2.0L / 3, 1 - 1e-4L, 1}; /* it may turn next to an end */
-    int i = 0;
-    for (real f; i < 5 && (f = imbalance(s->p, at(a.h + places[i] * (b.h - a.h)))) <= before; i++)
-        before = f;
-    if (i == 5)
-        return; /* falls */
-    if (extremum(s->p, a.h, b.h, a.f > 0 ? -1 : 1, &top, &value)) {
-        s->found[s->count++] = exact_root(s->p, top, value, b.h, b.f);
-        s->found[s->count++] = exact_root(s->p, a.h, a.f, top, value);
-    }
+    End between = end_at(s->p, middle);
+    search(s, between, b);
+    search(s, a, between);
 }
 
 /* All roots from ``low`` on, the largest first: where rounding makes many of one, it is not left out;
  * ``edges`` are those of ``edges_of``. */
-static int all_roots(const Point *p, real low, const real *edges, int count, int everywhere, Gap *found)
+static int all_roots(const Point *p, real low, const real *edges, int count, Gap *found)
 {
-    int film_alone = !p->dry && low == p->alone, n = 1, depths[EDGES + 1];
-    real threshold = everywhere ? 0 : rises_above(p);
-    Search s = {p, INFINITY, found, 0};
+    int film_alone = !p->dry && low == p->alone, n = 1;
+    Search s = {p, found, 0};
     if (film_alone && !p->how.total)
         low *= 1 - 1e-15L; /* rounding must not hide a root where solids bear nothing */
-    End ends[EDGES + 1] = {end_at(p, low)}, far;
+    End ends[EDGES + 2] = {end_at(p, low)};
     for (int i = 0; i < count; i++)
-        if (edges[i] > ends[n - 1].h) {
-            depths[n] = i == 0 ? 0 : DEPTH;
+        if (edges[i] > ends[n - 1].h)
             ends[n++] = end_at(p, edges[i]);
-        }
     real h = fmaxl(fabsl(ends[n - 1].h), p->in.y_s + 5 * (real)p->in.sigma_s);
     do
-        far = end_at(p, h *= 1.25L);
-    while (far.f > 0);
-    search(&s, ends[n - 1], far, 0); /* no particle reaches so far */
-    s.threshold = threshold;
-    while (--n > 0)
-        search(&s, ends[n - 1], ends[n], depths[n]);
+        ends[n] = end_at(p, h *= 1.25L);
+    while (ends[n].f > 0);
+    for (; n > 0; n--)
+        search(&s, ends[n - 1], ends[n]);
     if (film_alone && p->how.total && ends[0].f <= 0 && s.count < MOST_ROOTS)
         found[s.count++] = at(low); /* the film takes what the solids leave */
     return s.count;
@@ -640,7 +685,7 @@ static Point set_point(const double *numbers, const int *readings)
     p.h_e = n->h_e_ratio * x_a;
     p.plane = p.how.summit ? n->y_s : 0;
     real soft1 = (real)n->H_s1 / n->E_sa, soft2 = (real)n->H_s2 / n->E_ss;
-    p.elastic_factor = 2.25L * PI * PI * (soft1 * soft1 + soft2 * soft2);
+    p.elastic_factor = p.h_e > 0 ? 2.25L * PI * PI * (soft1 * soft1 + soft2 * soft2) : 1; /* of no sizes */
     p.coverage_by_all = p.two_body ? 0 : loaded_density(&p) * n->H_s1 * moment(&p, INFINITY, 0);
     if (!p.dry) {
         set_film(&p);
@@ -652,7 +697,7 @@ static Point set_point(const double *numbers, const int *readings)
 static Root set_root(const Point *p, Gap gap)
 {
     real load = p->in.load, h = separation(p, gap), sa = particles(p, gap);
-    real ss = summits(p, gap, 1) * fmaxl(0, 1 - touching_coverage(p, gap));
+    real ss = summits(p, gap, AREA) * fmaxl(0, 1 - touching_coverage(p, gap));
     Root r = {.separation = h, .area = ss + sa, .film = h / p->in.R_x};
     r.particle_ratio = sa > 0 ? sa / (ss + sa) : 0; /* Eq. 10 */
     r.summit_ratio = sa > 0 ? ss / (ss + sa) : 1;
@@ -670,7 +715,7 @@ static Root set_root(const Point *p, Gap gap)
 
 /* numbers[count][27], readings[count][5]; roots[count][MOST_ROOTS], the largest separation first;
  * found[count]: how many, -1 where particles would cover more than all of the surface. */
-void solve(long count, const double *numbers, const int *readings, int everywhere, Root *roots, int *found)
+void solve(long count, const double *numbers, const int *readings, Root *roots, int *found)
 {
     for (long i = 0; i < count; i++) {
         Point p = set_point(numbers + 27 * i, readings + 5 * i);
@@ -681,20 +726,21 @@ void solve(long count, const double *numbers, const int *readings, int everywher
         found[i] = -1;
         if (lowest(&p, first, &low) < 0)
             continue;
-        int n = all_roots(&p, low, edges, count_of_edges, everywhere, gaps);
+        int n = all_roots(&p, low, edges, count_of_edges, gaps);
         found[i] = n ? n : -1;
         for (int j = 0; j < n; j++)
             roots[MOST_ROOTS * i + j] = set_root(&p, gaps[j]);
     }
 }
 
-/* F_s*, A_ss* and A_sa* without any balance, at given separations: for tables of reference. */
+/* F_s*, A_ss*, A_sa* and F_f* at given separations, whether or not they balance a load. */
 void evaluate(long count, const double *numbers, const int *readings, const real *h, real *forces)
 {
     for (long i = 0; i < count; i++) {
         Point p = set_point(numbers + 27 * i, readings + 5 * i);
-        forces[3 * i] = solids(&p, at(h[i]));
-        forces[3 * i + 1] = summits(&p, at(h[i]), 1);
-        forces[3 * i + 2] = particles(&p, at(h[i]));
+        forces[4 * i] = solids(&p, at(h[i]));
+        forces[4 * i + 1] = summits(&p, at(h[i]), AREA);
+        forces[4 * i + 2] = particles(&p, at(h[i]));
+        forces[4 * i + 3] = p.dry ? 0 : film_load(&p, h[i]);
     }
 }

@@ -81,7 +81,7 @@ class Oracle:
         self._library.prepare()
         self._threads = threads
 
-    def solve(self, model, *, everywhere=False, **conditions):
+    def solve(self, model, **conditions):
         """Every separation that balances the forces, at each of n points.
 
         Parameters
@@ -90,8 +90,6 @@ class Oracle:
             Keys of the attribute ``model_parameters``; numbers and readings may be arrays of n.
         load, viscosity, particle_diameter, roughness, particle_density : array_like
             F_t* [1], the rest in SI units; all broadcast, also against the numbers of ``model``.
-        everywhere : bool
-            Look for several roots also where F_s is known to fall everywhere: slow, for tests.
 
         Returns
         -------
@@ -108,7 +106,6 @@ class Oracle:
                 ctypes.c_long(len(count[here])),
                 address(numbers[here]),
                 address(readings[here]),
-                ctypes.c_int(everywhere),
                 address(roots[here]),
                 address(count[here]),
             )
@@ -118,10 +115,10 @@ class Oracle:
         return Solved({name: roots[..., i] for i, name in enumerate(QUANTITIES)}, count)
 
     def evaluate(self, model, separation, **conditions):
-        """F_s*, A_ss* (were there no particles) and A_sa* at given separations h [m]."""
+        """F_s*, A_ss* (were there no particles), A_sa* and F_f* at given separations h [m]."""
         numbers, readings = arrays_of({**model, **conditions, "load": 1.0}, np.size(separation))
         separation = np.broadcast_to(np.longdouble(separation), len(numbers)).copy()
-        forces = np.empty((len(numbers), 3), np.longdouble)
+        forces = np.empty((len(numbers), 4), np.longdouble)
         self._library.evaluate(
             ctypes.c_long(len(numbers)), *map(address, (numbers, readings, separation, forces))
         )

@@ -7,7 +7,6 @@ import itertools
 import numpy as np
 
 from tests.oracle.extended import READINGS, SURFACE
-from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
@@ -122,13 +121,13 @@ def one(index, model, conditions):
     return {name: values[index].item() for name, values in {**model, **conditions}.items()}
 
 
-def move_to_kinks(model, conditions, inputs, oracle, seed):
+def move_to_kinks(model, conditions, oracle, seed):
     """The conditions, with loads that bring the surfaces next to a kink of F_s(d).
 
     Kinks are where the largest particles lose touch, and where the elastic ones end; each separation
     lies between 1e-14 and 3e-2 of one, on either side.  A film of the total load stands there under that
-    load, where it is more than the solids bear; else these bear all.  ``model``, ``conditions`` and
-    ``inputs`` are those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
+    load, where it is more than the solids bear; else these bear all.  ``model`` and ``conditions`` are
+    those of ``draw_for_library``; what bears next to nothing or too much keeps its load.
     """
     rng = np.random.default_rng(seed)
     n, sigma = conditions["load"].size, conditions["roughness"]
@@ -146,24 +145,7 @@ def move_to_kinks(model, conditions, inputs, oracle, seed):
     kink = kink + np.where(model["particle_plane"] == "summit", model["y_s"], 0.0)
     separation = np.abs(kink * (1.0 + apart))
     others = {name: values for name, values in conditions.items() if name != "load"}
-    solid = oracle.evaluate(model, separation, **others)[0].astype(float)
-    film = films_bear(conditions, inputs, separation)
+    solid, _, _, film = oracle.evaluate(model, separation, **others).astype(float)
     load = np.where(model["film_load"] == "total", np.maximum(solid, film), solid + film)
     usual = (load > 1e-300) & (load < 1e3)
     return conditions | {"load": np.where(usual, load, conditions["load"])}
-
-
-def films_bear(conditions, inputs, separation):
-    """F* of films of the thickness ``separation``."""
-    load = np.zeros(separation.size)
-    per_surface = separation.size // len(inputs)
-    wet = conditions["viscosity"] > 0.0
-    for index, parameters in enumerate(inputs):
-        here = np.arange(index * per_surface, (index + 1) * per_surface)
-        here = here[wet[here]]
-        if here.size:
-            film = Film.of(conditions["viscosity"][here], conditions["roughness"][here], parameters)
-            log_parameter = film.load_parameter(separation[here] / parameters.ball_radius)
-            area = parameters.apparent_area / parameters.ball_radius**2
-            load[here] = np.exp(log_parameter) / area
-    return load

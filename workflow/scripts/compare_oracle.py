@@ -1,4 +1,4 @@
-"""The library against an implementation in extended precision, in all readings."""
+"""The library against the oracle in extended precision, in all interpretations."""
 
 from benchmarks.oracle import oracle_rows
 from thirdbody.data.files import whole
@@ -14,7 +14,7 @@ def measure(settings, threads, table):
     points, beyond, wrong = (
         sum(row[name] for row in rows) for name in ("points", "beyond_bound", "wrong")
     )
-    print(f"{points} points by all ways: {beyond} beyond their bound, {wrong} wrong")
+    print(f"{points} points: {beyond} beyond their bound, {wrong} wrong")
 
 
 if __name__ == "__main__":

@@ -1,28 +1,35 @@
-"""Draw errors against times; nothing is measured here."""
+"""Draw errors against times, and compare what was measured with the targets; nothing is measured here."""
 
 import matplotlib.style
 
-from thirdbody.data.tables import TABLES, read_csv
+from benchmarks.targets import target_rows
+from thirdbody.data.files import whole
+from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.accuracy import plot
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.sheet.saving import save
 from thirdbody.job_log import logged
 
+MEASURED = "errors", "extremes", "oracle", "times", "uses"
 
-def render(errors, times, style, stem):
-    """Draw both tables in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
-    tables = read_csv(errors, TABLES["errors"]), read_csv(times, TABLES["times"])
+
+def render(paths, style, stem, targets):
+    """Draw the tables at ``paths`` as ``stem``.svg, .pdf, .png, .csv, .md, and write the ``targets``."""
+    tables = {name: read_csv(path, TABLES[name]) for name, path in paths.items()}
+    rows = target_rows(tables)
+    with whole(targets) as part:
+        write_csv(part, rows, TABLES["targets"])
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(*tables)
+        drawn = plot(tables["errors"], tables["times"])
         save(drawn, stem, caption_text("accuracy", drawn))
-    print(f"{len(tables[1])} points drawn")
+    print(f"{sum(row['verdict'] == 'reached' for row in rows)} of {len(rows)} targets are reached")
 
 
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         render(
-            snakemake.input.errors,
-            snakemake.input.times,
+            {name: snakemake.input[name] for name in MEASURED},
             snakemake.input.style,
             snakemake.output.png.removesuffix(".png"),
+            snakemake.output.targets,
         )

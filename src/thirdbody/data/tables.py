@@ -223,15 +223,7 @@ TABLES = {
         Column(
             "place", "string", "", "where points are drawn: anywhere, or next to kinks of F_s(d)"
         ),
-        Column("way", "string", "", "how the library solves them"),
         RTOL,
-        *(
-            Column(name, "string", "", "reading, as in config/inputs.yaml")
-            for name in (
-                *("size_distribution", "particle_plane", "elastic_limits", "coverage_limits"),
-                "film_load",
-            )
-        ),
         Column("points", "number", "1", "points compared with extended precision"),
         Column("without_values", "number", "1", "those that have no values, here or there"),
         Column("not_converged", "number", "1", "those with values and the status not_converged"),
@@ -245,7 +237,6 @@ TABLES = {
         Column(
             "largest_error", "number", "1", "largest relative error of those with a good status"
         ),
-        Column("over_rtol", "number", "1", "this over the error asked for"),
     ),
     "times": (
         METHOD,
@@ -253,61 +244,14 @@ TABLES = {
         *POINT_CLASS,
         Column("points", "number", "1", "points solved as one array, or one by one"),
         POINT_COST,
-        Column("setup_seconds", "number", "s", "time to prepare one surface, not counted above"),
-        Column("peak_memory_MB", "number", "MB", "most memory held in arrays while solving"),
     ),
-    "omissions": (
-        Column(
-            "left_out",
-            "string",
-            "",
-            "what the points do not require; and what the load in Eq. 8 is",
-        ),
-        Column("points", "number", "1", "points solved as one array"),
-        RTOL,
-        POINT_COST,
-        Column("share", "number", "1", "time over that of points with everything"),
-    ),
-    "scaling": (
-        Column(
-            "axis",
-            "string",
-            "",
-            "points; first_calls, calls, new_calls: of one point each, before a process has loaded the "
-            "loop, then under other loads, and on interfaces that it has not solved before (processor "
-            "time); processes, threads (on the clock)",
-        ),
-        Column("points", "number", "1", "points solved"),
-        Column("processes", "number", "1", "processes that share them"),
-        Column("threads", "number", "1", "threads of each process"),
-        RTOL,
-        POINT_COST,
-        Column("ratio", "number", "1", "time over the least of its kind; speed over that of one"),
-    ),
-    "surfaces": (
-        Column("surfaces", "number", "1", "surfaces that the points are on, in no order"),
-        Column("tables", "string", "", "ready: made before; new: made in the time measured"),
+    "uses": (
+        Column("use", "string", "", "what is timed"),
         Column("points", "number", "1", "points solved"),
         RTOL,
-        POINT_COST,
-        Column("ratio", "number", "1", "time over that of the least number of surfaces"),
-    ),
-    "starts": (
-        Column("points", "number", "1", "points solved"),
-        Column("start", "string", "", "cold: nothing is compiled on disk; warm: the loop is"),
-        Column("way", "string", "", "how points are solved first; automatic: what is chosen"),
-        Column("seconds", "number", "s", "time on the clock from the start of the process"),
-        Column("over_best", "number", "1", "this over the time of the fastest way"),
-        Column("remark", "string", "", "why there is no time"),
-    ),
-    "streaming": (
-        Column("what", "string", "", "streaming to a file, or one half of it alone"),
-        Column("points", "number", "1", "points of the grid"),
-        RTOL,
-        Column("seconds", "number", "s", "time on the clock"),
+        Column("seconds", "number", "s", "time of all; on the clock for files and new processes"),
         POINT_COST,
         Column("resident_memory_MB", "number", "MB", "most memory of the process until then"),
-        Column("file_MB", "number", "MB", "size of the file"),
     ),
     "extremes": (
         Column("item", "string", "", "what is extreme"),
@@ -320,12 +264,12 @@ TABLES = {
         Column("variable", "string", "", "variable that has it"),
         Column("verdict", "string", "", "right; refused, and why; or wrong"),
     ),
-    "bars": (
+    "targets": (
         Column("what", "string", "", "what is measured, and in which unit"),
         Column("sense", "string", "", "at least or at most"),
-        Column("bar", "number", "1", "what it is to be"),
+        Column("target", "number", "1", "what it should be"),
         Column("measured", "number", "1", "what it is in this run"),
-        Column("verdict", "string", "", "holds or fails"),
+        Column("verdict", "string", "", "reached or missed"),
     ),
 }
 

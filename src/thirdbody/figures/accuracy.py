@@ -25,11 +25,13 @@ LOOKS = {
 }
 METHODS = {
     "library": {"linestyle": "-", "fillstyle": "full"},
+    "library_grid": {"linestyle": ":", "fillstyle": "full", "markersize": 3},
     "elementwise_roots": {"linestyle": "--", "fillstyle": "none", "linewidth": 0.7},
     "nested_roots": {"linestyle": "none", "fillstyle": "full", "marker": "*", "markersize": 9},
 }
 NAMES = {
-    "library": "library, each rtol",
+    "library": "library, points, each rtol",
+    "library_grid": "library, grids",
     "elementwise_roots": "find_root, arrays",
     "nested_roots": "quad, brentq, one by one",
 }

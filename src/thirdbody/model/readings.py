@@ -7,7 +7,7 @@ ask the objects that ``Parameters.readings`` holds.
 
 A new way to read a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
 reading in the independent implementations: ``verification/plain_model.py``,
-``tests/oracle/contact.c`` and ``tests/golden/contact_in_mpmath.py``.
+``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
 """
 
 from __future__ import annotations

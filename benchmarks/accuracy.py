@@ -1,0 +1,158 @@
+"""True errors and times of the library and of the baselines, for each ``rtol`` and class of points.
+
+Methods are ``library`` (``thirdbody.solve``), ``library_grid`` (``thirdbody.grid``) and both ``baselines``.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+import thirdbody as tb
+from benchmarks.baselines import ElementwiseRoots, NestedRoots
+from benchmarks.classes import CLASSES, HEAVIEST, PointClass, grid_axes, random_conditions
+from benchmarks.measuring import MICROSECONDS, least_seconds
+from benchmarks.points import CLASS, VARIABLES, grouped, relative_error
+
+CURVE = np.geomspace(0.1, 10.0, 40)  # of its load: the curve on which a grid has a golden point
+
+
+def error_rows(
+    rows: Iterable[dict[str, str]], rtols: Sequence[float], plain: ModuleType
+) -> list[dict[str, Any]]:
+    """Errors of every variable at golden points, for each of ``rtols``: rows of the table ``errors``.
+
+    ``rows`` are those of ``points.read_rows``, ``plain`` is the module of ``baselines.load_plain_model``.
+    """
+    groups = grouped(rows)
+    table = []
+    for rtol in rtols:
+        for method, solve in (
+            ("library", _library),
+            ("library_grid", _library_grid),
+            ("elementwise_roots", _elementwise),
+        ):
+            table += _error_rows_of(method, rtol, groups, partial(solve, rtol=rtol))
+    return table + _error_rows_of("nested_roots", None, groups, partial(_nested, plain=plain))
+
+
+def _library(group, rtol):
+    with _quiet():
+        found = tb.solve(**group.conditions, parameters=group.parameters, rtol=rtol)
+    return _claimed(found, rtol)
+
+
+def _library_grid(group, rtol):
+    """Each point in the middle of a curve over the load."""
+    found = []
+    for place in range(len(group.rows)):
+        axes = {name: values[place : place + 1] for name, values in group.conditions.items()}
+        axes["load"] = np.unique(np.append(axes["load"], axes["load"] * CURVE))
+        index = np.searchsorted(axes["load"], group.conditions["load"][place])
+        with _quiet():
+            data = tb.grid(**axes, parameters=group.parameters, rtol=rtol, progress=False)
+        found.append([data[name].values.ravel()[index] for name in (*VARIABLES, "error_bound")])
+    values = dict(zip((*VARIABLES, "error_bound"), np.transpose(found), strict=True))
+    return _claimed(SimpleNamespace(**values), rtol)
+
+
+def _claimed(solution, rtol):
+    """The variables, nan where the library itself says that a point misses ``rtol``."""
+    good = solution.error_bound <= rtol
+    kept = {name: np.where(good, getattr(solution, name), np.nan) for name in VARIABLES}
+    return SimpleNamespace(**kept)
+
+
+def _elementwise(group, rtol):
+    roughness = float(group.conditions["roughness"][0])
+    return ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)
+
+
+def _nested(group, plain):
+    with _quiet():
+        return NestedRoots(plain, group.parameters).solve(**group.conditions)
+
+
+def _quiet():
+    """No warnings: of conditions beyond the usual ones, and of quad where rounding limits it."""
+    return warnings.catch_warnings(action="ignore")
+
+
+def _error_rows_of(method, rtol, groups, solve):
+    """Rows of one method and ``rtol``."""
+    found = {kind: [] for kind in CLASSES}
+    for group in groups:
+        solution = solve(group)
+        errors = [relative_error(getattr(solution, v), group.expected[v]) for v in VARIABLES]
+        found[PointClass(*(group.rows[0][name] for name in CLASS))].append(errors)
+    return [
+        {"method": method, "rtol": rtol, **kind._asdict(), "variable": name, **_summary(each, rtol)}
+        for kind, parts in found.items()
+        if parts
+        for name, each in zip(VARIABLES, np.concatenate(parts, axis=1), strict=True)
+    ]
+
+
+def _summary(errors, rtol):
+    """Counts of points and measures of their errors."""
+    solved = errors[np.isfinite(errors)]
+    return {
+        "points": errors.size,
+        "unsolved": errors.size - solved.size,
+        "beyond_rtol": None if rtol is None else int(np.count_nonzero(solved > rtol)),
+        "largest_error": float(solved.max(initial=0.0)),
+        "percentile_99_error": float(np.percentile(solved, 99.0)) if solved.size else 0.0,
+    }
+
+
+def time_rows(
+    parameters: tb.Parameters, budget: Mapping[str, Any], plain: ModuleType
+) -> list[dict[str, Any]]:
+    """Processor time of a point by class, method and ``rtol``: rows of the table ``times``.
+
+    ``budget`` is the content of ``config/accuracy.yaml``.
+    """
+    return [row for kind in CLASSES for row in _time_rows_of(kind, parameters, budget, plain)]
+
+
+def _time_rows_of(kind, parameters, budget, plain):
+    sizes = budget["points"]
+    library = sizes["heaviest"] if kind == HEAVIEST else sizes["others"]
+    axes = grid_axes(kind, budget["grid"], parameters)
+    many, some, few = (
+        random_conditions(kind, count, parameters)
+        for count in (library, sizes["elementwise_roots"], sizes["nested_roots"])
+    )
+    runs = {}
+    for rtol in budget["rtol"]:
+        asked = {"parameters": parameters, "rtol": rtol}
+        runs["library", rtol] = partial(tb.solve, **many, **asked)
+        runs["library_grid", rtol] = partial(tb.grid, **axes, **asked, progress=False)
+        runs["elementwise_roots", rtol] = partial(_each_surface, some, **asked)
+    runs["nested_roots", None] = partial(NestedRoots(plain, parameters).solve, **few)
+    points = {
+        "library": library,
+        "library_grid": math.prod(axis.size for axis in axes.values()),
+        "elementwise_roots": sizes["elementwise_roots"],
+        "nested_roots": sizes["nested_roots"],
+    }
+    with _quiet():
+        seconds = least_seconds(runs, budget["rounds"])
+    for (method, rtol), time in seconds.items():
+        count = points[method]
+        cost = {"points": count, "microseconds_per_point": MICROSECONDS * time / count}
+        yield {"method": method, "rtol": rtol, **kind._asdict(), **cost}
+
+
+def _each_surface(given, parameters, rtol):
+    """Solve the points of all surfaces, one surface after the other, by ``find_root``."""
+    for sigma in np.unique(given["roughness"]):
+        chosen = given["roughness"] == sigma
+        part = {name: values[chosen] for name, values in given.items()}
+        ElementwiseRoots(parameters, float(sigma), rtol).solve(**part)
