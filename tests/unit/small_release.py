@@ -3,6 +3,7 @@
 python small_release.py FOLDER      in the root of the repository: what the tests compare
 """
 
+import dataclasses
 import sys
 from pathlib import Path
 
@@ -11,12 +12,12 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
+from thirdbody.release.bag import pack
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.crate import Job, Run
-from thirdbody.release.pack import pack
+from thirdbody.release.crate import Run
 from thirdbody.release.staging import stage, whole_folder
-from thirdbody.run.closure import import_closure
 
+KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
     # dry, with and without particles
     "fig03": [([0], [0, 300, 700], [100], [1.0e11])],
@@ -24,6 +25,17 @@ SCENES = {
     "fig04": [([0, 1, 70, 120], [500], [300], [1.0e11]), ([90], [0], [100], [1.0e11])],
     # more particles than there is room for
     "fig07": [([0, 90], [1000], [300], [1.0e11, 2.0e11, 8.0e13])],
+}
+CONFIG = {
+    "rtol": 1e-9,
+    "load_axis": {"load_N": [0.04, 80.0], "count": 7},
+    "scenes": {
+        name: {
+            "title": f"A few points of {name}",
+            "curves": [dict(zip(KEYS, group, strict=True)) for group in groups],
+        }
+        for name, groups in SCENES.items()
+    },
 }
 SCRIPT = "workflow/scripts/solve_scene.py"
 SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
@@ -36,11 +48,8 @@ def make_products(folder):
     products = []
     for kind in ("datasets", "tables", "figures"):
         (folder / kind).mkdir(parents=True)
-    for name, groups in SCENES.items():
-        keys = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
-        curves = [dict(zip(keys, group, strict=True)) for group in groups]
-        axis = {"load_N": [0.04, 80.0], "count": 7}
-        scene = {"title": f"A few points of {name}", "load_axis": axis, "curves": curves}
+    for name, configured in CONFIG["scenes"].items():
+        scene = configured | {"load_axis": CONFIG["load_axis"]}
         path = folder / "datasets" / f"{name}.nc"
         shown = Scene.of(name, scene, parameters.newtons_per_load)
         write_dataset(scene_dataset(shown, parameters), path)
@@ -65,18 +74,19 @@ def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
-    modules = import_closure(SCRIPT)
+    datasets = [path for path in products if path.suffix == ".nc"]
     jobs = [
-        Job("solve_scene", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
-        for path in products
-        if path.suffix == ".nc"
-        for output in [Path("results") / path.relative_to(folder / "results")]
+        {"rule": "solve_scene", "inputs": [], "outputs": [f"results/datasets/{path.name}"]}
+        for path in datasets
     ]
-    run = Run({"config": {"rtol": 1e-9}}, jobs, software_versions("pyproject.toml"))
+    parameters = dataclasses.asdict(tb.load_parameters())
+    run = Run(
+        {"config": CONFIG, "parameters": parameters}, jobs, software_versions("pyproject.toml")
+    )
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
     with whole_folder(place) as part:
-        stage(part, products, [*SOURCES, *modules, *programs], run, release)
+        stage(part, products, [*SOURCES, *programs], run, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

@@ -1,11 +1,10 @@
-"""Pack the folder of a release into one archive file."""
-
-from thirdbody.run.job import logged
+"""Check the folder of a release against its sums and pack it into one archive file."""
 
 from pathlib import Path
 
 from thirdbody.data.files import whole
-from thirdbody.release.pack import pack
+from thirdbody.job_log import logged
+from thirdbody.release.bag import pack
 
 
 def write(folder, archive, date):

@@ -1,7 +1,8 @@
 """Name, version, date and citation of a release, in the vocabularies that archives ask for.
 
-``pyproject.toml`` gives the name and version, ``CITATION.cff`` everything else.  The date too is
-written there and not taken from a clock: the same sources give the same archive at any time.
+``pyproject.toml`` gives the name and version, ``CITATION.cff`` all else, also the date: the same
+sources give the same archive on any day.  The package ``cffconvert`` is not used: it describes an
+organisation as a person and leaves out the paper, and it needs an environment of its own.
 """
 
 from __future__ import annotations
@@ -16,22 +17,20 @@ from typing import Any
 
 import yaml
 
-from thirdbody.configuration.plain_yaml import read_yaml
-
 DATA_LICENCE = "CC-BY-4.0"
 SPDX = "https://spdx.org/licenses/"
 
 
 @dataclass(frozen=True)
 class Release:
-    """A release of the project, as its files describe it.
+    """A release of the project.
 
     Attributes
     ----------
     name : str
         Name of the project.
     version : str
-        Number of the release.
+        Version of the release.
     date : str
         Day of the release, ISO 8601.
     citation : dict
@@ -45,12 +44,7 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike) -> Release:
-        """Read the release from the files that describe it.
-
-        Parameters
-        ----------
-        pyproject, citation : path
-            ``pyproject.toml`` and ``CITATION.cff``.
+        """Read ``pyproject.toml`` and ``CITATION.cff``.
 
         Raises
         ------
@@ -65,8 +59,8 @@ class Release:
         >>> release.full_name == f"thirdbody-{release.version}"
         True
         """
-        project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
-        cited = read_yaml(citation)
+        project = _read_project(pyproject)
+        cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != project["version"]:
             raise ValueError(
                 f"{citation}: version is {cited['version']}; "
@@ -75,15 +69,13 @@ class Release:
         return cls(project["name"], project["version"], cited["date-released"], cited)
 
     def of_other_configuration(self) -> Release:
-        """The same under a name and version that say that the configuration is not the paper's.
+        """The same with a name and version which say that the configuration is not the paper's.
 
         Examples
         --------
         >>> release = Release.of("pyproject.toml", "CITATION.cff").of_other_configuration()
         >>> release.full_name.endswith("+changed")
         True
-        >>> release.citation["title"].rpartition(", ")[2]
-        'with a changed configuration'
         """
         version = f"{self.version}+changed"
         title = f"{self.citation['title']}, with a changed configuration"
@@ -106,46 +98,49 @@ class Release:
         return self.citation["references"][0]
 
     @property
+    def paper_url(self) -> str:
+        """Address of the paper, by its DOI."""
+        return f"https://doi.org/{self.paper['doi']}"
+
+    @property
     def paper_text(self) -> str:
         """The paper as it stands in a list of references."""
         paper = self.paper
         names = " and ".join(f"{a['family-names']} {a['given-names']}" for a in paper["authors"])
         return (
             f"{names} ({paper['year']}), {paper['title']}. {paper['journal']} {paper['volume']}:"
-            f"{paper['start']}. https://doi.org/{paper['doi']}"
+            f"{paper['start']}. {self.paper_url}"
         )
 
     @property
     def text(self) -> str:
         """The release as it stands in a list of references."""
-        year = self.date.partition("-")[0]
-        return (
-            f"{', '.join(self.authors)} ({year}), {self.citation['title']}, version {self.version}"
-        )
+        title = f"{self.citation['title']}, version {self.version}"
+        return f"{', '.join(self.authors)} ({self.date[:4]}), {title}"
 
 
 def software_versions(pyproject: str | PathLike) -> dict[str, str]:
-    """Installed versions of the packages that running the workflow asks for.
-
-    Parameters
-    ----------
-    pyproject : path
-        ``pyproject.toml``, whose dependencies and those of the extra ``workflow`` are meant.
-
-    Returns
-    -------
-    dict
-        Versions by name of the package.
+    """Installed versions of the packages that the workflow asks for, by name.
 
     Raises
     ------
     importlib.metadata.PackageNotFoundError
         If one of them is not installed.
     """
-    project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
-    wanted = [*project["dependencies"], *project["optional-dependencies"]["workflow"]]
-    names = sorted(re.match(r"[\w.-]+", requirement)[0] for requirement in wanted)
-    return {name: version(name) for name in names}
+    project = _read_project(pyproject)
+    wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
+    while wanted:
+        name, extras = re.match(r"([\w.-]+)(?:\[([\w,]+)\])?", wanted.pop()).groups()
+        if name == project["name"]:
+            for extra in extras.split(","):
+                wanted += project["optional-dependencies"][extra]
+        else:
+            names.add(name)
+    return {name: version(name) for name in sorted(names)}
+
+
+def _read_project(pyproject: str | PathLike) -> dict[str, Any]:
+    return tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
 
 
 def citation_text(release: Release) -> str:
@@ -154,7 +149,7 @@ def citation_text(release: Release) -> str:
 
 
 def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
-    """Describe the software in the vocabulary CodeMeta 3.0.
+    """Content of ``codemeta.json`` (CodeMeta 3.0).
 
     Parameters
     ----------
@@ -162,11 +157,6 @@ def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
         What is described.
     software : dict
         Versions of the packages that it runs on, by name.
-
-    Returns
-    -------
-    dict
-        Content of ``codemeta.json``.
 
     References
     ----------
@@ -191,23 +181,23 @@ def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
         "referencePublication": {
             "@type": "ScholarlyArticle",
             "name": release.paper["title"],
-            "identifier": f"https://doi.org/{release.paper['doi']}",
+            "identifier": release.paper_url,
         },
     }
 
 
 def zenodo(release: Release) -> dict[str, Any]:
-    """Describe the archive as Zenodo asks for it when one is deposited.
+    """Body of the request that deposits the archive at Zenodo.
 
-    The description is part of the archive only: a file ``.zenodo.json`` in the repository would
-    make Zenodo ignore its ``CITATION.cff``.
-
-    Returns
-    -------
-    dict
-        Body of a request to Zenodo's programming interface.
+    It is part of the archive only: a file ``.zenodo.json`` in the repository would make Zenodo ignore
+    ``CITATION.cff``.
     """
     cited = release.citation
+    paper = {
+        "identifier": release.paper["doi"],
+        "relation": "isDerivedFrom",
+        "resource_type": "publication-article",
+    }
     return {
         "metadata": {
             "upload_type": "dataset",
@@ -221,12 +211,6 @@ def zenodo(release: Release) -> dict[str, Any]:
             "language": "eng",
             "keywords": cited["keywords"],
             "notes": f"The source code in the archive is licensed under {cited['license']}.",
-            "related_identifiers": [
-                {
-                    "identifier": release.paper["doi"],
-                    "relation": "isDerivedFrom",
-                    "resource_type": "publication-article",
-                }
-            ],
+            "related_identifiers": [paper],
         }
     }
