@@ -42,17 +42,21 @@ SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/input
 PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
 
 
+def solved(name, parameters):
+    """The dataset of one of ``SCENES``."""
+    scene = CONFIG["scenes"][name] | {"load_axis": CONFIG["load_axis"]}
+    return scene_dataset(Scene.of(name, scene, parameters.newtons_per_load), parameters)
+
+
 def make_products(folder):
     """Datasets of ``SCENES`` in ``folder``, a table and a figure; their paths."""
     parameters = tb.load_parameters()
     products = []
     for kind in ("datasets", "tables", "figures"):
         (folder / kind).mkdir(parents=True)
-    for name, configured in CONFIG["scenes"].items():
-        scene = configured | {"load_axis": CONFIG["load_axis"]}
+    for name in SCENES:
         path = folder / "datasets" / f"{name}.nc"
-        shown = Scene.of(name, scene, parameters.newtons_per_load)
-        write_dataset(scene_dataset(shown, parameters), path)
+        write_dataset(solved(name, parameters), path)
         products.append(path)
     columns = TABLES["tpca_windows"]
     row = {"roughness_m": 3e-7, "particle_density_per_m2": 1e11, "end": "low"}
