@@ -63,15 +63,16 @@ GLOBAL_FIXED = {
     "source": "doi:10.3389/fmech.2024.1390335",
     "license": "CC-BY-4.0",
 }
-GLOBAL_TEXTS = set(
-    """title summary keywords references creator_name standard_name_vocabulary schema_version
+TEXT_NAMES = """
+    title summary keywords references creator_name standard_name_vocabulary schema_version
     software_version configuration_sha256 rtol naming_authority history comment acknowledgement
     project program processing_level institution creator_type creator_institution creator_url
     creator_email contributor_name contributor_role publisher_name publisher_type
     publisher_institution publisher_url publisher_email metadata_link platform platform_vocabulary
     instrument instrument_vocabulary keywords_vocabulary date_created date_issued date_modified
-    date_metadata_modified id product_version model_parameters""".split()
-)
+    date_metadata_modified id product_version model_parameters
+"""
+GLOBAL_TEXTS = set(TEXT_NAMES.split())
 # attribute `model_parameters`: the name of each input in configuration/parameters.json
 INPUTS = {
     "E_ss": "elastic_modulus_surfaces",
@@ -238,7 +239,9 @@ def configuration_findings(data, name, config, inputs):
     rtol = scene.get("rtol", config.get("rtol"))
     if data.rtol != rtol:
         yield f"rtol is {data.rtol:g}, in the configuration {rtol:g}"
-    axes = expected_axes(scene, config, inputs["apparent_area"] * inputs["elastic_modulus_surfaces"])
+    axes = expected_axes(
+        scene, config, inputs["apparent_area"] * inputs["elastic_modulus_surfaces"]
+    )
     for axis, expected in axes.items():
         found = data.axes[axis]
         if found.shape != expected.shape or not close(found, expected, AXIS_ROUNDING):

@@ -26,6 +26,7 @@ import random
 import warnings
 import zipfile
 from pathlib import Path
+from urllib.parse import unquote
 
 HERE = Path(__file__).resolve().parent
 ALGORITHMS = {"sha256": 64, "sha512": 128}  # hexadecimal digits of a digest
@@ -33,7 +34,11 @@ BAG_DECLARATION = b"BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
 TAG_FILES = {  # everything beside data/
     *("README.md", "bag-info.txt", "bagit.txt"),
-    *(f"{kind}-{algorithm}.txt" for kind in ("manifest", "tagmanifest") for algorithm in ALGORITHMS),
+    *(
+        f"{kind}-{algorithm}.txt"
+        for kind in ("manifest", "tagmanifest")
+        for algorithm in ALGORITHMS
+    ),
     *(f"verification/{name}" for name in PROGRAMS),
 }
 NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
@@ -168,7 +173,7 @@ def check_table(path, fields, name, faults):
 def check_crate(data, found, faults):
     """ro-crate-metadata.json: describes every file of the payload, and no other."""
     graph = json.loads((data / "ro-crate-metadata.json").read_text(encoding="utf-8"))["@graph"]
-    described = {entity["@id"] for entity in graph if "File" in entity["@type"]}
+    described = {unquote(entity["@id"]) for entity in graph if "File" in entity["@type"]}
     payload = {name.removeprefix("data/") for name in found if name.startswith("data/")}
     for path in sorted(described ^ (payload - {"ro-crate-metadata.json"})):
         faults.add(f"data/{path}", "is in only one of ro-crate-metadata.json and the archive")
@@ -291,7 +296,9 @@ def run_checks(checks, faults):
 def main(arguments=None):
     """Exit code; prints the one line."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("folder", nargs="?", type=Path, default=HERE.parent, help="unpacked archive")
+    parser.add_argument(
+        "folder", nargs="?", type=Path, default=HERE.parent, help="unpacked archive"
+    )
     parser.add_argument("--seed", type=int, default=2024, help="of the choice of points")
     parser.add_argument("--points", type=int, default=100, help="solved again, in each dataset")
     parser.add_argument("--results", type=Path, help="folder of products that must be the same")

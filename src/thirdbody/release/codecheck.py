@@ -47,8 +47,13 @@ def codecheck_text(products: Iterable[str], release: Release) -> str:
     ----------
     https://codecheck.org.uk/spec/config/1.0/
     """
-    sorts = {name: (PurePosixPath(name).parts[1], PurePosixPath(name).suffix) for name in products}
-    files = [(name, sort) for sort in COMPARED for name in sorted(sorts) if sorts[name] == sort]
+    paths = [PurePosixPath(name) for name in sorted(products)]
+    manifest = [
+        {"file": str(path), "comment": comment}
+        for (folder, suffix), comment in COMPARED.items()
+        for path in paths
+        if (path.parent.name, path.suffix) == (folder, suffix)
+    ]
     content = {
         "version": SPECIFICATION,
         "source": f"{release.citation['title']}, version {release.version}",
@@ -60,7 +65,7 @@ def codecheck_text(products: Iterable[str], release: Release) -> str:
             ],
             "reference": release.paper_url,
         },
-        "manifest": [{"file": name, "comment": COMPARED[sort]} for name, sort in files],
+        "manifest": manifest,
     }
     text = yaml.safe_dump(content, sort_keys=False, allow_unicode=True, width=10**6)
     return f"---\n{text}"

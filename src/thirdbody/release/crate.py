@@ -10,13 +10,14 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from rocrate.model.computationalworkflow import ComputationalWorkflow
+from rocrate.model.entity import Entity
 from rocrate.rocrate import ROCrate
 
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
 from thirdbody.release.files import files_in, media_type
 
 METADATA = "ro-crate-metadata.json"
+SCRIPTS = "source/workflow/scripts/"
 WORKFLOW = "source/workflow/Snakefile"
 CONFIGURATION = "configuration/config.json"
 DEVELOPERS = {"@id": "#developers"}
@@ -51,8 +52,9 @@ class Run:
     settings : dict
         Configuration of the run; each entry becomes a file of its name in ``configuration/``.
     jobs : list of dict
-        Jobs of the workflow: ``rule``, its name; ``inputs`` and ``outputs``, lists of paths relative
-        to the root of the repository, products in ``results/``.
+        Jobs of the workflow: ``rule``, the name of its rule and script; ``inputs`` and ``outputs``,
+        lists of paths relative to the root of the repository, products in ``results/``.  Other keys
+        are ignored.
     software : dict
         Versions of the packages that the workflow ran on, by name.
     """
@@ -80,19 +82,19 @@ def crate(data: Path, kinds: dict[str, str], run: Run, release: Release) -> dict
     ----------
     https://w3id.org/ro/crate/1.1, https://w3id.org/ro/wfrun/workflow/0.5
     """
-    files = [path for path in files_in(data, data) if path != METADATA]
     described = ROCrate(version=RO_CRATE)
     _describe_context(described, run.software, release)
-    _describe_workflow(described, kinds, run.software, release)
-    for path in files:
-        if path != WORKFLOW:
-            described.add_file(dest_path=path, properties=_file_properties(path, release))
+    files = {WORKFLOW: _describe_workflow(described, kinds, run.software, release)}
+    for path in files_in(data, data):
+        if path not in (METADATA, WORKFLOW):
+            properties = _file_properties(path, release)
+            files[path] = described.add_file(dest_path=path, properties=properties)
     for folder, title in (FOLDERS | kinds).items():
         properties = {"name": folder, "description": title}
         if folder in kinds:
             properties["exampleOfWork"] = {"@id": "#products"}
         entity = described.add_dataset(dest_path=f"{folder}/", properties=properties)
-        entity["hasPart"] = [described.get(p) for p in files if p.startswith(f"{folder}/")]
+        entity["hasPart"] = [part for path, part in files.items() if path.startswith(f"{folder}/")]
     _describe_run(described, run.jobs, files, kinds, release)
     _describe_root(described, release)
     return described.metadata.generate()
@@ -145,7 +147,7 @@ def _package_url(name: str, number: str) -> str:
     return f"pkg:pypi/{name.lower()}@{number}"
 
 
-def _describe_workflow(described, kinds, software, release: Release) -> None:
+def _describe_workflow(described, kinds, software, release: Release) -> Entity:
     """Add the workflow: its configuration goes in, the products come out."""
     configuration = described.add_formal_parameter(
         "configuration",
@@ -171,12 +173,11 @@ def _describe_workflow(described, kinds, software, release: Release) -> None:
         "output": products,
         "softwareRequirements": [{"@id": _package_url(*pair)} for pair in software.items()],
     }
-    described.add_workflow(
+    return described.add_workflow(
         dest_path=WORKFLOW,
         main=True,
         lang="snakemake",
         lang_version=software["snakemake"],
-        cls=ComputationalWorkflow,
         properties=_file_properties(WORKFLOW, release) | properties,
     )
 
@@ -184,6 +185,9 @@ def _describe_workflow(described, kinds, software, release: Release) -> None:
 def _file_properties(path: str, release: Release) -> dict[str, Any]:
     """Properties of a file, with its licence if that is not the one of the archive."""
     properties = {"name": PurePosixPath(path).name, "encodingFormat": media_type(path)}
+    if path.startswith(SCRIPTS):
+        properties["@type"] = ["File", "SoftwareSourceCode"]
+        properties["programmingLanguage"] = "Python"
     if path == CONFIGURATION:
         properties["exampleOfWork"] = {"@id": "#configuration"}
     if path.startswith("source/") and not path.startswith("source/config/"):
@@ -191,43 +195,37 @@ def _file_properties(path: str, release: Release) -> dict[str, Any]:
     return properties
 
 
-def _describe_run(described, jobs, files, kinds, release: Release) -> None:
+def _describe_run(described, jobs, files: dict[str, Entity], kinds, release: Release) -> None:
     """Add the run of the whole workflow and its jobs, with the files that are not in the archive."""
-    products = [path for path in files if path.partition("/")[0] in kinds]
-    archived = {f"results/{path}": path for path in products}
-    archived |= {path.removeprefix("source/"): path for path in files if path.startswith("source/")}
-    _add_action(
-        described,
-        "#run",
-        WORKFLOW,
-        f"run of the workflow of {release.full_name}",
-        [CONFIGURATION],
-        products,
-    )
+    products = {path: file for path, file in files.items() if path.partition("/")[0] in kinds}
+    known = {f"results/{path}": file for path, file in products.items()}
+    known |= {path.removeprefix("source/"): file for path, file in files.items()}
+    configuration = {"@id": CONFIGURATION}
+    name = f"run of the workflow of {release.full_name}"
+    results = list(products.values())
+    _add_action(described, "#run", files[WORKFLOW], name, [configuration], results)
     for job in jobs:
-        script = f"source/workflow/scripts/{job['rule']}.py"
+        for path in (*job["inputs"], *job["outputs"]):
+            if path not in known:
+                known[path] = _add_intermediate(described, path)
         first = PurePosixPath(job["outputs"][0]).with_suffix("").as_posix()
         name = first.removeprefix("results/")
-        inputs, outputs = (
-            [_archived_or_intermediate(described, archived, path) for path in job[key]]
-            for key in ("inputs", "outputs")
-        )
         _add_action(
             described,
             f"#{job['rule']}/{name}",
-            script if script in files else WORKFLOW,
+            files.get(f"{SCRIPTS}{job['rule']}.py", files[WORKFLOW]),
             f"{job['rule']} ({name})",
-            inputs or [CONFIGURATION],
-            outputs,
+            [known[path] for path in job["inputs"]] or [configuration],
+            [known[path] for path in job["outputs"]],
         )
 
 
 def _add_action(described, identifier, instrument, name, inputs, outputs) -> None:
     described.add_action(
-        described.get(instrument),
+        instrument,
         identifier=identifier,
-        object=[{"@id": path} for path in inputs],
-        result=[{"@id": path} for path in outputs],
+        object=inputs,
+        result=outputs,
         properties={
             "@type": "CreateAction",
             "name": name,
@@ -237,13 +235,8 @@ def _add_action(described, identifier, instrument, name, inputs, outputs) -> Non
     )
 
 
-def _archived_or_intermediate(described, archived, path: str) -> str:
-    """Name of a file of a job in the crate; one that is not in the archive is added as such."""
-    if path in archived:
-        return archived[path]
-    identifier = f"#{path}"
-    if identifier not in described:
-        about = "written by one job and read by another; not in the archive"
-        entity = {"@id": identifier, "@type": "CreativeWork", "name": path, "description": about}
-        described.add_jsonld(entity)
-    return identifier
+def _add_intermediate(described, path: str) -> Entity:
+    about = "written by one job and read by another; not in the archive"
+    return described.add_jsonld(
+        {"@id": f"#{path}", "@type": "CreativeWork", "name": path, "description": about}
+    )
