@@ -26,11 +26,10 @@ from small_release import SCENES
 from thirdbody.data.attributes import RELEASE_DATE
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.codecheck import codecheck_text
 from thirdbody.release.crate import Run, crate
 from thirdbody.release.datapackage import table_schema
 from thirdbody.release.files import files_in, source_files
-from thirdbody.release.guide import guide, markdown_text
+from thirdbody.release.guide import describe_content, markdown_text, render
 from thirdbody.release.provenance import provenance
 from thirdbody.release.staging import whole_folder
 
@@ -228,22 +227,16 @@ def test_software_is_what_the_workflow_asks_for_and_not_the_project():
     assert "thirdbody" not in software
 
 
-def test_codecheck_names_products_to_compare_in_order(release):
-    products = ["results/figures/fig03.svg", "results/figures/fig03.png", "results/datasets/b.nc"]
-    text = codecheck_text([*products, "results/datasets/a.nc", "results/index.html"], release)
-    assert text.startswith("---\n")
-    content = yaml.safe_load(text)
-    assert [item["file"] for item in content["manifest"]] == [
-        *("results/datasets/a.nc", "results/datasets/b.nc", "results/figures/fig03.png")
-    ]
-
-
-def test_codecheck_of_the_repository_is_of_this_release(release):
+def test_codecheck_is_of_this_release(release):
     text = (ROOT / "codecheck.yml").read_text(encoding="utf-8")
     content = yaml.safe_load(text)
-    files = [item["file"] for item in content["manifest"]]
-    assert text == codecheck_text(files, release), "renew it: see thirdbody.release.codecheck"
-    assert all(author["name"] for author in content["paper"]["authors"])
+    assert text.startswith("---\n")
+    assert content["source"] == f"{release.citation['title']}, version {release.version}"
+    assert content["paper"]["title"] == release.paper["title"]
+    assert content["paper"]["reference"] == release.paper_url
+    names = [f"{each['given-names']} {each['family-names']}" for each in release.paper["authors"]]
+    assert [author["name"] for author in content["paper"]["authors"]] == names
+    assert all(item["comment"] for item in content["manifest"])
 
 
 def test_guide_names_every_dataset_quantity_and_column(built):
@@ -290,7 +283,8 @@ def test_guide_has_no_markup_of_a_title(built, tmp_path, release):
     shutil.copytree(built / "data", data)
     with netCDF4.Dataset(data / "datasets/fig04.nc", "a") as dataset:
         dataset.title = "a | b <img src=x>"
-    text = guide(data, dict.fromkeys(KINDS, "title"), {}, release)
+    content = describe_content(data, dict.fromkeys(KINDS, "title"))
+    text = render("README.md", release=release, software={}, **content)
     assert "| a \\| b &lt;img src=x&gt; |" in text
 
 

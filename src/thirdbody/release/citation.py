@@ -1,8 +1,7 @@
-"""Name, version, date and citation of a release, in the vocabularies that archives ask for.
+"""Name, version, date and citation of a release.
 
 ``pyproject.toml`` gives the name and version, ``CITATION.cff`` all else, also the date: the same
-sources give the same archive on any day.  The package ``cffconvert`` is not used: it describes an
-organisation as a person and leaves out the paper, and it needs an environment of its own.
+sources give the same archive on any day.
 """
 
 from __future__ import annotations
@@ -18,24 +17,12 @@ from typing import Any
 import yaml
 
 DATA_LICENCE = "CC-BY-4.0"
-SPDX = "https://spdx.org/licenses/"
+SPDX = "https://spdx.org/licenses/"  # addresses of licences begin with this
 
 
 @dataclass(frozen=True)
 class Release:
-    """A release of the project.
-
-    Attributes
-    ----------
-    name : str
-        Name of the project.
-    version : str
-        Version of the release.
-    date : str
-        Day of the release, ISO 8601.
-    citation : dict
-        Content of ``CITATION.cff``.
-    """
+    """A release of the project: its name, version, date (ISO 8601) and ``CITATION.cff``."""
 
     name: str
     version: str
@@ -44,21 +31,7 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike) -> Release:
-        """Read ``pyproject.toml`` and ``CITATION.cff``.
-
-        Raises
-        ------
-        ValueError
-            If the two files do not give the same version.
-
-        Examples
-        --------
-        In the root of the repository:
-
-        >>> release = Release.of("pyproject.toml", "CITATION.cff")
-        >>> release.full_name == f"thirdbody-{release.version}"
-        True
-        """
+        """Read ``pyproject.toml`` and ``CITATION.cff``; ``ValueError`` if their versions differ."""
         project = _read_project(pyproject)
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != project["version"]:
@@ -69,14 +42,7 @@ class Release:
         return cls(project["name"], project["version"], cited["date-released"], cited)
 
     def of_other_configuration(self) -> Release:
-        """The same with a name and version which say that the configuration is not the paper's.
-
-        Examples
-        --------
-        >>> release = Release.of("pyproject.toml", "CITATION.cff").of_other_configuration()
-        >>> release.full_name.endswith("+changed")
-        True
-        """
+        """The same with a version and title which say that the configuration is not the paper's."""
         version = f"{self.version}+changed"
         title = f"{self.citation['title']}, with a changed configuration"
         citation = {**self.citation, "version": version, "title": title}
@@ -120,13 +86,7 @@ class Release:
 
 
 def software_versions(pyproject: str | PathLike) -> dict[str, str]:
-    """Installed versions of the packages that the workflow asks for, by name.
-
-    Raises
-    ------
-    importlib.metadata.PackageNotFoundError
-        If one of them is not installed.
-    """
+    """Installed versions of the packages that the workflow asks for, by name."""
     project = _read_project(pyproject)
     wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
     while wanted:
@@ -141,76 +101,3 @@ def software_versions(pyproject: str | PathLike) -> dict[str, str]:
 
 def _read_project(pyproject: str | PathLike) -> dict[str, Any]:
     return tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
-
-
-def citation_text(release: Release) -> str:
-    """Text of the file ``CITATION.cff`` in the archive."""
-    return yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
-
-
-def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
-    """Content of ``codemeta.json`` (CodeMeta 3.0).
-
-    Parameters
-    ----------
-    release : Release
-        What is described.
-    software : dict
-        Versions of the packages that it runs on, by name.
-
-    References
-    ----------
-    https://w3id.org/codemeta/3.0
-    """
-    cited = release.citation
-    return {
-        "@context": "https://w3id.org/codemeta/3.0",
-        "@type": "SoftwareSourceCode",
-        "name": release.name,
-        "description": cited["abstract"],
-        "version": release.version,
-        "datePublished": release.date,
-        "author": [{"@type": "Organization", "name": name} for name in release.authors],
-        "license": f"{SPDX}{cited['license']}",
-        "keywords": cited["keywords"],
-        "programmingLanguage": "Python",
-        "softwareRequirements": [
-            {"@type": "SoftwareApplication", "name": name, "version": number}
-            for name, number in software.items()
-        ],
-        "referencePublication": {
-            "@type": "ScholarlyArticle",
-            "name": release.paper["title"],
-            "identifier": release.paper_url,
-        },
-    }
-
-
-def zenodo(release: Release) -> dict[str, Any]:
-    """Body of the request that deposits the archive at Zenodo.
-
-    It is part of the archive only: a file ``.zenodo.json`` in the repository would make Zenodo ignore
-    ``CITATION.cff``.
-    """
-    cited = release.citation
-    paper = {
-        "identifier": release.paper["doi"],
-        "relation": "isDerivedFrom",
-        "resource_type": "publication-article",
-    }
-    return {
-        "metadata": {
-            "upload_type": "dataset",
-            "title": cited["title"],
-            "creators": [{"name": name} for name in release.authors],
-            "description": cited["abstract"],
-            "version": release.version,
-            "publication_date": release.date,
-            "access_right": "open",
-            "license": DATA_LICENCE.lower(),
-            "language": "eng",
-            "keywords": cited["keywords"],
-            "notes": f"The source code in the archive is licensed under {cited['license']}.",
-            "related_identifiers": [paper],
-        }
-    }

@@ -18,16 +18,7 @@ from thirdbody.release.files import digest, files_in, media_type
 
 
 def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:
-    """Content of ``datapackage.json``.
-
-    Parameters
-    ----------
-    data : Path
-        Folder of the archive that holds the folders of products.
-    kinds : iterable of str
-        Names of the folders of products.
-    release : Release
-        What the archive is of.
+    """Content of ``datapackage.json`` for the folders ``kinds`` of products in ``data``.
 
     Raises
     ------

@@ -4,42 +4,25 @@ from __future__ import annotations
 
 import hashlib
 import json
+import mimetypes
 import subprocess
 import tempfile
 from os import PathLike
 from pathlib import Path, PurePath
 from typing import Any
 
-MEDIA_TYPES = {
-    ".cff": "application/yaml",
-    ".css": "text/css",
-    ".csv": "text/csv",
-    ".html": "text/html",
-    ".ipynb": "application/x-ipynb+json",
-    ".js": "text/javascript",
-    ".json": "application/json",
-    ".md": "text/markdown",
-    ".nc": "application/x-netcdf",
-    ".pdf": "application/pdf",
-    ".png": "image/png",
-    ".py": "text/x-python",
-    ".svg": "image/svg+xml",
-    ".tex": "application/x-tex",
-    ".toml": "application/toml",
-    ".yaml": "application/yaml",
-    ".yml": "application/yaml",
-}
+KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without the files of the system
 
 
 def media_type(path: str | PathLike) -> str:
-    """Media type of a file by its suffix; other suffixes give plain text.
+    """Media type of a file by its suffix; unknown suffixes give plain text.
 
     Examples
     --------
     >>> media_type("results/datasets/fig03.nc"), media_type("LICENSE")
     ('application/x-netcdf', 'text/plain')
     """
-    return MEDIA_TYPES.get(PurePath(path).suffix, "text/plain")
+    return KNOWN_TYPES.guess_type(PurePath(path).name)[0] or "text/plain"
 
 
 def source_files() -> list[str]:

@@ -1,4 +1,4 @@
-"""README.md of an archive, for people: written from what the archive holds."""
+"""Texts of an archive, for people and for programs, by the templates in ``templates/``."""
 
 from __future__ import annotations
 
@@ -13,15 +13,23 @@ from jinja2 import Environment, StrictUndefined
 
 from thirdbody.data.tables import DRAWN_POINTS
 from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
-from thirdbody.release.citation import DATA_LICENCE, Release
+from thirdbody.release.citation import DATA_LICENCE
 from thirdbody.release.datapackage import table_schema
 from thirdbody.release.files import files_in
 
-TEMPLATE = "README.md.jinja"
+
+def render(template: str, **values: Any) -> str:
+    """Text of a template, which can use ``values`` and the filter ``text`` (``markdown_text``)."""
+    environment = Environment(
+        undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
+    )
+    environment.filters["text"] = markdown_text
+    source = files(__package__).joinpath("templates", template).read_text(encoding="utf-8")
+    return environment.from_string(source).render(data_licence=DATA_LICENCE, **values)
 
 
-def guide(data: Path, kinds: dict[str, str], software: dict[str, str], release: Release) -> str:
-    """Text of an archive's ``README.md``.
+def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
+    """What ``README.md`` says of the files in an archive: values for its template.
 
     Parameters
     ----------
@@ -29,40 +37,21 @@ def guide(data: Path, kinds: dict[str, str], software: dict[str, str], release: 
         Folder of the archive that holds products, sources and configuration.
     kinds : dict
         Title of each folder of products in ``data``, by name; ``datasets`` must be among them.
-    software : dict
-        Versions of the packages that made the products, by name.
-    release : Release
-        What the archive is of.
-
-    Returns
-    -------
-    str
-        Markdown; texts that the configuration gives are escaped.
     """
-    environment = Environment(
-        undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True
-    )
-    environment.filters["text"] = markdown_text
-    template = environment.from_string(
-        files(__package__).joinpath(TEMPLATE).read_text(encoding="utf-8")
-    )
     paths = sorted(data.glob("datasets/*.nc"))
-    return template.render(
-        release=release,
-        kinds=kinds,
-        names={kind: files_in(data / kind, data / kind) for kind in kinds},
-        datasets=[describe_dataset(path) for path in paths],
-        quantities=describe_variables(paths[0]),
-        tables={
+    return {
+        "kinds": kinds,
+        "names": {kind: files_in(data / kind, data / kind) for kind in kinds},
+        "datasets": [_describe_dataset(path) for path in paths],
+        "quantities": _describe_variables(paths[0]),
+        "tables": {
             kind: {path.name: table_schema(path) for path in sorted((data / kind).glob("*.csv"))}
             for kind in ("tables", "claims")
         },
-        drawn_points=DRAWN_POINTS,
-        status_meanings=STATUS_MEANINGS,
-        without_values=WITHOUT_VALUES,
-        software=software,
-        data_licence=DATA_LICENCE,
-    )
+        "drawn_points": DRAWN_POINTS,
+        "status_meanings": STATUS_MEANINGS,
+        "without_values": WITHOUT_VALUES,
+    }
 
 
 def markdown_text(text: str) -> str:
@@ -78,7 +67,7 @@ def markdown_text(text: str) -> str:
     return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)
 
 
-def describe_dataset(path: Path) -> dict[str, Any]:
+def _describe_dataset(path: Path) -> dict[str, Any]:
     """Name, title and shape of a dataset, and its numbers of points by their status."""
     with netCDF4.Dataset(path) as dataset:
         dataset.set_auto_maskandscale(False)
@@ -91,7 +80,7 @@ def describe_dataset(path: Path) -> dict[str, Any]:
         return {"name": path.name, "title": dataset.title, "shape": shape, "points": points}
 
 
-def describe_variables(path: Path) -> dict[str, dict[str, Any]]:
+def _describe_variables(path: Path) -> dict[str, dict[str, Any]]:
     """Attributes of each variable of a dataset, by name."""
     with netCDF4.Dataset(path) as dataset:
         return {name: vars(variable) for name, variable in dataset.variables.items()}

@@ -1,7 +1,4 @@
-"""When, where, by whom and with what a release was made.
-
-This differs from run to run and therefore stands in a file beside the archive, not in it.
-"""
+"""When, where, by whom and with what a release was made: a file beside the archive, not in it."""
 
 from __future__ import annotations
 

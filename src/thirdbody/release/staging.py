@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Sequence
@@ -9,12 +10,14 @@ from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from runpy import run_path
 
+import yaml
+
 from thirdbody.release.bag import seal
-from thirdbody.release.citation import Release, citation_text, codemeta, zenodo
+from thirdbody.release.citation import Release
 from thirdbody.release.crate import KINDS, METADATA, Run, crate
 from thirdbody.release.datapackage import data_package
 from thirdbody.release.files import write_json
-from thirdbody.release.guide import guide
+from thirdbody.release.guide import describe_content, render
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
@@ -90,14 +93,17 @@ def stage(
     write_json(data / "datasets" / "content-sha256.json", contents)
     for name, content in run.settings.items():
         write_json(data / "configuration" / f"{name}.json", content)
-    (data / "CITATION.cff").write_text(citation_text(release), encoding="utf-8")
-    write_json(data / "codemeta.json", codemeta(release, run.software))
-    write_json(data / "zenodo.json", zenodo(release))
+    cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
+    (data / "CITATION.cff").write_text(cited, encoding="utf-8")
+    known = {"release": release, "software": run.software}
+    for name in ("codemeta.json", "zenodo.json"):
+        write_json(data / name, json.loads(render(name, **known)))
     found = {_kind(path) for path in products}
     kinds = {kind: title for kind, title in KINDS.items() if kind in found}
     write_json(data / "datapackage.json", data_package(data, kinds, release))
     write_json(data / METADATA, crate(data, kinds, run, release))
-    (folder / "README.md").write_text(guide(data, kinds, run.software, release), encoding="utf-8")
+    readme = render("README.md", **known, **describe_content(data, kinds))
+    (folder / "README.md").write_text(readme, encoding="utf-8")
     seal(folder, release)
 
 
