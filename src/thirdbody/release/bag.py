@@ -23,22 +23,7 @@ UNIX = 3  # code of the system that has such modes
 
 
 def seal(folder: Path, release: Release) -> None:
-    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes.
-
-    Examples
-    --------
-    In the root of the repository:
-
-    >>> import tempfile
-    >>> release = Release.of("pyproject.toml", "CITATION.cff")
-    >>> with tempfile.TemporaryDirectory() as place:
-    ...     payload = Path(place, "data")
-    ...     payload.mkdir()
-    ...     _ = (payload / "hello.txt").write_text("hello")
-    ...     seal(Path(place), release)
-    ...     Path(place, "manifest-sha256.txt").read_text().split()[1]
-    'data/hello.txt'
-    """
+    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
     payload = files_in(folder / "data", folder)
     size = sum((folder / name).stat().st_size for name in payload)
     information = {
@@ -64,17 +49,10 @@ def _write_manifests(folder: Path, kind: str, names: Iterable[str]) -> None:
         (folder / f"{kind}-{algorithm}.txt").write_text("".join(lines), encoding="utf-8")
 
 
-def check_sums(folder: Path, program: str | PathLike = "verification/verify.py") -> None:
-    """Compare a sealed folder with its sums, by the ``program`` of the sources that does so.
-
-    Raises
-    ------
-    ValueError
-        In one line, if a file is changed, missing or was added.
-    """
-    done = subprocess.run(
-        [sys.executable, program, folder, "--sums"], capture_output=True, text=True, check=False
-    )
+def check_sums(folder: Path) -> None:
+    """Raise ``ValueError`` if a file of a sealed folder is changed, missing or was added."""
+    command = [sys.executable, "verification/verify.py", folder, "--sums"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         reason = (done.stdout or done.stderr).strip()
         raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
@@ -98,7 +76,7 @@ def pack(folder: Path, archive: str | PathLike, day: str) -> None:
     Raises
     ------
     ValueError
-        If the folder is not what its sums say.
+        If the folder is not what its sums say; nothing is written then.
     """
     check_sums(folder)
     moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)

@@ -73,10 +73,8 @@ def crate(data: Path, kinds: dict[str, str], run: Run, release: Release) -> dict
         Folder of the archive that holds products, sources and configuration.
     kinds : dict
         Title of each folder of products in ``data``, by name.
-    run : Run
-        The run of the workflow that made the products.
-    release : Release
-        What the archive is of.
+    run, release
+        The run that made the products, and the release that they are part of.
 
     References
     ----------
@@ -116,31 +114,20 @@ def _describe_root(described: ROCrate, release: Release) -> None:
 
 
 def _describe_context(described: ROCrate, software: dict[str, str], release: Release) -> None:
-    """Add what files refer to: profiles, people, licences, the paper and the software."""
-    entities = [
-        {"@id": profile, "@type": "CreativeWork", "name": name, "version": number}
-        for profile, (name, number) in PROFILES.items()
-    ]
-    entities += [
-        {"@id": f"{SPDX}{licence}", "@type": "CreativeWork", "name": licence}
-        for licence in (DATA_LICENCE, release.citation["license"])
-    ]
-    entities += [
-        {"@id": _package_url(*pair), "@type": "SoftwareApplication", "name": pair[0]}
-        | {"version": pair[1]}
-        for pair in software.items()
-    ]
-    entities += [
-        DEVELOPERS | {"@type": "Organization", "name": ", ".join(release.authors)},
-        {
-            "@id": release.paper_url,
-            "@type": "ScholarlyArticle",
-            "name": release.paper["title"],
-            "creditText": release.paper_text,
-        },
-    ]
-    for entity in entities:
-        described.add_jsonld(entity)
+    """Add what files refer to: profiles, licences, the software, people and the paper."""
+
+    def add(identifier, kind, **properties):
+        described.add_jsonld({"@id": identifier, "@type": kind, **properties})
+
+    for profile, (name, number) in PROFILES.items():
+        add(profile, "CreativeWork", name=name, version=number)
+    for licence in (DATA_LICENCE, release.citation["license"]):
+        add(f"{SPDX}{licence}", "CreativeWork", name=licence)
+    for name, number in software.items():
+        add(_package_url(name, number), "SoftwareApplication", name=name, version=number)
+    add(DEVELOPERS["@id"], "Organization", name=", ".join(release.authors))
+    paper = {"name": release.paper["title"], "creditText": release.paper_text}
+    add(release.paper_url, "ScholarlyArticle", **paper)
 
 
 def _package_url(name: str, number: str) -> str:

@@ -25,27 +25,17 @@ VERIFICATION = "verification/"
 
 @contextmanager
 def whole_folder(place: str | os.PathLike) -> Iterator[Path]:
-    """Fill a new folder that takes its ``place`` when the block has ended without an error.
-
-    Yields
-    ------
-    Path
-        The empty folder to fill, beside ``place``.
-    """
+    """Yield an empty folder to fill, which takes its ``place`` when the block ends without an error."""
     place = Path(place)
-    beside = place.with_name(f".{place.name}.partial")
-    former = place.with_name(f".{place.name}.former")
-    for rest in (beside, former):
-        shutil.rmtree(rest, ignore_errors=True)
-    beside.mkdir(parents=True)
+    part = place.with_name(f".{place.name}.partial")
+    shutil.rmtree(part, ignore_errors=True)
+    part.mkdir(parents=True)
     try:
-        yield beside
-        if place.exists():
-            os.replace(place, former)
-        os.replace(beside, place)
+        yield part
+        shutil.rmtree(place, ignore_errors=True)
+        os.replace(part, place)
     finally:
-        for rest in (beside, former):
-            shutil.rmtree(rest, ignore_errors=True)
+        shutil.rmtree(part, ignore_errors=True)
 
 
 def stage(
