@@ -189,8 +189,9 @@ def check_datasets(folder, found, count, seed, faults):
     present = {name.removeprefix(prefix) for name in found if name.startswith(prefix)}
     present.remove(Path(CONTENT_SUMS).name)
     configured = {f"{name}.nc" for name in config["scenes"]}
+    of_paper = {name for name in configured if name.startswith("fig")}
     outcomes = []
-    for name in sorted(configured | listed.keys() | present):
+    for name in sorted(of_paper | listed.keys() | present):
         place = f"{prefix}{name}"
         if name not in present:
             faults.add(place, "is missing")

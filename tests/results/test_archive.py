@@ -98,6 +98,16 @@ def test_the_dataset_is_that_of_the_default_configuration(stored, scene):
     assert stored.configuration_sha256 == again.attrs["configuration_sha256"]
 
 
+def test_codecheck_lists_the_products_that_a_checker_compares(results):
+    content = yaml.safe_load((ROOT / "codecheck.yml").read_bytes())
+    listed = [item["file"].removeprefix("results/") for item in content["manifest"]]
+    compared = ("datasets/*.nc", "tables/*.csv", "figures/*.png", "figures/*.csv", "claims/*.csv")
+    made = {
+        path.relative_to(results).as_posix() for kind in compared for path in results.glob(kind)
+    }
+    assert sorted(listed) == sorted(made | {"claims/claims.json", "explorer/index.html"})
+
+
 # ---- CF and ACDD
 
 

@@ -434,6 +434,15 @@ def test_what_a_dataset_may_say_is_no_forgery(copy, verify, release, forge, poin
     assert not found(verify, copy, points)
 
 
+def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
+    def add(config):
+        config["scenes"]["mine"] = config["scenes"]["fig04"] | {"title": "Mine"}
+
+    edit_json(SCENE, add)(copy)
+    mend(copy, release)
+    assert not found(verify, copy)
+
+
 def test_a_false_number_of_separations_is_found(copy, verify, release):
     forge_dataset(copy, "fig04", counted(2), release)
     assert list(found(verify, copy, points=2)) == ["data/datasets/fig04.nc"]
