@@ -11,21 +11,13 @@ import numpy as np
 import plain_model
 from contract import DIMENSIONS
 
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
 BOUND = "error_bound"  # of the numbers of a point
+QUANTITIES = tuple(name for name in contract.NUMBERS if name != BOUND)
 COUNT = contract.COUNT
 NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
 UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 holds nowhere
-UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # not to be told from the values
+UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # values do not show these
 ROUNDING = 1e-14  # of sums and products of stored numbers
 EVALUATION = 1e-9  # of what follows from the stored separation by evaluating Eqs. 4, 5 and 7
 SOLUTION = 1e-8  # of what the solver found, beyond its own error_bound
@@ -33,7 +25,7 @@ LEAST_BOUND = 1e-14  # loads are known as logarithms of up to 30: no float64 sol
 
 
 class Dataset(NamedTuple):
-    """What a file holds: its model, its values as stored and the indices of its points."""
+    """What a file holds: its inputs of the model, its axes and its values as stored."""
 
     model: dict
     axes: dict  # coordinates, 1-D

@@ -203,13 +203,8 @@ def mend(folder, release):
 
 
 QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
+    *("total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"),
+    *("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness"),
 )
 COORDINATES = (
     *("load", "viscosity", "particle_diameter"),
