@@ -5,41 +5,34 @@ import math
 import sys
 from typing import NamedTuple
 
+import contract
 import netCDF4
 import numpy as np
 import plain_model
+from contract import DIMENSIONS
 
-DIMENSIONS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
 BOUND = "error_bound"  # of the numbers of a point
-COUNT = "separation_count"  # where a point has several
-FLAGS = ("lubrication_regime", "contact_mode", "solution_status")
+QUANTITIES = tuple(name for name in contract.NUMBERS if name != BOUND)
+COUNT = contract.COUNT
 NOT_SHOWN = "not_shown"  # what a flag says of a combination that a figure does not show
 SUMMITS = ("eta_s", "R", "sigma_s", "y_s")  # of the model, along the roughness
 UNSOLVED = ("coverage_exceeded", "load_exceeded")  # Eq. 1 holds nowhere
-UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # not to be told from the values
+UNSEEN = (*UNSOLVED, "several_separations", "not_converged")  # values do not show these
 ROUNDING = 1e-14  # of sums and products of stored numbers
 EVALUATION = 1e-9  # of what follows from the stored separation by evaluating Eqs. 4, 5 and 7
-SOLUTION = 1e-8  # of what the solver found, unless the dataset asked for less
+SOLUTION = 1e-8  # of what the solver found, beyond its own error_bound
+LEAST_BOUND = 1e-14  # loads are known as logarithms of up to 30: no float64 solver promises less
 
 
 class Dataset(NamedTuple):
-    """What a file holds: its model, its values as stored and the indices of its points."""
+    """What a file holds: its inputs of the model, its axes and its values as stored."""
 
     model: dict
     axes: dict  # coordinates, 1-D
     values: dict  # quantities and names of flags, 5-D
-    points: list  # index tuples
+    shown: np.ndarray  # which combinations are shown, 5-D
+    title: str
     rtol: float
-    tolerance: float
 
 
 class Outcome(NamedTuple):
@@ -51,39 +44,29 @@ class Outcome(NamedTuple):
     worst: float
 
 
-def read(path):
-    """The ``Dataset`` in the file ``path``; ``ValueError`` says what is missing or odd."""
-    with netCDF4.Dataset(path) as file:
-        file.set_auto_maskandscale(False)
-        for name in (*DIMENSIONS, "normal_load", *QUANTITIES, BOUND, *FLAGS):
-            if name not in file.variables:
-                raise ValueError(f"has no variable {name}")
-        axes = {name: file[name][:] for name in (*DIMENSIONS, "normal_load")}
-        values = {name: file[name][:] for name in (*QUANTITIES, BOUND)}
-        shown = {name: values[name] != fill(file[name]) for name in values}
-        values |= {name: flag_names(file[name]) for name in FLAGS}
-        shown |= {name: values[name] != NOT_SHOWN for name in FLAGS}
-        if COUNT in file.variables:
-            values[COUNT] = file[COUNT][:]
-        model = json.loads(file.model_parameters)
-        rtol = float(file.rtol)
+def read(file):
+    """The ``Dataset`` in an open file of the expected form."""
+    file.set_auto_maskandscale(False)
+    axes = {name: file[name][:] for name in contract.COORDINATES}
+    values = {name: file[name][:] for name in contract.NUMBERS}
+    shown = {name: values[name] != contract.FILL_VALUE for name in values}
+    values |= {name: flag_names(name, file[name][:]) for name in contract.FLAGS}
+    shown |= {name: values[name] != NOT_SHOWN for name in contract.FLAGS}
+    if COUNT in file.variables:
+        values[COUNT] = file[COUNT][:]
+        shown[COUNT] = values[COUNT] != contract.NOT_SHOWN
     first = shown["separation"]
-    if any((other != first).any() for other in shown.values()) or (first != first[:1]).any():
-        raise ValueError("leaves out single points")
+    if any((other != first).any() for other in shown.values()):
+        raise ValueError("some variables leave out points that others show")
     return Dataset(
-        model, axes, values, list(map(tuple, np.argwhere(first))), rtol, max(SOLUTION, 10.0 * rtol)
+        json.loads(file.model_parameters), axes, values, first, file.title, float(file.rtol)
     )
 
 
-def fill(variable):
-    """The value that marks combinations which a figure does not show; nan where there are none."""
-    return variable.getncattr("_FillValue") if "_FillValue" in variable.ncattrs() else math.nan
-
-
-def flag_names(variable):
-    """Names of the flags, by the variable's own ``flag_meanings``."""
-    meanings = dict(zip(variable.flag_values.tolist(), variable.flag_meanings.split()))
-    return np.vectorize(lambda value: meanings.get(value, "unknown"), otypes=[object])(variable[:])
+def flag_names(name, values):
+    """Names of the flag values of the variable ``name``."""
+    meanings = contract.FLAGS[name][2]
+    return np.vectorize(lambda value: meanings.get(value, "unknown"), otypes=[object])(values)
 
 
 def point_at(data, index):
@@ -112,7 +95,7 @@ def evaluated(row, point, data):
     yield "film_thickness", deviation(row["film_thickness"] * model["R_x"], d), ROUNDING
     yield "solid_load_fraction + fluid_load_fraction", deviation(solid + fluid, 1.0), ROUNDING
     yield "sum of the contact area ratios", deviation(share, 1.0), ROUNDING
-    yield "balance of the loads", abs(balance), data.tolerance
+    yield "balance of the loads", abs(balance), tolerance(row)
     yield "coverage beyond the whole interface", max(there.coverage - 1.0, 0.0), 0.0
     for name, expected in (
         ("total_contact_area", there.total_area),
@@ -126,6 +109,23 @@ def evaluated(row, point, data):
         log_load = plain_model.log_load_in_w(math.log(fluid), model, point)
         film = plain_model.film_separation(log_load, model, point)
         yield "separation by the film", deviation(d, film), EVALUATION
+    else:
+        yield "negative fluid_load_fraction", -fluid, 0.0
+        yield "film without load", hidden_film(d, model, point), EVALUATION
+
+
+def hidden_film(separation, model, point):
+    """What a film with L_f = 0 would carry at ``separation`` d [m], or how far it exceeds d [1]."""
+    if plain_model.bears_fluid_share(model, point):
+        fluid = math.exp(plain_model.log_film_load(separation, model, point) - math.log(point.load))
+        return deviation(0.0, fluid)
+    film = plain_model.film_separation(math.log(point.load), model, point)
+    return max(film / separation - 1.0, 0.0) if separation > 0.0 else math.inf
+
+
+def tolerance(row):
+    """Of numbers that the solver found: no error is larger than the point's ``error_bound``."""
+    return SOLUTION + (row[BOUND] if math.isfinite(row[BOUND]) else 0.0)
 
 
 def misnamed(row, point, data):
@@ -171,7 +171,7 @@ def solved(row, point, data):
         ("separation", solution.separation),
         ("film_thickness", solution.separation / data.model["R_x"]),
     ):
-        yield name, deviation(row[name], expected), data.tolerance
+        yield name, deviation(row[name], expected), tolerance(row)
 
 
 def surface_findings(data):
@@ -186,28 +186,46 @@ def surface_findings(data):
             yield f"y_s at roughness {sigma:.6g} m is not that of the summits"
 
 
-def check(path, count, rng):
+def check(path, config, inputs, count, rng):
     """The ``Outcome`` for the dataset ``path``: all points evaluated, ``count`` of them solved."""
-    data = read(path)
+    with netCDF4.Dataset(path) as file:
+        findings = list(contract.form_findings(file))
+        if findings:
+            return Outcome(findings, 0, 0, 0.0)
+        data = read(file)
+    findings = list(contract.configuration_findings(data, path.stem, config, inputs))
+    if findings:
+        return Outcome(findings, 0, 0, 0.0)
     newtons = data.axes["load"] * data.model["A_n"] * data.model["E_ss"]
-    findings = list(surface_findings(data))
+    findings += surface_findings(data)
     if any(deviation(*pair) > ROUNDING for pair in zip(data.axes["normal_load"], newtons)):
         findings.append("normal_load is not load A_n E_ss")
-    sample = set(rng.sample(data.points, min(count, len(data.points))))
+    points = list(map(tuple, np.argwhere(data.shown)))
+    sample = set(rng.sample(points, min(count, len(points))))
     worst = 0.0
-    for index in data.points:
-        row = {COUNT: None} | {name: data.values[name].item(index) for name in data.values}
-        point = point_at(data, index)
-        where = f"at {','.join(map(str, map(int, index)))}"
-        anew = index in sample or row["solution_status"] in UNSEEN
-        measured = list(solved(row, point, data)) if anew else []
-        worst = max([worst, *(found for _, found, _ in measured)])
-        if without_values(row):
-            findings += [f"{n} {where} has a value" for n in QUANTITIES if not math.isnan(row[n])]
-        else:
-            measured += evaluated(row, point, data)
-            findings += [f"{name} {where} is misnamed" for name in misnamed(row, point, data)]
-        findings += [
-            f"{name} {where} is off by {by:.1e}" for name, by, most in measured if by > most
-        ]
-    return Outcome(findings, len(data.points), len(sample), worst)
+    for index in points:
+        found, by = point_findings(data, index, index in sample)
+        findings += found
+        worst = max(worst, by)
+    return Outcome(findings, len(points), len(sample), worst)
+
+
+def point_findings(data, index, is_sampled):
+    """What is wrong at one point, and the largest deviation from the plain solution."""
+    row = {COUNT: None} | {name: data.values[name].item(index) for name in data.values}
+    point = point_at(data, index)
+    where = f"at {','.join(map(str, map(int, index)))}"
+    anew = is_sampled or row["solution_status"] in UNSEEN
+    measured = list(solved(row, point, data)) if anew else []
+    worst = max((by for _, by, _ in measured), default=0.0)
+    findings = []
+    if without_values(row):
+        numbers = (*QUANTITIES, BOUND)
+        findings += [f"{n} {where} has a value" for n in numbers if not math.isnan(row[n])]
+    else:
+        measured += evaluated(row, point, data)
+        findings += [f"{name} {where} is misnamed" for name in misnamed(row, point, data)]
+        if row[BOUND] < LEAST_BOUND:
+            findings.append(f"error_bound {where} is smaller than rounding allows")
+    findings += [f"{name} {where} is off by {by:.1e}" for name, by, most in measured if by > most]
+    return findings, worst

@@ -1,30 +1,49 @@
-"""Is this archive whole, and are its numbers those of the model?  Says so in one line.
+"""Is this archive complete and unchanged, and are its numbers those of the model?
 
-    python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER]
+    python verification/verify.py [FOLDER] [--seed N] [--points N] [--results FOLDER] [--sums]
 
 FOLDER is an unpacked archive, by default the one that this program lies in.  Needs Python 3.11,
-numpy, scipy and netCDF4, nothing else.  Checked are the SHA-256 and SHA-512 sums of all files,
-missing and extra files, what the package and crate descriptions say of them, the content of each
-dataset, the equations of the paper at every point, and the solution of some points from the
-inputs alone (plain_model.py).  Exit code 0: whole; 1: not.
+numpy, scipy and netCDF4, nothing else.  It compares the SHA-256 and SHA-512 sums of all files first,
+and looks for missing and extra files; nothing in FOLDER is imported before they agree.  Then it
+compares the descriptions of the package and the crate with the files, and each dataset with the
+data contract and the configuration (contract.py) and with the equations of the paper at every
+point; some points are solved again from the inputs alone (plain_model.py).  Prints one line.  Exit
+code 0: whole; 1: not.
 """
+
+import sys
+
+sys.dont_write_bytecode = True  # nothing may be added to the archive, not even by checking it
+if __name__ == "__main__" and not sys.flags.safe_path:
+    del sys.path[0]  # the folder of this program: Python would run a json.py or numpy.py laid there
 
 import argparse
 import csv
 import hashlib
+import importlib
 import json
 import random
-import sys
 import warnings
 import zipfile
 from pathlib import Path
+from urllib.parse import unquote
 
-sys.dont_write_bytecode = True  # nothing may be added to the archive, not even by checking it
-sys.path.insert(0, str(Path(__file__).resolve().parent))  # also where Python runs isolated
-
+HERE = Path(__file__).resolve().parent
 ALGORITHMS = {"sha256": 64, "sha512": 128}  # hexadecimal digits of a digest
 BAG_DECLARATION = b"BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+PROGRAMS = ("content_hash.py", "contract.py", "plain_model.py", "recompute.py", "verify.py")
+TAG_FILES = {  # everything beside data/
+    *("README.md", "bag-info.txt", "bagit.txt"),
+    *(
+        f"{kind}-{algorithm}.txt"
+        for kind in ("manifest", "tagmanifest")
+        for algorithm in ALGORITHMS
+    ),
+    *(f"verification/{name}" for name in PROGRAMS),
+}
 NO_PRODUCTS = ("source", "configuration")  # what the payload holds besides products
+CONFIGURATION = "data/configuration/config.json"
+INPUTS = "data/configuration/parameters.json"
 CONTENT_SUMS = "data/datasets/content-sha256.json"
 SHOWN_FAULTS = 5
 SHOWN_DEVIATION = 1e-16  # no smaller one is worth a digit
@@ -98,9 +117,8 @@ def check_bag(folder, found, faults):
                     faults.add(name, "is not part of the archive")
                 elif listed[name] != found[name][number]:
                     faults.add(name, f"is changed ({algorithm})")
-    expected = {f"tagmanifest-{algorithm}.txt" for algorithm in ALGORITHMS} | tags | payload
-    for name in sorted(found.keys() - expected):
-        faults.add(name, "is not part of the archive")
+    for name in sorted(TAG_FILES ^ {name for name in found if name not in payload}):
+        faults.add(name, "is not part of the archive" if name in found else "is missing")
 
 
 def check_declarations(folder, found, faults):
@@ -155,52 +173,57 @@ def check_table(path, fields, name, faults):
 def check_crate(data, found, faults):
     """ro-crate-metadata.json: describes every file of the payload, and no other."""
     graph = json.loads((data / "ro-crate-metadata.json").read_text(encoding="utf-8"))["@graph"]
-    described = {entity["@id"] for entity in graph if "File" in entity["@type"]}
+    described = {unquote(entity["@id"]) for entity in graph if "File" in entity["@type"]}
     payload = {name.removeprefix("data/") for name in found if name.startswith("data/")}
     for path in sorted(described ^ (payload - {"ro-crate-metadata.json"})):
         faults.add(f"data/{path}", "is in only one of ro-crate-metadata.json and the archive")
 
 
 def check_datasets(folder, found, count, seed, faults):
-    """Content and numbers of every undamaged dataset; in words, what was checked and how well."""
-    import recompute
-
+    """Content and numbers of every dataset; in words, what was checked and how well."""
+    recompute = own_module("recompute")
     listed = json.loads((folder / CONTENT_SUMS).read_text(encoding="utf-8"))
-    present = {Path(name).name for name in found if name.startswith("data/datasets/")}
+    config = json.loads((folder / CONFIGURATION).read_text(encoding="utf-8"))
+    inputs = json.loads((folder / INPUTS).read_text(encoding="utf-8"))
+    prefix = "data/datasets/"
+    present = {name.removeprefix(prefix) for name in found if name.startswith(prefix)}
     present.remove(Path(CONTENT_SUMS).name)
+    configured = {f"{name}.nc" for name in config["scenes"]}
+    of_paper = {name for name in configured if name.startswith("fig")}
     outcomes = []
-    for name in sorted(listed.keys() | present):
-        path = folder / "data/datasets" / name
-        place = path.relative_to(folder).as_posix()
-        if name not in listed or name not in present:
-            faults.add(place, f"is in only one of {CONTENT_SUMS} and the archive")
-        elif place not in faults:
+    for name in sorted(of_paper | listed.keys() | present):
+        place = f"{prefix}{name}"
+        if name not in present:
+            faults.add(place, "is missing")
+        elif name not in configured:
+            faults.add(place, f"is not in {CONFIGURATION}")
+        elif name not in listed:
+            faults.add(place, f"is not in {CONTENT_SUMS}")
+        else:
             rng = random.Random(f"{seed} {name}")
-            outcomes.append(check_dataset(path, place, listed[name], count, rng, faults))
-    done = [outcome for outcome in outcomes if outcome is not None]
-    worst = max([SHOWN_DEVIATION, *(outcome.worst for outcome in done)])
+            try:
+                if own_module("content_hash").content_sha256(folder / place) != listed[name]:
+                    faults.add(place, f"has another content than {CONTENT_SUMS} says")
+                outcome = recompute.check(folder / place, config, inputs, count, rng)
+            except FORESEEN as error:
+                faults.add(place, f"cannot be recomputed ({type(error).__name__}: {error})")
+                continue
+            outcomes.append(outcome)
+            if outcome.findings:
+                faults.add(place, f"{outcome.findings[0]} ({len(outcome.findings)} such findings)")
+    worst = max([SHOWN_DEVIATION, *(outcome.worst for outcome in outcomes)])
     return (
-        f"{len(done)} datasets, {sum(o.evaluated for o in done)} points that fulfil the equations, "
-        f"{sum(o.solved for o in done)} of them solved again within {worst:.0e} "
-        f"(tolerance {recompute.SOLUTION:.0e}, seed {seed})"
+        f"{len(outcomes)} datasets, {sum(o.evaluated for o in outcomes)} points that fulfil the "
+        f"equations, {sum(o.solved for o in outcomes)} of them solved again within {worst:.0e} "
+        f"(tolerance {recompute.SOLUTION:.0e} and error_bound, seed {seed})"
     )
 
 
-def check_dataset(path, place, content, count, rng, faults):
-    """Content sum ``content`` and numbers of one dataset; its outcome, if it can be read."""
-    import content_hash
-    import recompute
-
-    try:
-        if content_hash.content_sha256(path) != content:
-            faults.add(place, f"has another content than {CONTENT_SUMS} says")
-        outcome = recompute.check(path, count, rng)
-    except FORESEEN as error:
-        faults.add(place, f"cannot be recomputed ({type(error).__name__}: {error})")
-        return None
-    if outcome.findings:
-        faults.add(place, f"{outcome.findings[0]} ({len(outcome.findings)} such findings)")
-    return outcome
+def own_module(name):
+    """A module of this folder, which Python looks in last: numpy is never taken from here."""
+    if str(HERE) not in sys.path:
+        sys.path.append(str(HERE))
+    return importlib.import_module(name)
 
 
 def check_products(found, results, faults):
@@ -238,44 +261,58 @@ def record_beside(folder):
     return json.loads(folder.with_name("provenance.json").read_text(encoding="utf-8"))
 
 
-def verify(folder, count, seed, results=None):
+def verify(folder, count, seed, results=None, sums_alone=False):
     """``Faults`` of the archive in ``folder``, and what was checked in words."""
     faults = Faults()
     found = read_files(folder, faults)
     data, counted = folder / "data", []
-    checks = {
+    sums = {
         "manifests": lambda: check_bag(folder, found, faults),
         "bag-info.txt": lambda: check_declarations(folder, found, faults),
+    }
+    contents = {
         "data/datapackage.json": lambda: check_package(data, found, faults),
         "data/ro-crate-metadata.json": lambda: check_crate(data, found, faults),
         "data/datasets": lambda: counted.append(check_datasets(folder, found, count, seed, faults)),
     }
+    others = {}
     if results is not None:
-        checks[results] = lambda: check_products(found, results, faults)
-        checks[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
+        others[results] = lambda: check_products(found, results, faults)
+        others[packed_beside(folder)] = lambda: check_packed(folder, found, faults)
+    run_checks(sums | others, faults)
+    if not faults and not sums_alone:
+        run_checks(contents, faults)
+    return faults, "; ".join([f"{len(found)} files with their SHA-256 and SHA-512 sums", *counted])
+
+
+def run_checks(checks, faults):
+    """Call each check; one that fails is itself a fault of its subject."""
     for subject, check in checks.items():
         try:
             check()
         except FORESEEN as error:
             faults.add(subject, f"cannot be checked ({type(error).__name__}: {error})")
-    return faults, "; ".join([f"{len(found)} files with their SHA-256 and SHA-512 sums", *counted])
 
 
 def main(arguments=None):
     """Exit code; prints the one line."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    here = Path(__file__).resolve().parents[1]
-    parser.add_argument("folder", nargs="?", type=Path, default=here, help="unpacked archive")
+    parser.add_argument(
+        "folder", nargs="?", type=Path, default=HERE.parent, help="unpacked archive"
+    )
     parser.add_argument("--seed", type=int, default=2024, help="of the choice of points")
     parser.add_argument("--points", type=int, default=100, help="solved again, in each dataset")
     parser.add_argument("--results", type=Path, help="folder of products that must be the same")
+    parser.add_argument("--sums", action="store_true", help="compare the sums of all files alone")
     given = parser.parse_args(arguments)
     warnings.simplefilter("ignore")  # one line is promised
     if not (given.folder / "bagit.txt").is_file():
         print(f"not whole: {given.folder}: bagit.txt is missing, so this is no archive")
         return 1
-    faults, checked = verify(given.folder, given.points, given.seed, given.results)
-    name = given.folder.resolve().name
+    archive = given.folder.resolve()
+    sys.path[:] = [place for place in sys.path if not Path(place).resolve().is_relative_to(archive)]
+    faults, checked = verify(given.folder, given.points, given.seed, given.results, given.sums)
+    name = archive.name
     if not faults:
         print(f"whole: {name}: {checked}")
         return 0

@@ -3,6 +3,7 @@
 python small_release.py FOLDER      in the root of the repository: what the tests compare
 """
 
+import dataclasses
 import sys
 from pathlib import Path
 
@@ -11,11 +12,12 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
+from thirdbody.release.bag import pack
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.crate import Job, Run
-from thirdbody.release.pack import pack
+from thirdbody.release.crate import Run
 from thirdbody.release.staging import stage, whole_folder
 
+KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
     # dry, with and without particles
     "fig03": [([0], [0, 300, 700], [100], [1.0e11])],
@@ -24,9 +26,26 @@ SCENES = {
     # more particles than there is room for
     "fig07": [([0, 90], [1000], [300], [1.0e11, 2.0e11, 8.0e13])],
 }
+CONFIG = {
+    "rtol": 1e-9,
+    "load_axis": {"load_N": [0.04, 80.0], "count": 7},
+    "scenes": {
+        name: {
+            "title": f"A few points of {name}",
+            "curves": [dict(zip(KEYS, group, strict=True)) for group in groups],
+        }
+        for name, groups in SCENES.items()
+    },
+}
 SCRIPT = "workflow/scripts/solve_scene.py"
 SOURCES = ("workflow/Snakefile", "pyproject.toml", "CITATION.cff", "config/inputs.yaml", SCRIPT)
 PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n"}
+
+
+def solved(name, parameters):
+    """The dataset of one of ``SCENES``."""
+    scene = CONFIG["scenes"][name] | {"load_axis": CONFIG["load_axis"]}
+    return scene_dataset(Scene.of(name, scene, parameters.newtons_per_load), parameters)
 
 
 def make_products(folder):
@@ -35,14 +54,9 @@ def make_products(folder):
     products = []
     for kind in ("datasets", "tables", "figures"):
         (folder / kind).mkdir(parents=True)
-    for name, groups in SCENES.items():
-        keys = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
-        curves = [dict(zip(keys, group, strict=True)) for group in groups]
-        axis = {"load_N": [0.04, 80.0], "count": 7}
-        scene = {"title": f"A few points of {name}", "load_axis": axis, "curves": curves}
+    for name in SCENES:
         path = folder / "datasets" / f"{name}.nc"
-        shown = Scene.of(name, scene, parameters.newtons_per_load)
-        write_dataset(scene_dataset(shown, parameters), path)
+        write_dataset(solved(name, parameters), path)
         products.append(path)
     columns = TABLES["tpca_windows"]
     row = {"roughness_m": 3e-7, "particle_density_per_m2": 1e11, "end": "low"}
@@ -64,18 +78,19 @@ def make_release(folder):
     """The folder of a release and its archive file below ``folder``; the path of the former."""
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
-    modules = ["src/thirdbody/model/film.py", "src/thirdbody/solver/solve.py"]
+    datasets = [path for path in products if path.suffix == ".nc"]
     jobs = [
-        Job("solve_scene", {"figure": path.stem}, SCRIPT, modules, [], [str(output)], True)
-        for path in products
-        if path.suffix == ".nc"
-        for output in [Path("results") / path.relative_to(folder / "results")]
+        {"rule": "solve_scene", "inputs": [], "outputs": [f"results/datasets/{path.name}"]}
+        for path in datasets
     ]
-    run = Run({"config": {"rtol": 1e-9}}, jobs, software_versions("pyproject.toml"))
+    parameters = dataclasses.asdict(tb.load_parameters())
+    run = Run(
+        {"config": CONFIG, "parameters": parameters}, jobs, software_versions("pyproject.toml")
+    )
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
     with whole_folder(place) as part:
-        stage(part, products, [*SOURCES, *modules, *programs], run, release)
+        stage(part, products, [*SOURCES, *programs], run, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

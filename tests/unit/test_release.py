@@ -3,6 +3,7 @@
 import filecmp
 import json
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -24,12 +25,12 @@ from small_release import SCENES
 
 from thirdbody.data.attributes import RELEASE_DATE
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.release.bag import files_in
-from thirdbody.release.citation import Release
-from thirdbody.release.codecheck import codecheck_text, targets
+from thirdbody.release.citation import Release, software_versions
+from thirdbody.release.crate import Run, crate
 from thirdbody.release.datapackage import table_schema
+from thirdbody.release.files import files_in, source_files
+from thirdbody.release.guide import describe_content, markdown_text, render
 from thirdbody.release.provenance import provenance
-from thirdbody.release.sources import source_files
 from thirdbody.release.staging import whole_folder
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -66,6 +67,25 @@ def test_data_package_is_valid_and_holds_every_product(built):
     }
     tables = [one for one in package["resources"] if one["type"] == "table"]
     assert {one["path"] for one in tables} == {"tables/tpca_windows.csv", "figures/fig03.csv"}
+
+
+def test_crate_follows_products_through_intermediates_and_the_workflow(tmp_path, release):
+    for name in ("tables/a.csv", "source/workflow/Snakefile", "source/config/a.yaml"):
+        (tmp_path / name).parent.mkdir(parents=True)
+        (tmp_path / name).touch()
+    jobs = [
+        {"rule": "extract", "inputs": ["config/a.yaml"], "outputs": ["results/extracted/a"]},
+        {"rule": "table", "inputs": ["results/extracted/a"], "outputs": ["results/tables/a.csv"]},
+    ]
+    run = Run({}, jobs, {"snakemake": "9.0.0"})
+    graph = crate(tmp_path, {"tables": "tables"}, run, release)["@graph"]
+    entities = {entity["@id"]: entity for entity in graph}
+    table, extract = entities["#table/tables/a"], entities["#extract/extracted/a"]
+    assert table["result"] == [{"@id": "tables/a.csv"}]
+    assert table["object"] == extract["result"] == [{"@id": "#results/extracted/a"}]
+    assert extract["object"] == [{"@id": "source/config/a.yaml"}]
+    assert table["instrument"] == {"@id": "source/workflow/Snakefile"}
+    assert entities["#results/extracted/a"]["@type"] == "CreativeWork"
 
 
 def test_a_table_that_nothing_describes_is_refused(tmp_path):
@@ -120,7 +140,7 @@ def test_crate_says_who_made_what_from_what(built):
     actions = crate.get_by_type("CreateAction")
     assert len(actions) == 1 + len(SCENES)
     assert [one for one in actions if one["instrument"].id == crate.mainEntity.id]
-    made = {one["result"].id: one["instrument"].id for one in actions if one.id != "#run"}
+    made = {one["result"][0].id: one["instrument"].id for one in actions if one.id != "#run"}
     script = "source/workflow/scripts/solve_scene.py"
     assert made == {f"datasets/{name}.nc": script for name in SCENES}
     software = {one["name"]: one["version"] for one in crate.get_by_type("SoftwareApplication")}
@@ -181,28 +201,42 @@ def test_datasets_are_dated_as_the_release(release):
     assert release.date == RELEASE_DATE
 
 
-@pytest.mark.skipif(not (ROOT / ".git").exists(), reason="not a clone")
-def test_the_sources_are_the_repository():
-    def listed(*options):
-        told = subprocess.run(["git", "ls-files", *options], capture_output=True, text=True)
-        return {name for name in told.stdout.splitlines() if Path(name).exists()}
+def test_sources_are_what_git_tracks_or_would_track(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for name in ("tracked.py", "new.py", "results/made.csv", ".gitignore", "docs/own name é.md"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text("/results/\n")
+    expected = [".gitignore", "docs/own name é.md", "new.py", "tracked.py"]
+    assert source_files() == expected, "without a repository"
+    subprocess.run(["git", "init", "--quiet"], check=True)
+    subprocess.run(["git", "add", "tracked.py"], check=True)
+    assert source_files() == expected
+    (tmp_path / "tracked.py").unlink()
+    assert source_files() == expected[:-1]
 
-    kept = listed()
-    assert kept <= set(source_files())
-    assert set(source_files()) <= kept | listed("--others", "--exclude-standard")
+
+def test_sources_without_git_give_one_line(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(OSError, match="^git is not installed; a release needs it"):
+        source_files()
 
 
-def test_codecheck_lists_the_targets_of_the_workflow(release):
+def test_software_is_what_the_workflow_asks_for_and_not_the_project():
+    software = software_versions("pyproject.toml")
+    assert {"numpy", "snakemake", "matplotlib", "netCDF4", "rocrate"} <= software.keys()
+    assert "thirdbody" not in software
+
+
+def test_codecheck_is_of_this_release(release):
     text = (ROOT / "codecheck.yml").read_text(encoding="utf-8")
-    products = targets(ROOT / "workflow/Snakefile")
-    assert len(products) > 20
-    renew = "renew it: python -m thirdbody.release.codecheck > codecheck.yml"
-    assert text == codecheck_text(products, release), renew
     content = yaml.safe_load(text)
     assert text.startswith("---\n")
-    compared = {item["file"].rpartition(".")[0] for item in content["manifest"]}
-    assert compared == {name.rpartition(".")[0] for name in products}
-    assert all(author["name"] for author in content["paper"]["authors"])
+    assert content["source"] == f"{release.citation['title']}, version {release.version}"
+    assert content["paper"]["title"] == release.paper["title"]
+    assert content["paper"]["reference"] == release.paper_url
+    names = [f"{each['given-names']} {each['family-names']}" for each in release.paper["authors"]]
+    assert [author["name"] for author in content["paper"]["authors"]] == names
+    assert all(item["comment"] for item in content["manifest"])
 
 
 def test_guide_names_every_dataset_quantity_and_column(built):
@@ -218,6 +252,40 @@ def test_guide_names_every_dataset_quantity_and_column(built):
         "verification/verify.py",
     ):
         assert word in guide
+
+
+@pytest.mark.parametrize(
+    "title", ["a|b", "<script>alert(1)</script>", "[x](javascript:y)", "one\n\n# two", "`code` $x$"]
+)
+def test_texts_of_a_configuration_are_no_markup(title):
+    text = markdown_text(title)
+    rendered = nodes_of(f"| file | what |\n|---|---|\n| a | {text} |\n\nand {text}")
+    assert {"script", "a", "code", "h1", "em"}.isdisjoint(rendered["tags"])
+    assert rendered["text"].count(" ".join(title.split())) == 2
+
+
+def nodes_of(markdown):
+    """Tags of the HTML that ``markdown`` becomes, and its text."""
+    from html.parser import HTMLParser
+
+    from markdown_it import MarkdownIt
+
+    seen = {"tags": [], "text": ""}
+    parser = HTMLParser()
+    parser.handle_starttag = lambda tag, attributes: seen["tags"].append(tag)
+    parser.handle_data = lambda data: seen.update(text=seen["text"] + data)
+    parser.feed(MarkdownIt("gfm-like", {"linkify": False}).render(markdown))
+    return seen
+
+
+def test_guide_has_no_markup_of_a_title(built, tmp_path, release):
+    data = tmp_path / "data"
+    shutil.copytree(built / "data", data)
+    with netCDF4.Dataset(data / "datasets/fig04.nc", "a") as dataset:
+        dataset.title = "a | b <img src=x>"
+    content = describe_content(data, dict.fromkeys(KINDS, "title"))
+    text = render("README.md", release=release, software={}, **content)
+    assert "| a \\| b &lt;img src=x&gt; |" in text
 
 
 def test_versions_that_differ_are_refused(tmp_path):
@@ -250,7 +318,7 @@ def test_no_trace_of_where_it_was_made(built):
 
 
 def test_provenance_holds_what_the_archive_does_not(built):
-    record = provenance(built.with_name(f"{built.name}.zip"), [])
+    record = provenance(built.with_name(f"{built.name}.zip"))
     assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
 
 

@@ -13,14 +13,18 @@ from importlib.util import find_spec
 from pathlib import Path
 from runpy import run_path
 
-import bagit
 import netCDF4
 import numpy as np
 import pytest
+import small_release
 from small_release import SCENES
 
-from thirdbody.release.bag import files_in, seal
+import thirdbody as tb
+from thirdbody.data.netcdf import write_dataset
+from thirdbody.release.bag import pack, seal
+from thirdbody.release.crate import Run, crate
 from thirdbody.release.datapackage import data_package
+from thirdbody.release.files import files_in, write_json
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
@@ -182,163 +186,372 @@ def test_rubbish_and_missing_descriptions_give_one_line(copy, verify, capsys, na
     assert all(line.startswith("not whole: ") and name in line for line in lines)
 
 
-def change(path, variable, factor):
-    """Change one shown number of ``variable`` in the NetCDF file ``path``; False if all are zero."""
-    with netCDF4.Dataset(path, "a") as dataset:
-        dataset.set_auto_maskandscale(False)
-        values = dataset[variable][:]
-        numbers = np.abs(np.where(np.isfinite(values) & (values < 1e30), values, 0.0))
-        places = np.argwhere(numbers > 1e-3 * numbers.max())
-        if not places.size:
-            return False
-        values[tuple(places[len(places) // 2])] *= factor
-        dataset[variable][:] = values
-    return True
+# ---- forgeries: an archive is changed, and all sums and descriptions are made again
 
 
-def mend_sums(folder, release):
-    """Make every description of the archive agree with what is in it."""
+def mend(folder, release):
+    """Make every description and all sums of the archive agree with what is in it."""
     data = folder / "data"
     content_sha256 = run_path(str(VERIFICATION / "content_hash.py"))["content_sha256"]
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
-    (data / "datasets/content-sha256.json").write_text(json.dumps(contents))
-    package = data_package(data, KINDS, release)
-    (data / "datapackage.json").write_text(json.dumps(package), encoding="utf-8")
+    write_json(data / "datasets/content-sha256.json", contents)
+    write_json(data / "datapackage.json", data_package(data, KINDS, release))
+    run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
+    titles = {kind: kind for kind in KINDS}
+    write_json(data / "ro-crate-metadata.json", crate(data, titles, run, release))
     seal(folder, release)
 
 
 QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
+    *("total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"),
+    *("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness"),
 )
 COORDINATES = (
-    "load",
-    "viscosity",
-    "particle_diameter",
-    "roughness",
-    "particle_density",
-    "normal_load",
+    *("load", "viscosity", "particle_diameter"),
+    *("roughness", "particle_density", "normal_load"),
 )
+FILL_VALUE = 9.969209968386869e36
+
+
+def attribute(variable, name, value):
+    """Set an attribute of a variable, or of the dataset."""
+    return lambda dataset: (dataset[variable] if variable else dataset).setncattr(name, value)
+
+
+def scaled(*variables, by):
+    """Multiply all shown numbers of variables."""
+
+    def forge(dataset):
+        for variable in variables:
+            values = dataset[variable][:]
+            dataset[variable][:] = np.where(values == FILL_VALUE, values, values * by)
+
+    return forge
+
+
+def scaled_once(variable, by):
+    """Multiply one of the larger numbers of a variable."""
+
+    def forge(dataset):
+        values = dataset[variable][:]
+        numbers = np.where(values == FILL_VALUE, 0.0, np.abs(values))
+        places = np.argwhere(numbers > 1e-3 * np.nanmax(numbers))
+        values[tuple(places[len(places) // 2])] *= by
+        dataset[variable][:] = values
+
+    return forge
+
+
+def at(place, **numbers):
+    """Set variables at one place, or at several, of a dataset."""
+
+    def forge(dataset):
+        for name, value in numbers.items():
+            values = dataset[name][:]
+            values[place] = value
+            dataset[name][:] = values
+
+    return forge
+
+
+def restated(status, unsolved=False, **numbers):
+    """Give the last shown point another status, without values if it is ``unsolved``."""
+
+    def forge(dataset):
+        last = tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
+        missing = dict.fromkeys((*QUANTITIES, "error_bound"), np.nan) if unsolved else {}
+        missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
+        code = dataset["solution_status"].flag_meanings.split().index(status)
+        at(last, **{**missing, "solution_status": code, **numbers})(dataset)
+
+    return forge
+
+
+def next_flag(flag):
+    """Give the last shown point the next value of a flag."""
+
+    def forge(dataset):
+        values = dataset[flag][:]
+        last = tuple(np.argwhere(values >= 0)[-1])
+        values[last] = (values[last] + 1) % 3
+        dataset[flag][:] = values
+
+    return forge
+
+
+def hidden(place):
+    """Hide points as those that a figure does not show."""
+    flags = dict.fromkeys(("lubrication_regime", "contact_mode", "solution_status"), -127)
+    return at(place, **dict.fromkeys((*QUANTITIES, "error_bound"), FILL_VALUE), **flags)
+
+
+def shown_too(dataset):
+    """Show the points of one curve once more, where the figure shows none."""
+    for name in (
+        *QUANTITIES,
+        "error_bound",
+        "lubrication_regime",
+        "contact_mode",
+        "solution_status",
+    ):
+        values = dataset[name][:]
+        values[:, 1, 0, 0] = values[:, 1, 1, 1]
+        dataset[name][:] = values
+
+
+def inputs(**changed):
+    """Change entries of ``model_parameters``: numbers by a factor, others are set."""
+
+    def forge(dataset):
+        model = json.loads(dataset.model_parameters)
+        for key, value in changed.items():
+            is_factor = isinstance(value, float) and key in model
+            model[key] = np.multiply(model[key], value).tolist() if is_factor else value
+        dataset.model_parameters = json.dumps(model)
+
+    return forge
+
+
+def counted(count):
+    """Give every point a number of separations."""
+
+    def forge(dataset):
+        status = dataset["solution_status"]
+        counts = dataset.createVariable("separation_count", "i1", status.dimensions)
+        counts.setncatts(COUNT_ATTRIBUTES)
+        counts[:] = np.where(status[:] == -127, -127, count)
+
+    return forge
+
+
+COUNT_ATTRIBUTES = {
+    **{"units": "1", "symbol": "none", "equation": "1-2", "coordinates": "normal_load"},
+    **{"ancillary_variables": "solution_status", "coverage_content_type": "modelResult"},
+}
+IN_FIG04 = {
+    # what programs apply to numbers when they read them
+    "scale_factor": attribute("separation", "scale_factor", 1e-3),
+    "add_offset": attribute("total_contact_area", "add_offset", 0.1),
+    "valid_min": attribute("solid_load_fraction", "valid_min", 0.5),
+    "valid_max": attribute("solid_load_fraction", "valid_max", 0.5),
+    "valid_range": attribute("film_thickness", "valid_range", np.array([0.0, 1e-9])),
+    "missing_value": attribute("solid_load_fraction", "missing_value", 1.0),
+    "missing_value of a flag": attribute("contact_mode", "missing_value", np.int8(2)),
+    "scale_factor of an axis": attribute("viscosity", "scale_factor", 2.0),
+    "unsigned flags": attribute("solution_status", "_Unsigned", "true"),
+    "units in mm": attribute("separation", "units", "mm"),
+    "units of a ratio": attribute("fluid_load_fraction", "units", "percent"),
+    "units in kN": attribute("normal_load", "units", "kN"),
+    "units of an axis": attribute("viscosity", "units", "mm2 s-1"),
+    "no units": lambda dataset: dataset["particle_density"].delncattr("units"),
+    "symbol": attribute("solid_load_fraction", "symbol", "L_f"),
+    "flag_meanings": attribute("lubrication_regime", "flag_meanings", "mixed boundary x y z"),
+    "flag_values": attribute("contact_mode", "flag_values", np.array([1, 0, 2, 3, -1, -127], "i1")),
+    "ancillary_variables": attribute("separation", "ancillary_variables", "contact_mode"),
+    "coordinates": attribute("separation", "coordinates", "load"),
+    "formula_terms": attribute("load", "formula_terms", "a: normal_load"),
+    "attribute of the dataset": attribute("", "scale_factor", 2.0),
+    "licence": attribute("", "license", "all rights reserved"),
+    "title": attribute("", "title", "Other points"),
+    "variable": lambda dataset: dataset.createVariable("true_load", "f8", ("load",)),
+    "group": lambda dataset: dataset.createGroup("corrected"),
+    "dimension": lambda dataset: dataset.createDimension("member", 2),
+    # points and conditions that are not those of the configuration
+    "hidden curve": hidden((slice(None), 1, 1, 1, 0)),
+    "hidden load": hidden((3,)),
+    "hidden point": hidden((2, 2, 1, 1, 0)),
+    "curve that is not shown": shown_too,
+    "viscosity where L_f is 0": at(1, viscosity=2e-6),
+    "density without particles": at(0, particle_density=2e11),
+    "loads and newtons": scaled("load", "normal_load", by=1.001),
+    "rtol": attribute("", "rtol", 1e-3),
+    # bounds of errors
+    "error_bound / 1000": scaled("error_bound", by=1e-3),
+    "error_bound x 1000": scaled("error_bound", by=1e3),
+    "error_bound / 1000 at a point": scaled_once("error_bound", 1e-3),
+    "error_bound of 0": scaled("error_bound", by=0.0),
+    "error_bound of nan": scaled("error_bound", by=np.nan),
+    "converged beyond rtol": restated("converged", error_bound=1e-8),
+    "converged without bound": restated("converged", error_bound=np.inf),
+    # flags and statuses
+    "lubrication regime": next_flag("lubrication_regime"),
+    "contact mode": next_flag("contact_mode"),
+    "status": next_flag("solution_status"),
+    "false several_separations": restated("several_separations"),
+    "false area_exceeded": restated("area_exceeded"),
+    "false coverage_exceeded": restated("coverage_exceeded", unsolved=True),
+    "false load_exceeded": restated("load_exceeded", unsolved=True),
+    "not_converged with a bound": restated("not_converged", unsolved=True, error_bound=1e-9),
+    # inputs of the model
+    "another k": inputs(k=1.0001),
+    "another eta_s": inputs(eta_s=1.0001),
+    "another sigma_s": inputs(sigma_s=1.0001),
+    "another interpretation": inputs(film_load="fluid"),
+    "unknown input": inputs(friction=0.1),
+    "no inputs": lambda dataset: dataset.delncattr("model_parameters"),
+    "empty inputs": attribute("", "model_parameters", "{}"),
+    "rubbish for inputs": attribute("", "model_parameters", "rubbish"),
+}
+NUMBERS = {
+    f"{figure}: {variable}": (figure, scaled_once(variable, 1.0 + 1e-6))
+    for figure in SCENES
+    for variable in (*QUANTITIES, *COORDINATES)
+    # dry or without film: the number is zero everywhere
+    if (figure, variable) not in {("fig03", "fluid_load_fraction"), ("fig03", "viscosity")}
+}
+FORGERIES = {name: ("fig04", forge) for name, forge in IN_FIG04.items()} | NUMBERS
+
+
+def forge_dataset(folder, figure, forge, release):
+    with netCDF4.Dataset(folder / "data/datasets" / f"{figure}.nc", "a") as dataset:
+        dataset.set_auto_maskandscale(False)
+        forge(dataset)
+    mend(folder, release)
+
+
+@pytest.mark.parametrize(("figure", "forge"), FORGERIES.values(), ids=FORGERIES)
+def test_forged_dataset_is_found(copy, verify, release, figure, forge):
+    forge_dataset(copy, figure, forge, release)
+    assert list(found(verify, copy)) == [f"data/datasets/{figure}.nc"]
+
+
+@pytest.mark.parametrize(
+    ("forge", "points"),
+    [
+        (counted(1), 2),
+        (restated("not_converged", error_bound=np.inf), 0),
+        (restated("not_converged", unsolved=True), 0),
+    ],
+    ids=["counts that are right", "not converged", "not converged without values"],
+)
+def test_what_a_dataset_may_say_is_no_forgery(copy, verify, release, forge, points):
+    forge_dataset(copy, "fig04", forge, release)
+    assert not found(verify, copy, points)
+
+
+def test_scene_of_a_user_need_not_be_in_the_archive(copy, verify, release):
+    def add(config):
+        config["scenes"]["mine"] = config["scenes"]["fig04"] | {"title": "Mine"}
+
+    edit_json(SCENE, add)(copy)
+    mend(copy, release)
+    assert not found(verify, copy)
+
+
+def test_a_false_number_of_separations_is_found(copy, verify, release):
+    forge_dataset(copy, "fig04", counted(2), release)
+    assert list(found(verify, copy, points=2)) == ["data/datasets/fig04.nc"]
+
+
+def test_datasets_of_other_inputs_are_found(copy, verify, release):
+    """They fulfil the equations, but with inputs that are not those of the configuration."""
+    from dataclasses import replace
+
+    other = replace(tb.load_parameters(), yield_pressure_ratio=0.5)
+    write_dataset(small_release.solved("fig04", other), copy / "data/datasets/fig04.nc")
+    mend(copy, release)
+    assert "k is 0.5" in found(verify, copy)["data/datasets/fig04.nc"]
+
+
+def edit_json(name, change):
+    """Change what a JSON file of the payload holds."""
+
+    def forge(folder):
+        content = json.loads((folder / "data" / name).read_text(encoding="utf-8"))
+        change(content)
+        write_json(folder / "data" / name, content)
+
+    return forge
+
+
+@pytest.mark.parametrize("factor", [1.0001, 0.0])
+@pytest.mark.parametrize("key", ["k", "G", "truncation", "participation", "H_s1"])
+def test_input_that_is_changed_everywhere_is_found_by_the_equations(
+    copy, verify, release, key, factor
+):
+    name = verify.own_module("contract").INPUTS[key]
+    edit_json("configuration/parameters.json", lambda v: v.update({name: v[name] * factor}))(copy)
+    forge_dataset(copy, "fig04", inputs(**{key: factor}), release)
+    fault = found(verify, copy)["data/datasets/fig04.nc"]
+    assert re.search(r"is off by|cannot be recomputed \((ZeroDivision|Value)Error", fault), fault
+
+
+def write(name, content="raise SystemExit('whole')\n"):
+    return lambda folder: (folder / name).write_text(content, encoding="utf-8")
+
+
+def swap(first, second):
+    def forge(folder):
+        (folder / first).rename(folder / "kept")
+        (folder / second).rename(folder / first)
+        (folder / "kept").rename(folder / second)
+
+    return forge
+
+
+SCENE = "configuration/config.json"
+IN_FOLDER = {
+    "dataset left out": lambda folder: (folder / "data/datasets/fig03.nc").unlink(),
+    "dataset added": lambda folder: shutil.copy(
+        folder / "data/datasets/fig03.nc", folder / "data/datasets/fig05.nc"
+    ),
+    "datasets exchanged": swap("data/datasets/fig03.nc", "data/datasets/fig04.nc"),
+    "configured viscosity": edit_json(
+        SCENE, lambda config: config["scenes"]["fig04"]["curves"][0].update(viscosity_cSt=[0, 1, 2])
+    ),
+    "configured loads": edit_json(SCENE, lambda config: config["load_axis"].update(count=8)),
+    "configured rtol": edit_json(SCENE, lambda config: config.update(rtol=1e-6)),
+    "configured input": edit_json(
+        "configuration/parameters.json", lambda values: values.update(truncation=3.0)
+    ),
+    "no configuration": lambda folder: (folder / "data" / SCENE).unlink(),
+    "columns of a table": write("data/tables/tpca_windows.csv", "a,b\n1,2\n"),
+    "numpy.py": write("verification/numpy.py"),
+    "json.py": write("verification/json.py"),
+    "netCDF4 as a folder": lambda folder: shutil.copytree(
+        folder / "data/figures", folder / "verification/netCDF4"
+    ),
+    "sitecustomize.py": write("sitecustomize.py"),
+    "fetch.txt": write("fetch.txt", "https://example.org/a 1 data/a\n"),
+    "no plain model": lambda folder: (folder / "verification/plain_model.py").unlink(),
+}
+
+
+@pytest.mark.parametrize("forge", IN_FOLDER.values(), ids=IN_FOLDER)
+def test_forged_archive_is_found(bare, copy, release, forge):
+    """By the program in the archive, so that a module beside it would be run."""
+    forge(copy)
+    mend(copy, release)
+    done = bare(copy / "verification/verify.py", "--points", "0")
+    assert done.returncode == 1, done.stderr
+    assert done.stdout.startswith(f"not whole: {copy.name}: ")
+
+
+def test_module_beside_the_program_is_not_run_from_any_folder(copy):
+    """Python would import it from the folder of the program or from the current one."""
+    for name in ("numpy", "json", "argparse", "netCDF4"):
+        (copy / "verification" / f"{name}.py").write_text("print('whole: forged')\n")
+        shutil.copy(copy / "verification" / f"{name}.py", copy)
+    for command in (["verification/verify.py"], ["-m", "verification.verify"]):
+        done = subprocess.run(
+            [sys.executable, *command], cwd=copy, capture_output=True, text=True, check=False
+        )
+        assert (done.returncode, done.stderr) == (1, "")
+        assert "forged" not in done.stdout
+
+
+def test_damaged_folder_is_not_packed(copy, tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    (copy / "data/datasets/fig03.nc").write_bytes(b"damaged")
+    with pytest.raises(ValueError, match="is not packed: .*fig03.nc is changed"):
+        pack(copy, tmp_path / "archive.zip", "2026-01-01")
+    assert not (tmp_path / "archive.zip").exists()
 
 
 def test_make_verify_looks_at_this_release(release):
     command = ["make", "--no-print-directory", "--dry-run", "verify"]
-    told = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
-    folder = f"results/release/{release.full_name}"
-    assert told.endswith(f"python verification/verify.py {folder} --results results\n")
-
-
-def test_changed_number_is_found_though_all_sums_agree(copy, verify, release, tell):
-    changed = 0
-    for name in SCENES:
-        path = copy / "data/datasets" / f"{name}.nc"
-        content = path.read_bytes()
-        for variable in (*QUANTITIES, *COORDINATES):
-            if change(path, variable, 1.0 + 1e-6):
-                changed += 1
-                mend_sums(copy, release)
-                faults = found(verify, copy)
-                assert list(faults) == [f"data/datasets/{name}.nc"], variable
-                assert re.search(
-                    "is off by|normal_load|roughness", faults[f"data/datasets/{name}.nc"]
-                )
-            path.write_bytes(content)
-    bagit.Bag(str(copy)).validate(fast=True)
-    tell(f"archive: each of {changed} changed numbers found though all sums were made again")
-
-
-@pytest.mark.parametrize("flag", ["lubrication_regime", "contact_mode", "solution_status"])
-def test_changed_flag_is_found_though_all_sums_agree(copy, verify, release, flag):
-    with netCDF4.Dataset(copy / "data/datasets/fig04.nc", "a") as dataset:
-        dataset.set_auto_maskandscale(False)
-        values = dataset[flag][:]
-        shown = tuple(np.argwhere(values >= 0)[-1])
-        values[shown] = (values[shown] + 1) % dataset[flag].flag_values.size
-        dataset[flag][:] = values
-    mend_sums(copy, release)
-    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
-
-
-def restate(path, status, unsolved=False, **numbers):
-    """Say of the last shown point of the dataset ``path`` that it is ``status``, perhaps unsolved, and
-    that it has other ``numbers``."""
-    with netCDF4.Dataset(path, "a") as dataset:
-        dataset.set_auto_maskandscale(False)
-        shown = tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
-        missing = dict.fromkeys((*QUANTITIES, "error_bound"), np.nan) if unsolved else {}
-        missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
-        meanings = dataset["solution_status"].flag_meanings.split()
-        said = {**missing, "solution_status": meanings.index(status), **numbers}
-        for name, value in said.items():
-            values = dataset[name][:]
-            values[shown] = value
-            dataset[name][:] = values
-
-
-@pytest.mark.parametrize(
-    ("status", "unsolved"),
-    [
-        ("several_separations", False),
-        ("area_exceeded", False),
-        ("coverage_exceeded", True),
-        ("load_exceeded", True),
-    ],
-)
-def test_false_status_is_found_though_all_sums_agree(copy, verify, release, status, unsolved):
-    restate(copy / "data/datasets/fig04.nc", status, unsolved)
-    mend_sums(copy, release)
-    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
-
-
-@pytest.mark.parametrize(("count", "wrong"), [(1, False), (2, True)])
-def test_a_false_number_of_separations_is_found(copy, verify, release, count, wrong):
-    with netCDF4.Dataset(copy / "data/datasets/fig04.nc", "a") as dataset:
-        status = dataset["solution_status"]
-        counts = dataset.createVariable("separation_count", "i1", status.dimensions)
-        counts[:] = count
-    mend_sums(copy, release)
-    assert list(found(verify, copy, points=2)) == ["data/datasets/fig04.nc"] * wrong
-
-
-@pytest.mark.parametrize("unsolved", [False, True])
-def test_point_that_is_said_not_to_have_converged_may_have_values(copy, verify, release, unsolved):
-    bound = np.nan if unsolved else np.inf
-    restate(copy / "data/datasets/fig04.nc", "not_converged", unsolved, error_bound=bound)
-    mend_sums(copy, release)
-    assert not found(verify, copy)
-
-
-@pytest.mark.parametrize("bound", [1e-8, np.inf])
-def test_a_point_that_converged_is_bounded_as_was_asked(copy, verify, release, bound):
-    restate(copy / "data/datasets/fig04.nc", "converged", error_bound=bound)
-    mend_sums(copy, release)
-    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
-
-
-@pytest.mark.parametrize("factor", [1.0001, 0.0])
-@pytest.mark.parametrize("key", ["E_ss", "k", "G", "truncation", "participation", "sigma_s"])
-def test_changed_input_is_found_though_all_sums_agree(copy, verify, release, key, factor):
-    with netCDF4.Dataset(copy / "data/datasets/fig04.nc", "a") as dataset:
-        model = json.loads(dataset.model_parameters)
-        scaled = np.multiply(model[key], factor)
-        dataset.model_parameters = json.dumps(model | {key: scaled.tolist()})
-    mend_sums(copy, release)
-    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
-
-
-@pytest.mark.parametrize("model", [None, "{}", "rubbish"])
-def test_dataset_that_cannot_be_recomputed_is_named(copy, verify, release, model):
-    with netCDF4.Dataset(copy / "data/datasets/fig04.nc", "a") as dataset:
-        dataset.delncattr("model_parameters")
-        if model is not None:
-            dataset.model_parameters = model
-    mend_sums(copy, release)
-    assert list(found(verify, copy)) == ["data/datasets/fig04.nc"]
+    lines = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    assert f"verification/verify.py results/release/{release.full_name} --results results" in lines
 
 
 def test_plain_model_agrees_with_mpmath(verify):

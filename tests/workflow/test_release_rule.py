@@ -10,8 +10,8 @@ import sys
 import pytest
 from workspace import ROOT, Workspace
 
-from thirdbody.release.bag import files_in
 from thirdbody.release.citation import Release
+from thirdbody.release.files import files_in
 
 PAPER = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff")
 NAME = PAPER.of_other_configuration().full_name  # of the few loads that are solved here
@@ -86,10 +86,11 @@ def test_crate_follows_every_product_to_its_rule(released):
     made = {one["@id"] for job in jobs if job["@id"] != "#run" for one in listed(job["result"])}
     made_by_run = {one["@id"] for one in listed(entities["#run"]["result"])}
     assert made_by_run - made == {"datasets/content-sha256.json"}
-    drawing = entities["#render_figure-fig09"]
+    drawing = entities["#render_figure/figures/fig09"]
     assert drawing["instrument"]["@id"] == "source/workflow/scripts/render_figure.py"
     assert {"@id": "datasets/fig09.nc"} in listed(drawing["object"])
-    assert {"@id": "configuration/config.json"} in listed(entities["#solve_scene-fig09"]["object"])
+    solving = entities["#solve_scene/datasets/fig09"]
+    assert {"@id": "configuration/config.json"} in listed(solving["object"])
 
 
 def listed(value):

@@ -1,6 +1,6 @@
 # The release: one folder, one archive file of it, and beside them the record of their making.
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.sources import source_files
+from thirdbody.release.files import source_files
 
 try:
     RELEASE = Release.of("pyproject.toml", "CITATION.cff")
@@ -45,7 +45,7 @@ rule stage_release:
         products=PRODUCTS,
         sums="<results>/SHA256SUMS",
         jobs="<results>/release/jobs.json",
-        sources=source_files(),
+        sources=lambda wildcards: source_files(),
         modules=modules_of("stage_release.py"),
     output:
         sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha512.txt",

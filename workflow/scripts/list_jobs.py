@@ -32,21 +32,8 @@ def jobs_of(rows, run):
     for row in rows:
         log = row["log-file(s)"]
         files = row["input-file(s)"].split(",")
-        modules = [name for name in files if name.endswith(".py")]
-        rule = row["rule"]
-        stem = Path(log).stem
-        job = jobs.setdefault(
-            log,
-            {
-                "rule": rule,
-                "wildcards": {} if stem == rule else {"name": stem},
-                "script": f"workflow/scripts/{rule}.py",
-                "modules": modules,
-                "inputs": [without_run(name, run) for name in files if name not in modules],
-                "outputs": [],
-                "configured": not rule.startswith(("render_", "write_")),
-            },
-        )
+        inputs = [without_run(name, run) for name in files if not name.endswith(".py")]
+        job = jobs.setdefault(log, {"rule": row["rule"], "inputs": inputs, "outputs": []})
         job["outputs"].append(without_run(row["output_file"], run))
     return in_order(list(jobs.values()))
 

@@ -1,10 +1,10 @@
-"""Pack the folder of a release into one archive file."""
+"""Check the folder of a release against its sums and pack it into one archive file."""
 
 from pathlib import Path
 
 from thirdbody.data.files import whole
 from thirdbody.job_log import logged
-from thirdbody.release.pack import pack
+from thirdbody.release.bag import pack
 
 
 def write(folder, archive, date):

@@ -10,14 +10,10 @@ from thirdbody.release.provenance import provenance
 
 def record(archive, place):
     """Write the provenance of the file ``archive`` to ``place``."""
-    content = provenance(Path(archive))
     with whole(place) as part:
-        part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+        part.write_text(json.dumps(provenance(Path(archive)), indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
-        record(
-            snakemake.input.archive,
-            snakemake.output.provenance,
-        )
+        record(snakemake.input.archive, snakemake.output.provenance)

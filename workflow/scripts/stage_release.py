@@ -6,14 +6,14 @@ from pathlib import Path
 from thirdbody.data.sums import require_sums
 from thirdbody.job_log import logged
 from thirdbody.release.citation import Release
-from thirdbody.release.crate import Job, Run
+from thirdbody.release.crate import Run
 from thirdbody.release.staging import stage, whole_folder
 
 
 def fill(place, products, sums, sources, run, is_changed):
     """Write the folder ``place`` of the release that the ``sources`` describe.
 
-    Products are to be what ``sums`` says.  ``is_changed`` says that the configuration is not the paper's.
+    Products must be what ``sums`` says.  ``is_changed``: the configuration is not the paper's.
     """
     require_sums(sums)
     release = Release.of("pyproject.toml", "CITATION.cff")
@@ -31,10 +31,6 @@ if __name__ == "__main__":
             snakemake.input.products,
             snakemake.input.sums,
             snakemake.input.sources,
-            Run(
-                snakemake.params.settings,
-                [Job(**job) for job in jobs],
-                snakemake.params.software,
-            ),
+            Run(snakemake.params.settings, jobs, snakemake.params.software),
             snakemake.params.is_changed,
         )

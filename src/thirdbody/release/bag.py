@@ -1,120 +1,88 @@
-"""BagIt 1.0 (RFC 8493): a folder with the sums of all its files.
+"""BagIt 1.0 (RFC 8493): a folder with the sums of all its files, and the zip file of it.
 
-In such a folder, a *bag*, the *payload* lies in ``data/``; all files beside it are *tag files*.
-Manifests list the sums of both.
+The package ``bagit`` is not used to write: it declares version 0.97 and lists tag files in the order
+of the disk, so that two bags of the same files differ.  Tests validate bags with it.
 """
 
 from __future__ import annotations
 
-import hashlib
+import subprocess
+import sys
+import zipfile
 from collections.abc import Iterable
+from datetime import date
 from os import PathLike
 from pathlib import Path
 
 from thirdbody.release.citation import Release
+from thirdbody.release.files import digest, files_in
 
 ALGORITHMS = ("sha256", "sha512")
-DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+FILE_MODE = 0o100644 << 16  # a plain file that its owner may write
+UNIX = 3  # code of the system that has such modes
 
 
 def seal(folder: Path, release: Release) -> None:
-    """Make a bag of a folder: write its description and the sums of all files.
+    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
+    payload = files_in(folder / "data", folder)
+    size = sum((folder / name).stat().st_size for name in payload)
+    information = {
+        "Source-Organization": ", ".join(release.authors),
+        "External-Identifier": release.full_name,
+        "External-Description": " ".join(release.citation["title"].split()),
+        "Bagging-Date": release.date,
+        "Payload-Oxum": f"{size}.{len(payload)}",
+    }
+    lines = [f"{name}: {value}\n" for name, value in information.items()]
+    (folder / "bag-info.txt").write_text("".join(lines), encoding="utf-8")
+    declaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+    (folder / "bagit.txt").write_text(declaration, encoding="utf-8")
+    _write_manifests(folder, "manifest", payload)
+    not_tags = ("data/", "tagmanifest-")
+    tags = [name for name in files_in(folder, folder) if not name.startswith(not_tags)]
+    _write_manifests(folder, "tagmanifest", tags)
 
-    The same content gives the same bytes.
+
+def _write_manifests(folder: Path, kind: str, names: Iterable[str]) -> None:
+    for algorithm in ALGORITHMS:
+        lines = [f"{digest(folder / name, algorithm)}  {name}\n" for name in names]
+        (folder / f"{kind}-{algorithm}.txt").write_text("".join(lines), encoding="utf-8")
+
+
+def check_sums(folder: Path) -> None:
+    """Raise ``ValueError`` if a file of a sealed folder is changed, missing or was added."""
+    command = [sys.executable, "verification/verify.py", folder, "--sums"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        reason = (done.stdout or done.stderr).strip()
+        raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
+
+
+def pack(folder: Path, archive: str | PathLike, day: str) -> None:
+    """Write a folder as a zip file; the same files give the same bytes.
+
+    Members are sorted and have the same mode and date.  They are not compressed, since the bytes of
+    a compressor depend on its version.
 
     Parameters
     ----------
     folder : Path
-        Has the payload in ``data/``; the tag files are written beside it.
-    release : Release
-        What the folder holds.
+        A sealed folder; its name is the first part of every member's name.
+    archive : path
+        File to write.
+    day : str
+        Date of every member, ISO 8601.
 
     Raises
     ------
-    OSError
-        If a file cannot be read or written.
-
-    References
-    ----------
-    RFC 8493, doi:10.17487/RFC8493.
-
-    Examples
-    --------
-    In the root of the repository:
-
-    >>> import tempfile
-    >>> release = Release.of("pyproject.toml", "CITATION.cff")
-    >>> with tempfile.TemporaryDirectory() as place:
-    ...     payload = Path(place, "data")
-    ...     payload.mkdir()
-    ...     _ = (payload / "hello.txt").write_text("hello")
-    ...     seal(Path(place), release)
-    ...     Path(place, "manifest-sha256.txt").read_text().split()[1]
-    'data/hello.txt'
+    ValueError
+        If the folder is not what its sums say; nothing is written then.
     """
-    payload = files_in(folder / "data", folder)
-    size = sum((folder / name).stat().st_size for name in payload)
-    (folder / "bagit.txt").write_text(DECLARATION, encoding="utf-8")
-    (folder / "bag-info.txt").write_text(
-        _description(release, size, len(payload)), encoding="utf-8"
-    )
-    for algorithm in ALGORITHMS:
-        _write_manifest(folder, f"manifest-{algorithm}.txt", algorithm, payload)
-    others = ("data/", "tagmanifest-")
-    tags = [name for name in files_in(folder, folder) if not name.startswith(others)]
-    for algorithm in ALGORITHMS:
-        _write_manifest(folder, f"tagmanifest-{algorithm}.txt", algorithm, tags)
-
-
-def files_in(folder: Path, root: Path) -> list[str]:
-    """List all files below a folder.
-
-    Parameters
-    ----------
-    folder : Path
-        Where to look, at any depth.
-    root : Path
-        What the names are relative to.
-
-    Returns
-    -------
-    list of str
-        Sorted names with forward slashes.
-    """
-    paths = (path for path in folder.rglob("*") if path.is_file())
-    return sorted(path.relative_to(root).as_posix() for path in paths)
-
-
-def digest(path: str | PathLike, algorithm: str) -> str:
-    """Sum of the bytes of a file.
-
-    Parameters
-    ----------
-    path : path
-        The file.
-    algorithm : str
-        As ``hashlib`` names it, such as ``sha256``.
-
-    Returns
-    -------
-    str
-        Hexadecimal digits.
-    """
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, algorithm).hexdigest()
-
-
-def _description(release: Release, size: int, count: int) -> str:
-    fields = {
-        "Source-Organization": ", ".join(release.authors),
-        "External-Identifier": release.full_name,
-        "External-Description": release.citation["title"],
-        "Bagging-Date": release.date,
-        "Payload-Oxum": f"{size}.{count}",
-    }
-    return "".join(f"{name}: {value}\n" for name, value in fields.items())
-
-
-def _write_manifest(folder: Path, manifest: str, algorithm: str, names: Iterable[str]) -> None:
-    lines = [f"{digest(folder / name, algorithm)}  {name}\n" for name in names]
-    (folder / manifest).write_text("".join(lines), encoding="utf-8")
+    check_sums(folder)
+    moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
+        for name in files_in(folder, folder):
+            member = zipfile.ZipInfo(f"{folder.name}/{name}", moment)
+            member.create_system = UNIX
+            member.external_attr = FILE_MODE
+            packed.writestr(member, (folder / name).read_bytes())

@@ -1,7 +1,7 @@
-"""Name, version, date and citation of a release, in the vocabularies that archives ask for.
+"""Name, version, date and citation of a release.
 
-``pyproject.toml`` gives the name and version, ``CITATION.cff`` everything else.  The date too is
-written there and not taken from a clock: the same sources give the same archive at any time.
+``pyproject.toml`` gives the name and version, ``CITATION.cff`` all else, also the date: the same
+sources give the same archive on any day.
 """
 
 from __future__ import annotations
@@ -16,27 +16,13 @@ from typing import Any
 
 import yaml
 
-from thirdbody.configuration.plain_yaml import read_yaml
-
 DATA_LICENCE = "CC-BY-4.0"
-SPDX = "https://spdx.org/licenses/"
+SPDX = "https://spdx.org/licenses/"  # addresses of licences begin with this
 
 
 @dataclass(frozen=True)
 class Release:
-    """A release of the project, as its files describe it.
-
-    Attributes
-    ----------
-    name : str
-        Name of the project.
-    version : str
-        Number of the release.
-    date : str
-        Day of the release, ISO 8601.
-    citation : dict
-        Content of ``CITATION.cff``.
-    """
+    """A release of the project: its name, version, date (ISO 8601) and ``CITATION.cff``."""
 
     name: str
     version: str
@@ -45,28 +31,9 @@ class Release:
 
     @classmethod
     def of(cls, pyproject: str | PathLike, citation: str | PathLike) -> Release:
-        """Read the release from the files that describe it.
-
-        Parameters
-        ----------
-        pyproject, citation : path
-            ``pyproject.toml`` and ``CITATION.cff``.
-
-        Raises
-        ------
-        ValueError
-            If the two files do not give the same version.
-
-        Examples
-        --------
-        In the root of the repository:
-
-        >>> release = Release.of("pyproject.toml", "CITATION.cff")
-        >>> release.full_name == f"thirdbody-{release.version}"
-        True
-        """
-        project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
-        cited = read_yaml(citation)
+        """Read ``pyproject.toml`` and ``CITATION.cff``; ``ValueError`` if their versions differ."""
+        project = _read_project(pyproject)
+        cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != project["version"]:
             raise ValueError(
                 f"{citation}: version is {cited['version']}; "
@@ -75,16 +42,7 @@ class Release:
         return cls(project["name"], project["version"], cited["date-released"], cited)
 
     def of_other_configuration(self) -> Release:
-        """The same under a name and version that say that the configuration is not the paper's.
-
-        Examples
-        --------
-        >>> release = Release.of("pyproject.toml", "CITATION.cff").of_other_configuration()
-        >>> release.full_name.endswith("+changed")
-        True
-        >>> release.citation["title"].rpartition(", ")[2]
-        'with a changed configuration'
-        """
+        """The same with a version and title which say that the configuration is not the paper's."""
         version = f"{self.version}+changed"
         title = f"{self.citation['title']}, with a changed configuration"
         citation = {**self.citation, "version": version, "title": title}
@@ -106,127 +64,40 @@ class Release:
         return self.citation["references"][0]
 
     @property
+    def paper_url(self) -> str:
+        """Address of the paper, by its DOI."""
+        return f"https://doi.org/{self.paper['doi']}"
+
+    @property
     def paper_text(self) -> str:
         """The paper as it stands in a list of references."""
         paper = self.paper
         names = " and ".join(f"{a['family-names']} {a['given-names']}" for a in paper["authors"])
         return (
             f"{names} ({paper['year']}), {paper['title']}. {paper['journal']} {paper['volume']}:"
-            f"{paper['start']}. https://doi.org/{paper['doi']}"
+            f"{paper['start']}. {self.paper_url}"
         )
 
     @property
     def text(self) -> str:
         """The release as it stands in a list of references."""
-        year = self.date.partition("-")[0]
-        return (
-            f"{', '.join(self.authors)} ({year}), {self.citation['title']}, version {self.version}"
-        )
+        title = f"{self.citation['title']}, version {self.version}"
+        return f"{', '.join(self.authors)} ({self.date[:4]}), {title}"
 
 
 def software_versions(pyproject: str | PathLike) -> dict[str, str]:
-    """Installed versions of the packages that running the workflow asks for.
-
-    Parameters
-    ----------
-    pyproject : path
-        ``pyproject.toml``, whose dependencies and those of the extra ``workflow`` are meant.
-
-    Returns
-    -------
-    dict
-        Versions by name of the package.
-
-    Raises
-    ------
-    importlib.metadata.PackageNotFoundError
-        If one of them is not installed.
-    """
-    project = tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]
-    wanted = [*project["dependencies"], *project["optional-dependencies"]["workflow"]]
-    names = sorted(re.match(r"[\w.-]+", requirement)[0] for requirement in wanted)
-    return {name: version(name) for name in names}
+    """Installed versions of the packages that the workflow asks for, by name."""
+    project = _read_project(pyproject)
+    wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
+    while wanted:
+        name, extras = re.match(r"([\w.-]+)(?:\[([\w,]+)\])?", wanted.pop()).groups()
+        if name == project["name"]:
+            for extra in extras.split(","):
+                wanted += project["optional-dependencies"][extra]
+        else:
+            names.add(name)
+    return {name: version(name) for name in sorted(names)}
 
 
-def citation_text(release: Release) -> str:
-    """Text of the file ``CITATION.cff`` in the archive."""
-    return yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
-
-
-def codemeta(release: Release, software: dict[str, str]) -> dict[str, Any]:
-    """Describe the software in the vocabulary CodeMeta 3.0.
-
-    Parameters
-    ----------
-    release : Release
-        What is described.
-    software : dict
-        Versions of the packages that it runs on, by name.
-
-    Returns
-    -------
-    dict
-        Content of ``codemeta.json``.
-
-    References
-    ----------
-    https://w3id.org/codemeta/3.0
-    """
-    cited = release.citation
-    return {
-        "@context": "https://w3id.org/codemeta/3.0",
-        "@type": "SoftwareSourceCode",
-        "name": release.name,
-        "description": cited["abstract"],
-        "version": release.version,
-        "datePublished": release.date,
-        "author": [{"@type": "Organization", "name": name} for name in release.authors],
-        "license": f"{SPDX}{cited['license']}",
-        "keywords": cited["keywords"],
-        "programmingLanguage": "Python",
-        "softwareRequirements": [
-            {"@type": "SoftwareApplication", "name": name, "version": number}
-            for name, number in software.items()
-        ],
-        "referencePublication": {
-            "@type": "ScholarlyArticle",
-            "name": release.paper["title"],
-            "identifier": f"https://doi.org/{release.paper['doi']}",
-        },
-    }
-
-
-def zenodo(release: Release) -> dict[str, Any]:
-    """Describe the archive as Zenodo asks for it when one is deposited.
-
-    The description is part of the archive only: a file ``.zenodo.json`` in the repository would
-    make Zenodo ignore its ``CITATION.cff``.
-
-    Returns
-    -------
-    dict
-        Body of a request to Zenodo's programming interface.
-    """
-    cited = release.citation
-    return {
-        "metadata": {
-            "upload_type": "dataset",
-            "title": cited["title"],
-            "creators": [{"name": name} for name in release.authors],
-            "description": cited["abstract"],
-            "version": release.version,
-            "publication_date": release.date,
-            "access_right": "open",
-            "license": DATA_LICENCE.lower(),
-            "language": "eng",
-            "keywords": cited["keywords"],
-            "notes": f"The source code in the archive is licensed under {cited['license']}.",
-            "related_identifiers": [
-                {
-                    "identifier": release.paper["doi"],
-                    "relation": "isDerivedFrom",
-                    "resource_type": "publication-article",
-                }
-            ],
-        }
-    }
+def _read_project(pyproject: str | PathLike) -> dict[str, Any]:
+    return tomllib.loads(Path(pyproject).read_text(encoding="utf-8"))["project"]

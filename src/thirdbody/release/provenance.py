@@ -1,7 +1,4 @@
-"""When, where, by whom and with what a release was made: what differs from run to run.
-
-It stands in a file of its own beside the archive, so that the archive itself is always the same.
-"""
+"""When, where, by whom and with what a release was made: a file beside the archive, not in it."""
 
 from __future__ import annotations
 
@@ -15,46 +12,35 @@ from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
 
-from thirdbody.release.bag import ALGORITHMS, digest
+from thirdbody.release.bag import ALGORITHMS
+from thirdbody.release.files import digest
 
 
 def provenance(archive: Path) -> dict[str, Any]:
-    """Record the making of an archive, now and on this machine.
-
-    Parameters
-    ----------
-    archive : Path
-        The archive file, which is read for its sums.
-
-    Returns
-    -------
-    dict
-        Content of ``provenance.json``.
-    """
+    """Content of ``provenance.json`` for the file ``archive``, made now on this machine."""
     sums = {algorithm: digest(archive, algorithm) for algorithm in ALGORITHMS}
     return {
         "archive": {"name": archive.name, "bytes": archive.stat().st_size, **sums},
         "time": datetime.now(UTC).isoformat(timespec="seconds"),
         "host": socket.gethostname(),
-        "user": user(),
+        "user": _user(),
         "system": platform.platform(),
         "processor": platform.machine(),
         "python": sys.version,
-        "commit": commit(),
+        "commit": _commit(),
         "packages": dict(sorted((one.name, one.version) for one in distributions())),
     }
 
 
-def user() -> str:
-    """Name of the user, or ``unknown`` if the system has none."""
+def _user() -> str:
     try:
         return getpass.getuser()
-    except (OSError, KeyError):
+    except (OSError, KeyError):  # in a container a user may have no name
         return "unknown"
 
 
-def commit() -> str:
-    """Git commit of the current folder, or that there is none; ``-dirty`` if it was changed."""
+def _commit() -> str:
+    """Git commit of the current folder, with ``-dirty`` if it was changed."""
     command = ["git", "describe", "--always", "--dirty", "--abbrev=40"]
     try:
         done = subprocess.run(command, capture_output=True, text=True, check=True)

@@ -9,50 +9,33 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path, PurePosixPath
 from runpy import run_path
-from typing import Any
+
+import yaml
 
 from thirdbody.release.bag import seal
-from thirdbody.release.citation import Release, citation_text, codemeta, zenodo
-from thirdbody.release.crate import KINDS, Run, crate
+from thirdbody.release.citation import Release
+from thirdbody.release.crate import KINDS, METADATA, Run, crate
 from thirdbody.release.datapackage import data_package
-from thirdbody.release.guide import guide
+from thirdbody.release.files import write_json
+from thirdbody.release.guide import describe_content, render
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
-CONTENT_HASH = f"{VERIFICATION}content_hash.py"
 
 
 @contextmanager
 def whole_folder(place: str | os.PathLike) -> Iterator[Path]:
-    """Fill a folder so that it is there as a whole or not at all.
-
-    A context manager: its block fills a new folder, which takes the place of a former one only when
-    the block has ended without an error.
-
-    Parameters
-    ----------
-    place : path
-        Where the folder is to stand.
-
-    Yields
-    ------
-    Path
-        The empty folder to fill, beside ``place``.
-    """
+    """Yield an empty folder to fill, which takes its ``place`` when the block ends without an error."""
     place = Path(place)
-    beside = place.with_name(f".{place.name}.partial")
-    former = place.with_name(f".{place.name}.former")
-    for rest in (beside, former):
-        shutil.rmtree(rest, ignore_errors=True)
-    beside.mkdir(parents=True)
+    part = place.with_name(f".{place.name}.partial")
+    shutil.rmtree(part, ignore_errors=True)
+    part.mkdir(parents=True)
     try:
-        yield beside
-        if place.exists():
-            os.replace(place, former)
-        os.replace(beside, place)
+        yield part
+        shutil.rmtree(place, ignore_errors=True)
+        os.replace(part, place)
     finally:
-        for rest in (beside, former):
-            shutil.rmtree(rest, ignore_errors=True)
+        shutil.rmtree(part, ignore_errors=True)
 
 
 def stage(
@@ -71,9 +54,9 @@ def stage(
     folder : Path
         An empty folder.
     products : sequence of path
-        Files in ``results/``, whose folder there tells their kind; at least one dataset.
+        Files in ``results/``, whose folder there is their kind; at least one dataset.
     sources : iterable of str
-        Files of the source code, among them the programs in ``verification/``.
+        Files of the source code, with the programs in ``verification/``.
     run : Run
         The run of the workflow that made the products.
     release : Release
@@ -85,25 +68,6 @@ def stage(
         If a product is of an unknown kind, or nothing describes the columns of a table.
     OSError
         If a file cannot be read or written.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> import thirdbody as tb
-    >>> from thirdbody.data.netcdf import write_dataset
-    >>> axes = dict(viscosity=0.0, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
-    >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
-    >>> sources = ["workflow/Snakefile", "verification/content_hash.py"]
-    >>> run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
-    >>> release = Release.of("pyproject.toml", "CITATION.cff")
-    >>> with tempfile.TemporaryDirectory() as place:
-    ...     product = Path(place, "datasets", "fig03.nc")
-    ...     product.parent.mkdir()
-    ...     write_dataset(points, product)
-    ...     folder = Path(place, release.full_name)
-    ...     stage(folder, [product], sources, run, release)
-    ...     print(*sorted(path.name for path in folder.iterdir() if not path.suffix))
-    data verification
     """
     data = folder / "data"
     for path in products:
@@ -114,19 +78,22 @@ def stage(
             _copy(path, folder / path)
     for path in LICENCES:
         _copy(path, data / path)
-    content_sha256 = run_path(CONTENT_HASH)["content_sha256"]
+    content_sha256 = run_path(f"{VERIFICATION}content_hash.py")["content_sha256"]
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
-    _write_json(data / "datasets" / "content-sha256.json", contents)
+    write_json(data / "datasets" / "content-sha256.json", contents)
     for name, content in run.settings.items():
-        _write_json(data / "configuration" / f"{name}.json", content)
-    (data / "CITATION.cff").write_text(citation_text(release), encoding="utf-8")
-    _write_json(data / "codemeta.json", codemeta(release, run.software))
-    _write_json(data / "zenodo.json", zenodo(release))
+        write_json(data / "configuration" / f"{name}.json", content)
+    cited = yaml.safe_dump(release.citation, sort_keys=False, allow_unicode=True, width=10**6)
+    (data / "CITATION.cff").write_text(cited, encoding="utf-8")
+    known = {"release": release, "software": run.software}
+    for name in ("codemeta.json", "zenodo.json"):
+        write_json(data / name, json.loads(render(name, **known)))
     found = {_kind(path) for path in products}
     kinds = {kind: title for kind, title in KINDS.items() if kind in found}
-    _write_json(data / "datapackage.json", data_package(data, kinds, release))
-    _write_json(data / "ro-crate-metadata.json", crate(data, kinds, run, release))
-    (folder / "README.md").write_text(guide(data, kinds, run.software, release), encoding="utf-8")
+    write_json(data / "datapackage.json", data_package(data, kinds, release))
+    write_json(data / METADATA, crate(data, kinds, run, release))
+    readme = render("README.md", **known, **describe_content(data, kinds))
+    (folder / "README.md").write_text(readme, encoding="utf-8")
     seal(folder, release)
 
 
@@ -142,8 +109,3 @@ def _copy(path: str | os.PathLike, place: Path) -> None:
     """Copy the bytes of a file, but not its mode, owner or time."""
     place.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(path, place)
-
-
-def _write_json(path: Path, content: Any) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

@@ -21,7 +21,7 @@ from harm import (
 )
 from workspace import Workspace, ended, start
 
-from thirdbody.release.bag import files_in
+from thirdbody.release.files import files_in
 
 KILLS = 10 if LONG else 2
 ELSEWHERE = {
@@ -31,7 +31,7 @@ ELSEWHERE = {
     "PYTHONCOERCECLOCALE": "0",
     "PYTHONHASHSEED": "1",
 }
-USED = {"config": ("--configfile", "used.json")}
+USED = {"config": ("--configfile", "../used.json")}
 
 
 def test_source_in_the_archive_makes_the_same_archive_elsewhere_though_killed_twice(
@@ -43,7 +43,7 @@ def test_source_in_the_archive_makes_the_same_archive_elsewhere_though_killed_tw
     subprocess.run([sys.executable, tmp_path / first.name / "verification/verify.py"], check=True)
     unpacked = tmp_path / first.name / "data"
     elsewhere = Workspace(shutil.copytree(unpacked / "source", tmp_path / "elsewhere"))
-    shutil.copyfile(unpacked / "configuration/config.json", elsewhere.root / "used.json")
+    shutil.copyfile(unpacked / "configuration/config.json", tmp_path / "used.json")
     for name, value in ELSEWHERE.items():
         monkeypatch.setenv(name, value)
     moments = [jobs // 4, 3 * jobs // 4]

@@ -1,0 +1,75 @@
+"""Files of a release: which sources it has, and names, sums and media types."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import mimetypes
+import subprocess
+import tempfile
+from os import PathLike
+from pathlib import Path, PurePath
+from typing import Any
+
+KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without the files of the system
+
+
+def media_type(path: str | PathLike) -> str:
+    """Media type of a file by its suffix; unknown suffixes give plain text.
+
+    Examples
+    --------
+    >>> media_type("results/datasets/fig03.nc"), media_type("LICENSE")
+    ('application/x-netcdf', 'text/plain')
+    """
+    return KNOWN_TYPES.guess_type(PurePath(path).name)[0] or "text/plain"
+
+
+def source_files() -> list[str]:
+    """Sorted paths of the sources, relative to the current folder, the root of the project.
+
+    They are the files that git tracks, or would track: new files which ``.gitignore`` does not name.
+    In a folder without a repository, such as an unpacked archive, ``.gitignore`` alone counts.
+
+    Raises
+    ------
+    OSError
+        If git is not installed, or cannot read the folder.
+    """
+    listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
+    if Path(".git").exists():
+        names = _git(*listing)
+    else:
+        with tempfile.TemporaryDirectory() as empty:
+            _git("init", "--quiet", "--bare", empty)
+            names = _git(f"--git-dir={empty}", "--work-tree=.", *listing)
+    return sorted({name for name in names.split("\0") if name and Path(name).is_file()})
+
+
+def _git(*arguments: str) -> str:
+    try:
+        done = subprocess.run(["git", *arguments], capture_output=True, check=True)
+    except FileNotFoundError:
+        raise OSError("git is not installed; a release needs it to list the sources") from None
+    except subprocess.CalledProcessError as error:
+        reason = " ".join(error.stderr.decode(errors="replace").split())
+        raise OSError(f"git cannot list the sources ({reason})") from None
+    return done.stdout.decode()
+
+
+def files_in(folder: Path, root: Path) -> list[str]:
+    """Sorted names of all files below ``folder``, relative to ``root``, with forward slashes."""
+    paths = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(path.relative_to(root).as_posix() for path in paths)
+
+
+def digest(path: str | PathLike, algorithm: str) -> str:
+    """Hexadecimal sum of the bytes of a file; ``algorithm`` as ``hashlib`` names it."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, algorithm).hexdigest()
+
+
+def write_json(path: Path, content: Any) -> None:
+    """Write ``content`` to the file ``path``, whose folder is made if it is missing."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
