@@ -74,8 +74,8 @@ def test_nothing_is_installed_without_hashes():
     assert all("--no-build-isolation" in call for call in calls if "--no-deps" in call)
 
 
-def test_the_readme_gives_a_reason_for_every_direct_dependency():
-    text = (ROOT / "README.md").read_text(encoding="utf-8")
+def test_there_is_a_reason_for_every_direct_dependency():
+    text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     table = text.partition("\n## Dependencies\n")[2].partition("\n## ")[0]
     rows = re.findall(r"(?m)^\| ([^|]+) \| [^|]+ \|$", table)
     named = {name.lower() for row in rows[1:] for name in row.strip().split(", ")}
