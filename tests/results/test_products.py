@@ -13,7 +13,6 @@ from thirdbody.curves.transitions import LIMITS
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.netcdf import read_dataset
-from thirdbody.data.quantities import FILL_FLAG
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
@@ -265,7 +264,7 @@ def test_inside_a_window_there_is_a_turning_point_and_outside_it_there_is_none(t
         assert turns.tolist() == [True, False], row
 
 
-# ---- the paper's tables and the solver's cost
+# ---- the paper's tables
 
 
 @pytest.mark.parametrize("name", ["table1", "table2"])
@@ -274,26 +273,6 @@ def test_each_derived_entry_of_the_papers_tables_is_judged(tables, name):
         assert row["verdict"] in ("agrees", "differs", "input")
         assert (row["recomputed_low"] is None) == (row["verdict"] == "input")
         assert (row["verdict"] != "differs") or "printed" in row["remark"]
-
-
-@pytest.fixture(scope="module")
-def costs(results):
-    rows = read_csv(results / "accuracy" / "solver_cost.csv", TABLES["solver_cost"])
-    return {row["figure"]: row for row in rows}
-
-
-def test_the_cost_of_each_dataset_is_there(costs, datasets):
-    assert set(costs) == {*datasets, "all"}
-    for figure, dataset in datasets.items():
-        assert costs[figure]["rtol"] == dataset.attrs["rtol"] <= 1e-9
-        shown = (dataset["solution_status"].values != FILL_FLAG).sum()
-        assert costs[figure]["points"] == shown
-
-
-def test_all_datasets_are_solved_in_a_few_seconds(costs):
-    seconds = sum(row["seconds"] for figure, row in costs.items() if figure != "all")
-    assert costs["all"]["seconds"] == pytest.approx(seconds, rel=DIGITS)
-    assert seconds < 5.0  # 1 to 2.5, as fast as the machine is
 
 
 def test_a_dataset_read_twice_is_the_same(results, datasets):
