@@ -348,12 +348,6 @@ CASES = [
     ),
     given("changes that are not there", "changes=none.yaml", "none.yaml", "a readable YAML file"),
     given("changes that are a folder", "changes=config", "config: Is a directory", "YAML file"),
-    Case(
-        "target after the settings",
-        lambda root: None,
-        ("results/figures/fig04.svg", "KEY=VALUE", "targets go first"),
-        ("--config", "changes=config/minimal.yaml", "results/figures/fig04.svg"),
-    ),
     given("changes that are a number", "changes=3", "changes is 3", "the path of a YAML file"),
 ]
 
