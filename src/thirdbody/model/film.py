@@ -34,8 +34,9 @@ THICKEST = 0.01  # H_c of what is still a film between two bodies
 # of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
-# the table of the inverse of Eq. 7: range in ln H_c, seen from where both terms are equal, and error
-INVERSE_RANGE, INVERSE_ERROR = (-6.0, 14.0), 2e-13
+# the table of the inverse of Eq. 7: range in ln H_c, seen from where both terms are equal, pieces, and
+# error in ln W
+INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
 def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
@@ -267,7 +268,7 @@ def _inverse(x, a, b):
 @lru_cache(maxsize=64)
 def _inverse_table(a, b):
     """``_inverse`` as a table, for the exponents of one ellipticity."""
-    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_ERROR)
+    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_PIECES)
 
 
 class _Law(NamedTuple):
