@@ -251,7 +251,7 @@ def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
     return 0.5 * (nodes + 1.0), 0.5 * weights
 
 
-# Errors of ln F_ss and ln A_ss are below 1e-12 for any material.
+# Errors of ln F_ss and ln A_ss are below 1e-13 for any material.
 NODES, WEIGHTS = gauss_legendre(48)
-# Summits whose weight is below exp(-40) of the largest do not matter in float64: in v beyond this.
-WIDEST = np.sqrt(2.0 * 40.0)
+# Summits whose weight is below exp(-37) of the largest do not matter in float64: in v beyond this.
+WIDEST = np.sqrt(2.0 * 37.0)

@@ -30,7 +30,6 @@ import scipy  # of which special is loaded when it is first used: many jobs neve
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.asperity import gauss_legendre
-from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import SizeLaw
 
@@ -168,23 +167,6 @@ class ParticleLayer:
             load_factor / self.spread * here_slope,
         )
 
-    def change(self, low: NDArray, high: NDArray) -> NDArray:
-        """Bound on the relative change of areas between two separations that particles cause [1].
-
-        Moments fall with d: so what they lose between ``low`` and ``high`` [m] bounds it, wherever
-        they lose it.
-        """
-        limits = self.parameters.readings.elastic_limits
-        own, other = limits.weights(self.parameters.elastic_factor)
-        alphas = (np.stack([low, high]) - self.mean) / self.spread
-        here, there = self.moment(alphas)[0], self.moment(alphas + limits.side * self.depth)[0]
-        lost = abs(own) * (here[0] - here[1]) + abs(other) * (there[0] - there[1])
-        least = (own * here + other * there).max(axis=0) - lost
-        covering = self.share * self.parameters.hardness_surface_1
-        room = 1.0 - covering * here[0]
-        uncovered = covering * (here[0] - here[1])
-        return np.where(lost > 0.0, np.maximum(_ratio(lost, least), _ratio(uncovered, room)), 0.0)
-
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
         """Relative error that rounding leaves in the area of ``contact``.
 
@@ -233,22 +215,25 @@ class ParticleLayer:
         return self.log_bare < FULL
 
 
-@dataclass(frozen=True)
 class Moment:
-    """M(alpha) less that of X_max, for all particles of a reading.
+    """M(alpha) less that of X_max, for all particles of an interpretation.
 
-    Attributes
-    ----------
-    constant, linear : float
-        c_2 and c_3.
-    smallest, largest : float
-        alpha of X_min and of X_max.
+    ``constant`` and ``linear`` are c_2 and c_3; ``smallest`` and ``largest`` alpha of X_min and of X_max.
     """
 
-    constant: float
-    linear: float
-    smallest: float
-    largest: float
+    def __init__(self, constant: float, linear: float, smallest: float, largest: float):
+        self.constant, self.linear, self.smallest, self.largest = (
+            constant,
+            linear,
+            smallest,
+            largest,
+        )
+        self.next_to_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
+        self.of_largest = float(self._untruncated(np.array(largest))[0])
+        nearest = max(self.next_to_largest, smallest)
+        # by how much rounding of M is magnified in the moment at most
+        self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
+        self.of_all = float(self(np.array(-np.inf))[0])
 
     @classmethod
     def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
@@ -256,19 +241,14 @@ class Moment:
         smallest = max(sizes.smallest, FARTHEST)
         return _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
 
-    @classmethod
-    def of_all_layers(cls, parameters: Parameters) -> Moment:
-        """The moment that all layers of particles share in the readings that are chosen."""
-        one = np.ones(1)
-        return cls.of(parameters.readings.size_distribution.law(one, one, parameters), parameters)
-
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
 
         Next to the largest size it is an integral of its slope, since a difference would lose its
         digits.
         """
-        value, slope = self._untruncated(np.clip(alpha, self.smallest, self.largest))
+        clipped = np.minimum(np.maximum(alpha, self.smallest), self.largest)
+        value, slope = self._untruncated(clipped)
         within = (alpha > self.smallest) & (alpha < self.largest)
         moment = np.array(np.maximum(value - self.of_largest, 0.0))
         next_to_it = within & (alpha > self.next_to_largest)
@@ -277,27 +257,6 @@ class Moment:
             _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
             moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
-
-    @computed_once
-    def next_to_largest(self) -> float:
-        """alpha from which on the moment is an integral of its slope."""
-        return self.largest - min(NEXT_TO_LARGEST, 1.0 / self.largest)
-
-    @computed_once
-    def of_largest(self) -> float:
-        """M of X_max [1]."""
-        return float(self._untruncated(np.array(self.largest))[0])
-
-    @computed_once
-    def cancellation(self) -> float:
-        """By how much rounding of M is magnified in the moment at most [1]."""
-        nearest = max(self.next_to_largest, self.smallest)
-        return 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
-
-    @computed_once
-    def of_all(self) -> float:
-        """The moment of all sizes [1]."""
-        return float(self(np.array(-np.inf))[0])
 
     def samples(self) -> tuple[NDArray, NDArray]:
         """Increasing moments [1] from zero on, and alpha there [1]."""
@@ -314,14 +273,8 @@ class Moment:
 
 
 @lru_cache(maxsize=64)
-def _moment(*fields):
-    """The moment with these fields: one object, which evaluates once what is computed once."""
-    return Moment(*fields)
-
-
-def _ratio(part, whole):
-    """``part`` over ``whole``, infinite where nothing may be left of that."""
-    return np.where(whole > 0.0, part / np.maximum(whole, LEAST), np.inf)
+def _moment(constant, linear, smallest, largest):
+    return Moment(constant, linear, smallest, largest)
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
@@ -364,15 +317,10 @@ def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     parameters = layer.parameters
     wanted = area / (layer.share * parameters.hardness_surface_2)
     sampled = layer.moment.samples()
+    limits = parameters.readings.elastic_limits
     alpha, shifted = (
-        np.interp(part * wanted, *sampled, right=-np.inf) for part in parts_bearing(parameters)
+        np.interp(wanted / weight, *sampled, right=-np.inf) if weight > 0.0 else -np.inf
+        for weight in limits.weights(parameters.elastic_factor)
     )
-    shifted = shifted - parameters.readings.elastic_limits.side * layer.depth
+    shifted = shifted - limits.side * layer.depth
     return layer.mean + layer.spread * np.maximum(alpha, shifted)
-
-
-def parts_bearing(parameters: Parameters) -> tuple[float, float]:
-    """By how much more moment either limit needs to have an area by itself [1]; infinite where it
-    cannot."""
-    weights = parameters.readings.elastic_limits.weights(parameters.elastic_factor)
-    return tuple(1.0 / weight if weight > 0.0 else np.inf for weight in weights)

@@ -197,7 +197,7 @@ def _enclose(points, guess, low, high, sure, tolerance):
         a = np.where(final, low, np.fmax(d - width, low))[close]
         b = np.where(final, high, np.fmin(d + width, high))[close]
         some = points if close.size == d.size else points.take(close)
-        above, below = some.forces(a), some.forces(b)
+        above, below = some.forces(a, True), some.forces(b, True)
         holds = (above.excess > above.noise) | (sure[close] & (a == low[close]))
         holds &= (below.excess < -below.noise) | (b == high[close])
         done = holds | final[close]
@@ -224,8 +224,9 @@ def _enclose(points, guess, low, high, sure, tolerance):
 
 def _ends_at(points, separation, forces):
     """Rows of ``Ends`` at one separation each."""
-    area, log_beside = points.contact.areas(separation, forces.touching)
-    coverage = np.zeros_like(area) if forces.touching is None else forces.touching[2]
+    area, log_beside = points.contact.areas(separation, forces.solids)
+    touching = forces.solids.touching
+    coverage = np.zeros_like(area) if touching is None else touching[2]
     return np.stack(
         [
             separation,
@@ -244,7 +245,7 @@ def _held_ends(points, thin, thick):
     """Rows of ``Ends`` where a film of known thickness, within rounding, takes what solids leave."""
     both = []
     for separation in (thin, thick):
-        forces = points.forces(separation)
+        forces = points.forces(separation, True)
         fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
         less = np.exp(forces.log_solid) / fluid  # F_s/F_f, by which rounding of F_s is magnified
         forces = forces._replace(

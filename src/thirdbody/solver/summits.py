@@ -107,6 +107,12 @@ class RoughSurfaces:
         """ln(A_ss/A_n) and its slope d/dt at summit separations ``t`` [1]."""
         return self._read(t, 1)
 
+    def log_load_and_area(self, t: NDArray) -> tuple:
+        """What ``log_load`` and ``log_area`` return, for little more than one of them takes."""
+        if self.table is None:
+            return tuple(self.population.log_load_and_area(t)[:, :2])
+        return self._read(t, 0), self._read(t, 1)
+
     def _read(self, t, function):
         """ln F_ss* or ln A_ss* and its slope, as ``function`` is 0 or 1."""
         if self.table is None:
