@@ -21,55 +21,6 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters, Surface
 
 
-def asperity_load_and_area(
-    interference: ArrayLike,
-    radius: ArrayLike,
-    modulus: float,
-    hardness: float,
-    yield_ratio: float,
-    plastic_ratio: float,
-) -> tuple[NDArray, NDArray]:
-    """Load and contact area of one asperity.
-
-    Parameters
-    ----------
-    interference, radius : array_like
-        omega and R [m], which broadcast.
-    modulus, hardness : float
-        E and H [Pa].
-    yield_ratio : float
-        k [1]: mean pressure at first yield over the hardness.
-    plastic_ratio : float
-        omega_2/omega_1 [1], at least 1.
-
-    Returns
-    -------
-    load, area : array
-        F [N] and A [m2], zero where the asperity is out of contact (omega <= 0).
-
-    References
-    ----------
-    Zhao, Maietta & Chang (2000), J. Tribol. 122:86.
-
-    Examples
-    --------
-    A fully plastic asperity bears its hardness on twice the area of an elastic one.
-
-    >>> import math
-    >>> load, area = asperity_load_and_area(1e-5, 30e-6, 112e9, 5e9, 0.4, 54.0)
-    >>> round(float(load / area / 5e9), 12), round(float(area / (math.pi * 30e-6 * 1e-5)), 12)
-    (1.0, 2.0)
-    """
-    omega = np.maximum(interference, 0.0)
-    omega_1 = (0.75 * np.pi * yield_ratio * hardness / modulus) ** 2 * radius
-    ratio = omega / omega_1
-    pressure = hardness * pressure_fraction(ratio, yield_ratio, plastic_ratio)
-    area = np.pi * radius * omega * area_growth(ratio, plastic_ratio)
-    elastic = omega < omega_1
-    hertz = 4.0 / 3.0 * modulus * np.sqrt(radius) * omega**1.5
-    return np.where(elastic, hertz, area * pressure), area
-
-
 def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:
     """A/(pi R omega) [1] of an asperity: 1 while elastic, 2 when fully plastic.
 
@@ -152,34 +103,13 @@ class SummitPopulation:
         return (0.75 * np.pi * self.yield_ratio * self.hardness_ratio) ** 2 / self.sharpness
 
     def log_load(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
-        """Load of all summits.
-
-        Parameters
-        ----------
-        t : array_like
-            Separation (d - y_s)/sigma_s [1], of the shape of the points.
-
-        Returns
-        -------
-        log_load, slope : array
-            ln(F_ss/(A_n E_ss)) and its derivative by t [1].
-        """
+        """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative by ``t``, the separation
+        (d - y_s)/sigma_s [1]."""
         above, v, area, pressure = self._summits(t, with_load=True)
         return self._logarithm(above, v, area * pressure, self.hardness_ratio)[:2]
 
     def log_area(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
-        """Contact area of all summits.
-
-        Parameters
-        ----------
-        t : array_like
-            Separation (d - y_s)/sigma_s [1], of the shape of the points.
-
-        Returns
-        -------
-        log_area, slope : array
-            ln(A_ss/A_n) and its derivative by t [1].
-        """
+        """ln(A_ss/A_n) of all summits [1], and its derivative by ``t``."""
         above, v, area, _ = self._summits(t, with_load=False)
         return self._logarithm(above, v, area, 1.0)[:2]
 
