@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.special import expit
 
 from thirdbody.model.film import THICKEST, log_load_parameter
-from thirdbody.model.particles import TINY, VANISHED
+from thirdbody.model.particles import TINY
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
@@ -202,9 +202,8 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
     has_particles = points.contact.particles is not None
     solid = expit(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
     fluid = expit(ends.log_fluid - ends.log_solid)
-    particle_ratio = np.zeros_like(ends.area)  # Eq. 10
-    if has_particles:
-        particle_ratio = expit(np.log(ends.area) - ends.log_beside)
+    particle_ratio = expit(np.log(ends.area) - ends.log_beside)  # Eq. 10
+    summit_ratio = expit(ends.log_beside - np.log(ends.area))
     found = {
         "separation": ends.separation,
         "film_thickness": ends.separation / points.parameters.ball_radius,
@@ -212,12 +211,10 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
         "fluid_load_fraction": fluid,
         "total_contact_area": ends.area + np.exp(ends.log_beside),  # Eq. 3
         "particle_contact_area_ratio": particle_ratio,
-        "surface_contact_area_ratio": 1.0 - particle_ratio,
+        "surface_contact_area_ratio": summit_ratio,
     }
-    if has_particles:
-        found["surface_contact_area_ratio"] = expit(ends.log_beside - np.log(ends.area))
     found = {name: 0.5 * (both[0] + both[1]) for name, both in found.items()}
-    error = _error_bound(ends, solid, fluid)
+    error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
     found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
@@ -244,19 +241,18 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
     return found
 
 
-def _error_bound(ends, solid, fluid):
+def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
     """Half of what loads and areas differ by between both ends, relative, and rounding beside.
 
     Each of their parts rises or falls all the way: so none is farther from its mean than by half.
     """
     closest, farthest = ends.separation
     bare = np.log1p(-ends.coverage)
-    summits = np.where(ends.log_beside > VANISHED, ends.log_beside - bare, 0.0)
-    beside = np.where(ends.log_beside > VANISHED, bare, 0.0)
-    areas = _difference(summits) + _difference(beside) + _relative_difference(ends.area)
-    loads = np.zeros(closest.shape)
-    for fraction, log_load in ((solid, ends.log_solid), (fluid, ends.log_fluid)):
-        loads = loads + np.where(fraction.max(axis=0) > TINY, _difference(log_load), 0.0)
+    summits = _difference(ends.log_beside - bare) + _difference(bare)
+    areas = _counted(summits, summit_ratio)
+    areas = areas + _counted(_difference(np.log(ends.area)), particle_ratio)
+    loads = _counted(_difference(ends.log_solid), solid)
+    loads = loads + _counted(_difference(ends.log_fluid), fluid)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
     half = 0.5 * np.maximum((farthest - closest) / closest, np.maximum(areas, loads))
@@ -268,10 +264,9 @@ def _difference(both):
     return np.abs(both[0] - both[1])
 
 
-def _relative_difference(both):
-    """Of positive numbers; those that float64 holds without all their digits are equal."""
-    least = np.maximum(np.minimum(*both), TINY)
-    return np.where(np.maximum(*both) > TINY, _difference(both) / least, 0.0)
+def _counted(difference, fraction):
+    """The ``difference`` of logarithms where float64 holds all digits of the ``fraction``."""
+    return np.where(fraction.max(axis=0) > TINY, difference, 0.0)
 
 
 def _outside_film_formula(points, found):
