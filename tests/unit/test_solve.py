@@ -2,10 +2,12 @@
 
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray as xr
 from methods import solved_by
 from numpy.testing import assert_allclose
 
@@ -26,7 +28,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning"),
 ]
 
-RTOL = 1e-9
+RTOL, TINY = 1e-9, np.finfo(float).tiny
 ARGUMENTS = ("load", "viscosity", "particle_diameter", "roughness", "particle_density")
 POINT = {
     "load": 1e-5,
@@ -587,3 +589,41 @@ def test_a_solution_prints_what_each_variable_is_with_names_for_flags(parameters
     lines = repr(solve(load=[1e-6, 1e-5], **given, variables=("separation", "contact_mode")))
     assert "Solution of shape (2,)" in lines
     assert " to " in lines
+
+
+def test_the_same_call_gives_the_same_bits_whatever_was_called_before(parameters, loads):
+    given = {"load": np.tile(loads, 12), "viscosity": 90e-6}
+    first = solve(parameters, **given)
+    solve(parameters, load=loads[:3])
+    solve(parameters, load=np.tile(loads, 15), roughness=1e-7)
+    with ThreadPoolExecutor(2) as pool:
+        others = [pool.submit(solve, parameters, **given) for _ in range(2)]
+        others = [solve(parameters, **given), *(each.result() for each in others)]
+    for other in others:
+        for name in VARIABLES:
+            assert np.array_equal(getattr(other, name), getattr(first, name), equal_nan=True), name
+
+
+@pytest.mark.parametrize("rtol", [1e-2, 1e-6, 1e-9, 1e-11])
+def test_a_point_alone_is_within_both_bounds_of_what_it_is_among_many(reading, rtol):
+    load = np.geomspace(1e-8, 1e-3, 2000)
+    many = solve(reading, rtol, load=load, viscosity=60e-6)
+    for index in range(0, load.size, 61):
+        alone = solve(reading, rtol, load=load[index], viscosity=60e-6)
+        bounds = many.error_bound[index] + alone.error_bound
+        for name in QUANTITIES:
+            together, value = getattr(many, name)[index], getattr(alone, name)
+            assert np.abs(together - value) <= 1.01 * bounds * np.abs(value) + TINY, name
+        decided = (
+            np.abs(np.log10(np.array([many.error_bound[index], alone.error_bound]) / rtol)) > 1.0
+        )
+        if decided.all():
+            assert many.solution_status[index] == alone.solution_status
+
+
+@pytest.mark.parametrize("wrapped", [np.asarray, lambda a: xr.DataArray(a, dims="load")])
+def test_conditions_of_a_solution_are_copies(parameters, loads, wrapped):
+    given = loads.copy()
+    found = solve(parameters, load=wrapped(given))
+    given[:] = 1.0
+    assert np.array_equal(found.conditions["load"], loads)

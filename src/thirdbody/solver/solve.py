@@ -126,7 +126,8 @@ def solve(
         "roughness": roughness,
         "particle_density": particle_density,
     }
-    arrays = {name: checked_axis(name, each, parameters) for name, each in given.items()}
+    # copies, which the caller does not change later
+    arrays = {name: np.array(checked_axis(name, each, parameters)) for name, each in given.items()}
     warn_beyond_usual({name: each.max(initial=0.0) for name, each in arrays.items()})
     if not any(map(is_labelled, given.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
@@ -162,8 +163,7 @@ def solve_arrays(
         left = _solve_places(np.flatnonzero(tabulated), rtol, *task)
         _solve_places(np.concatenate([np.flatnonzero(~tabulated), left]), None, *task)
     solved_variables = {name: values.reshape(shape) for name, values in result.items()}
-    kept = {name: np.array(values) for name, values in arrays.items()}
-    return Solution(**solved_variables, conditions=kept)
+    return Solution(**solved_variables, conditions=dict(arrays))
 
 
 def _tables_pay(conditions, parameters):
