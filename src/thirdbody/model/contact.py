@@ -163,11 +163,13 @@ class Contact:
             ln(A_ss-sa/A_n) [1].
         """
         if known is None:
-            known = self.log_solid_load(separation, with_areas=True)
-        log_summits = known.log_area
-        if self.particles is None:
+            log_summits, _ = self.summits.log_area(self.summit_separation(separation))
+            touching = self.particles and self.particles.contact(separation)
+        else:
+            log_summits, touching = known.log_area, known.touching
+        if touching is None:
             return np.zeros_like(log_summits), log_summits
-        area, _, *coverage = known.touching
+        area, _, *coverage = touching
         log_bare, _ = log_bare_share(*coverage)
         return area, log_summits + log_bare  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
 

@@ -249,8 +249,10 @@ def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
     closest, farthest = ends.separation
     bare = np.log1p(-ends.coverage)
     summits = _difference(ends.log_beside - bare) + _difference(bare)
-    areas = _counted(summits, summit_ratio)
-    areas = areas + _counted(_difference(np.log(ends.area)), particle_ratio)
+    beside = np.minimum(particle_ratio, summit_ratio)  # what vanishes alone may count in a ratio
+    areas = _counted(summits, np.maximum(np.exp(ends.log_beside), beside))
+    particles = _difference(np.log(ends.area))
+    areas = areas + _counted(particles, np.maximum(ends.area, beside))
     loads = _counted(_difference(ends.log_solid), solid)
     loads = loads + _counted(_difference(ends.log_fluid), fluid)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY

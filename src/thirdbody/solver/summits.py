@@ -82,6 +82,11 @@ class RoughSurfaces:
         )
 
     @property
+    def roughness(self):
+        """sigma [m]."""
+        return self.surface.roughness
+
+    @property
     def offset(self):
         """y_s [m]."""
         return self.surface.summit_offset
