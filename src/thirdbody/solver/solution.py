@@ -55,9 +55,10 @@ class Solution:
         At how many separations the forces balance; of several the largest is given, which closing
         surfaces meet first.
     error_bound : array
-        What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308,
-        below which float64 loses digits.  Where rounding keeps it above the ``rtol`` that was asked
-        for, the status is ``not_converged``, but the values stand.
+        What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308:
+        half of what loads and areas differ by between two separations at which the forces are seen to
+        be too large and too small, and rounding.  Where it is above the ``rtol`` that was asked for,
+        the status is ``not_converged``, but the values stand.
     conditions : mapping
         The five conditions that were solved, by name, SI: arrays that broadcast to the shape.
     """
