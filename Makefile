@@ -77,7 +77,7 @@ vendor:
 
 lowest:
 	uv venv --quiet --clear --python 3.11 $(LOWEST)
-	uv pip install --quiet --python $(LOWEST) --resolution lowest-direct --editable '.[compiled,workflow]'
+	uv pip install --quiet --python $(LOWEST) --resolution lowest-direct --editable '.[workflow]'
 	uv pip install --quiet --python $(LOWEST) --editable '.[test]'
 	$(LOWEST)/bin/python -m pytest tests/unit
 

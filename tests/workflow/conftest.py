@@ -89,8 +89,6 @@ def calibrated(made_once):
 
 
 def _calibrate(workspace):
-    workspace.with_machine_code()
-
     def smaller(text):
         settings = yaml.safe_load(text)
         settings["budget"], settings["seeds"] = BUDGET, [1, 2]

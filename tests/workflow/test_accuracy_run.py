@@ -29,9 +29,7 @@ METHODS |= {("nested_roots", None)}
 @pytest.fixture(scope="module")
 def measured(sources, tmp_path_factory):
     """The repository after a run of the accuracy target alone."""
-    workspace = sources.copied_to(
-        tmp_path_factory.mktemp("measured") / "thirdbody"
-    ).with_machine_code()
+    workspace = sources.copied_to(tmp_path_factory.mktemp("measured") / "thirdbody")
     run = workspace.snakemake("accuracy")
     assert run.returncode == 0, run.stdout + run.stderr
     return workspace

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import fcntl
 import os
 import shutil
 import subprocess
@@ -22,15 +21,6 @@ READINGS = (
 )  # calibrated in tests
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")
 MADE_BY_RUNS = ("results", "logs", ".snakemake")
-MACHINE_CODE = Path("src/thirdbody/solver/compiled/__pycache__")  # where numba keeps it
-# solves a point in either precision, if need be after compiling
-COMPILING = """
-import thirdbody
-surface = {"roughness": 3e-7, "parameters": thirdbody.load_parameters()}
-dry = {"viscosity": 0.0, "particle_diameter": 0.0, "particle_density": 0.0}
-for rtol in (1e-3, 1e-9):
-    thirdbody.solve(load=1e-5, **dry, **surface, rtol=rtol, way="compiled")
-"""
 NOT_SOURCES = (".git", ".venv", "dist", "__pycache__", ".*_cache", ".hypothesis", "*.egg-info")
 
 
@@ -60,17 +50,6 @@ class Workspace:
 
         shutil.copytree(ROOT, root, ignore=left_out)
         return cls(root)
-
-    def with_machine_code(self) -> Workspace:
-        """The same with the compiled loop, which takes long to compile: the first does it for all."""
-        (ROOT / MACHINE_CODE).mkdir(exist_ok=True)
-        with open(ROOT / MACHINE_CODE / "compiling.lock", "w") as lock:
-            fcntl.flock(lock, fcntl.LOCK_EX)
-            Workspace(ROOT).python(COMPILING).check_returncode()
-        (self.root / MACHINE_CODE).mkdir(exist_ok=True)
-        for kept in (ROOT / MACHINE_CODE).glob("*.nb?"):
-            shutil.copy2(kept, self.root / MACHINE_CODE)
-        return self
 
     def copied_to(self, root: Path) -> Workspace:
         """The same with results and times of change, elsewhere."""

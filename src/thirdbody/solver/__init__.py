@@ -1,6 +1,6 @@
 """The balance of forces, solved for any number of points.
 
-Imports ``thirdbody.model``; only ``compiled`` needs numba.  Begin with ``solve``, the public function;
-``plan`` chooses how points are solved, ``balance`` states what is solved, ``surfaces`` says what it
-is read from, and ``solution`` what is known afterwards.
+Imports ``thirdbody.model``.  Begin with ``solve``, the public function; ``balance`` finds the
+separation and certifies it, ``points`` states the forces, ``summits`` evaluates the summits, and
+``solution`` says what is known afterwards.
 """
