@@ -47,7 +47,7 @@ class Drawn(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """What was found at the points of ``Drawn`` by one way.
+    """What was found at the points of ``Drawn``.
 
     Attributes
     ----------
@@ -78,9 +78,9 @@ def draw_points(oracle: Oracle, surfaces: int, points: int, seed: int, place: st
     return Drawn(model, conditions, inputs, oracle.solve(model, **conditions))
 
 
-def compare(drawn: Drawn, oracle: Oracle, way: str) -> Compared:
-    """Solve all points by a ``way`` of the library, and say what differs from the oracle."""
-    found = _solved(drawn, way)
+def compare(drawn: Drawn, oracle: Oracle) -> Compared:
+    """Solve all points, and say what differs from the oracle."""
+    found = _solved(drawn)
     rtol, bound = drawn.per_point(drawn.rtols), found["error_bound"]
     count = _counted(drawn.expected)
     good = found["solution_status"] != NOT_CONVERGED
@@ -111,14 +111,14 @@ def relative_error(found, expected):
     return np.where(vanishes | (found == expected), 0.0, error).astype(float)
 
 
-def _solved(drawn, way):
+def _solved(drawn):
     """The variables of all points, each surface solved in one call."""
     found = []
     points = drawn.conditions["load"].size // len(drawn.inputs)
     for index, (parameters, rtol) in enumerate(zip(drawn.inputs, drawn.rtols, strict=True)):
         here = slice(index * points, (index + 1) * points)
         given = {name: drawn.conditions[name][here] for name in CONDITIONS}
-        found.append(tb.solve(**given, parameters=parameters, rtol=rtol, way=way))
+        found.append(tb.solve(**given, parameters=parameters, rtol=rtol))
     variables = vars(found[0]).keys() - {"conditions"}
     return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
 

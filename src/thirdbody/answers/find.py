@@ -20,7 +20,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import check_points, check_rtol
 from thirdbody.solver.bracketing import Known
-from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 32  # values along the axis
@@ -212,7 +211,6 @@ def crossings(
     check_rtol(rtol)
     search = _Search(limits, unit.axis.name, others, parameters, rtol)
     queries = next(iter(others.values())).size
-    expect_points(queries * swept.size)
     step = max(1, CHUNK // swept.size)
     pieces = [np.arange(start, min(start + step, queries)) for start in range(0, queries, step)]
     enclosed = []

@@ -15,7 +15,7 @@ import xarray as xr
 
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.atlas.spread import QUANTILES
-from thirdbody.atlas.surfaces import LIMITS, TURNING, Clock, solve_surface, way_of
+from thirdbody.atlas.surfaces import LIMITS, TURNING, Clock, solve_surface
 from thirdbody.data.conditions import AXES, DIMENSIONS
 from thirdbody.data.dataset import described_grid
 from thirdbody.data.quantities import FLAGS
@@ -163,8 +163,6 @@ def write_chunk(
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
-    own = math.prod(grid.shape)
-    way = way_of(*(count * len(sets) for count in (own, conditions or own)))
     clock = Clock(len(sets))
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
         described = _described(grid, default, members, kept, rtol)
@@ -172,7 +170,7 @@ def write_chunk(
         digits = dict.fromkeys(kept, math.ceil(-math.log10(rtol)) + SAFE_DIGITS)
         file_variables = declare(file, described, {**described.sizes, **sides}, 1, digits)
         for place, part in _parts(grid):
-            found = solve_surface(part, sets, weights, kept, rtol, way, clock)
+            found = solve_surface(part, sets, weights, kept, rtol, clock)
             for name, values in found.items():
                 variable = file_variables[name]
                 variable[tuple(place.get(each, slice(None)) for each in variable.dimensions)] = (

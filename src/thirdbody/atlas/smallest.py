@@ -11,7 +11,6 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.atlas.lookup import GRIDS, PIECE, Lookup
-from thirdbody.atlas.surfaces import way_of
 from thirdbody.configuration.axes import axis_values
 from thirdbody.data.attributes import global_attributes
 from thirdbody.data.conditions import AXES, CONDITION_AXES
@@ -252,7 +251,6 @@ def _solved(parameters, axes, count, chance) -> _Sample:
         parameters=parameters,
         rtol=SOLVED_RTOL,
         variables=("solid_load_fraction", "particle_contact_area_ratio", "separation"),
-        way=way_of(count),
         progress=False,
     )
     solved = np.isfinite(solution.separation)

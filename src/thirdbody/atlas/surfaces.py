@@ -28,9 +28,7 @@ from thirdbody.model.regimes import (
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
-from thirdbody.solver import availability
 from thirdbody.solver.bracketing import Known
-from thirdbody.solver.plan import COMPILED, COMPILING_WORTH, LOADING_WORTH, REPEATABLE
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
 
@@ -69,7 +67,6 @@ def solve_surface(
     weights: Sequence[int],
     kept: Collection[str],
     rtol: float,
-    way: str,
     clock: Clock,
 ) -> dict[str, NDArray]:
     """All that the atlas holds of a few particle densities on one surface.
@@ -86,8 +83,6 @@ def solve_surface(
         Quantities kept of each point under the default inputs.
     rtol : float
         Relative error asked for.
-    way : str
-        How points are solved.
     clock : Clock
         Takes the time.
 
@@ -106,35 +101,18 @@ def solve_surface(
     for parameters, weight in zip(sets, weights, strict=True):
         names = SOLVED if values else dict.fromkeys((*SOLVED, *kept, *FLAGS))
         axes = grid.axes(parameters)
-        solution = _timed(
-            clock, "solving", solve_arrays, crossed(axes), parameters, rtol, names, way
-        )
+        solution = _timed(clock, "solving", solve_arrays, crossed(axes), parameters, rtol, names)
         values = values or {name: getattr(solution, name) for name in (*kept, *FLAGS)}
         if weight:
             for flag, states in STATES.items():
                 for index, state in enumerate(states):
                     counts[f"{state}_probability"] += weight * (getattr(solution, flag) == index)
         for name, each in (
-            _timed(clock, "searching", _limits, axes, solution, parameters, rtol, way)
+            _timed(clock, "searching", _limits, axes, solution, parameters, rtol)
             | _timed(clock, "searching", _turning, axes, solution.separation, parameters, rtol)
         ).items():
             found[name].append(each)
     return values | counts | _summed_up(found, weights)
-
-
-def way_of(points: int, together: int | None = None) -> str:
-    """How so many points are solved: as fast as can be, but whatever else a process has solved.
-
-    Parameters
-    ----------
-    points : int
-        Those that a process solves, which pay for loading the compiled loop.
-    together : int, optional
-        Those of all processes that share what one of them compiles, which pay for that.
-    """
-    compiling = together or points
-    worth = points >= LOADING_WORTH and compiling >= COMPILING_WORTH
-    return COMPILED if worth and availability.is_installed() else REPEATABLE
 
 
 def _timed(clock, what, function, *given):
@@ -144,11 +122,11 @@ def _timed(clock, what, function, *given):
     return result
 
 
-def _limits(axes, solution, parameters, rtol, way) -> dict[str, NDArray]:
+def _limits(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
     on lubrication is no longer boundary lubrication."""
     return {
-        name: first_passed(along, variable, level, direction, axes, solution, parameters, rtol, way)
+        name: first_passed(along, variable, level, direction, axes, solution, parameters, rtol)
         for name, (along, variable, level, direction) in LIMITED.items()
     }
 
@@ -162,7 +140,6 @@ def first_passed(
     solution: Solution,
     parameters: Parameters,
     rtol: float,
-    way: str,
 ) -> NDArray:
     """Where a variable first passes a level along one axis of a solved grid.
 
@@ -181,7 +158,7 @@ def first_passed(
         The five axes.
     solution : Solution
         That of the grid.
-    parameters, rtol, way
+    parameters, rtol
         Of the solution; the place of a leap is found as closely.
 
     Returns
@@ -219,8 +196,7 @@ def first_passed(
         },
         parameters,
         min(LEAP_RTOL * rtol, 1e-2),
-        way,
-        Known(*(share[leap] - level for share in shares), unknown, unknown),
+        known=Known(*(share[leap] - level for share in shares), unknown, unknown),
     )
     found[others] = np.exp(root)
     return found

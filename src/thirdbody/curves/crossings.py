@@ -20,7 +20,6 @@ def excess_over(
     parameters: Parameters,
     rtol: float,
     also: Collection[str] = (),
-    way: str | None = None,
 ) -> tuple[NDArray, dict[str, NDArray]]:
     """By how much quantities exceed levels.
 
@@ -34,7 +33,7 @@ def excess_over(
         What it is compared with.
     given : mapping
         The five conditions of each point, arguments of ``solve``.
-    parameters, rtol, way
+    parameters, rtol
         As for ``solve``.
     also : collection of str
         Other variables that are wanted.
@@ -47,7 +46,7 @@ def excess_over(
         The variables of ``also``.
     """
     wanted = {*quantities, *also}
-    found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted, way=way)
+    found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted)
     values = np.choose(chosen, [getattr(found, name) for name in quantities])
     return values - level, {name: getattr(found, name) for name in also}
 
@@ -61,7 +60,6 @@ def level_roots(
     given: Mapping[str, NDArray],
     parameters: Parameters,
     rtol: float,
-    way: str | None = None,
     known: Known | None = None,
 ) -> tuple[NDArray, NDArray]:
     """Where each quantity passes its level between two values of one condition.
@@ -76,7 +74,7 @@ def level_roots(
         As for ``excess_over``.
     given : mapping
         The other four conditions.
-    parameters, rtol, way
+    parameters, rtol
         As for ``solve``.
     known : Known, optional
         By how much the quantities exceed their levels at both ends and at a third place.
@@ -94,7 +92,7 @@ def level_roots(
         some[along] = np.exp(log_condition[moved])
         asked = quantities, chosen[moved], level[moved], some
         place[moved] = log_condition[moved]
-        value[moved] = excess_over(*asked, parameters, rtol, way=way)[0]
+        value[moved] = excess_over(*asked, parameters, rtol)[0]
         return value.copy()
 
     return bracketed_roots(excess, *ends, 0.1 * rtol, known)

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from thirdbody.curves.crossings import level_roots
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
-from thirdbody.solver.plan import REPEATABLE
 
 LIMITS = (
     ("solid_load_fraction", BOUNDARY_LIMIT),
@@ -68,6 +67,6 @@ def transitions(
     given = dict(zip(names, conditions[:, curve], strict=True))
     passed = quantities, limit, np.array(levels)[limit]
     ends = np.log(load[step]), np.log(load[step + 1])
-    root, width = level_roots("load", ends, *passed, given, parameters, rtol, way=REPEATABLE)
+    root, width = level_roots("load", ends, *passed, given, parameters, rtol)
     crossing = np.exp(root)
     return limit, curve, crossing, crossing * (width + rtol), above[limit, step + 1, curve]

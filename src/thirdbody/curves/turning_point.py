@@ -25,7 +25,6 @@ from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.solver.bracketing import bracketed_roots
-from thirdbody.solver.plan import search_ways
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 
@@ -222,11 +221,10 @@ def _searched(
     Yields indices of some curves, their ``Contact``, and what ``share_maxima`` finds between the
     separations, so many on each, and ends that ``enclosed`` returns for these indices.
     """
-    three_body = np.flatnonzero(has_particles(diameter, density))
-    for _, table_rtol, places in search_ways(roughness[three_body], separations, rtol):
-        curves = three_body[places]
+    curves = np.flatnonzero(has_particles(diameter, density))
+    if curves.size:
         columns = (column[curves] for column in (diameter, roughness, density))
-        solids = make_contact(*columns, parameters, table_rtol)
+        solids = make_contact(*columns, parameters, rtol)
         yield curves, solids, share_maxima(solids, *enclosed(curves), SEPARATION_MARGIN * rtol)
 
 

@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.curves.turning_point import PROMINENCE, share_maxima
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.bracketing import bracketed_roots
-from thirdbody.solver.plan import search_ways
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
@@ -197,27 +196,22 @@ def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
 
 def _margin(search, load_range, diameter, roughness, density, parameters):
     """By how much a turning point stands out more than it must; negative where there is none."""
-    margin = np.empty_like(diameter)
-    density = np.full_like(diameter, density)
-    for way, table_rtol, curves in search_ways(roughness, search.separations, search.rtol):
-        conditions = [column[curves] for column in (diameter, roughness, density)]
-        names = "particle_diameter", "roughness", "particle_density"
-        first, last = solve(
-            load=np.array(load_range)[:, None],
-            viscosity=0.0,
-            **dict(zip(names, conditions, strict=True)),
-            parameters=parameters,
-            rtol=search.rtol,
-            variables=("separation",),
-            way=way,
-        ).separation
-        solids = make_contact(*conditions, parameters, table_rtol)
-        between = _between(first, last, conditions[1], search.separations)
-        curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
-        greatest = np.full_like(first, np.nan)
-        np.fmax.at(greatest, curve, prominence)
-        margin[curves] = _above_least(greatest)
-    return margin
+    columns = diameter, roughness, np.full_like(diameter, density)
+    names = "particle_diameter", "roughness", "particle_density"
+    first, last = solve(
+        load=np.array(load_range)[:, None],
+        viscosity=0.0,
+        **dict(zip(names, columns, strict=True)),
+        parameters=parameters,
+        rtol=search.rtol,
+        variables=("separation",),
+    ).separation
+    solids = make_contact(*columns, parameters, search.rtol)
+    between = _between(first, last, roughness, search.separations)
+    curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
+    greatest = np.full_like(first, np.nan)
+    np.fmax.at(greatest, curve, prominence)
+    return _above_least(greatest)
 
 
 def _above_least(prominence):

@@ -31,7 +31,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.arguments import check_parameters, check_rtol, check_variables, checked_axis
-from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.usual import warn_beyond_usual
 
@@ -187,7 +186,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     for group in scene.groups:
         place = scene.placed(group)
         sides = {"load": scene.load} | {name: getattr(group, name) for name in Condition._fields}
-        solution = solve(**crossed(sides), parameters=parameters, rtol=rtol, way=REPEATABLE)
+        solution = solve(**crossed(sides), parameters=parameters, rtol=rtol)
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)

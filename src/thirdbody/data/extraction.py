@@ -12,7 +12,6 @@ from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS, shown_combinations
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve_arrays
 
 
@@ -99,7 +98,7 @@ def _statuses(load, conditions, dataset, parameters) -> list[str]:
     """Statuses of points, by name: their loads F_t*, and ``conditions`` as of ``curves_of``."""
     given = {"load": load} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
-    status = solve_arrays(given, parameters, rtol, [STATUS], REPEATABLE).solution_status
+    status = solve_arrays(given, parameters, rtol, [STATUS]).solution_status
     return [SOLUTION_STATUSES[index] for index in status]
 
 

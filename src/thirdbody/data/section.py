@@ -14,7 +14,6 @@ from thirdbody.data.conditions import Condition
 from thirdbody.data.schematic import Particle, Section, State
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
-from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve
 
 SEED = 20240507  # the day on which the paper appeared
@@ -59,7 +58,7 @@ def solved_state(conditions: Mapping, parameters: Parameters) -> State:
     """
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
-    solution = solve(load=load, **condition._asdict(), parameters=parameters, way=REPEATABLE)
+    solution = solve(load=load, **condition._asdict(), parameters=parameters)
     if not np.isfinite(solution.separation):
         raise ValueError(f"schematic conditions {dict(conditions)} have no solution")
     return State(

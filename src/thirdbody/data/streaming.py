@@ -25,7 +25,6 @@ from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import check_parameters, check_rtol
-from thirdbody.solver.plan import expect_points
 from thirdbody.solver.solution import Solution, type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
@@ -117,7 +116,6 @@ def stream(
         return solve_arrays(crossed(sides), parameters, rtol, names)
 
     points = prod(axis.size for axis in axes.values())
-    expect_points(points)
     with Progress(points, "points", progress) as progressing:
         write_blocks(path, axes, solved, parameters, rtol, names, compression, progressing.add)
 

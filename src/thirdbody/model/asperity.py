@@ -13,19 +13,13 @@ t = (d - y_s)/sigma_s alone; an interference is w = omega/sigma_s there.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
-import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters, Surface
 
-# Summits whose weight is below exp(-NEGLIGIBLE) of the largest do not matter in float64.
-NEGLIGIBLE = 40.0
 SQRT_2PI = np.sqrt(2.0 * np.pi)
 
 
@@ -100,19 +94,6 @@ def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float
     return yield_ratio + (1.0 - yield_ratio) * np.log(within) / np.log(plastic_ratio)
 
 
-class Weights(NamedTuple):
-    """What a summit of interference w contributes to a load or an area.
-
-    ``elastic`` w^``power`` up to w_1, then ``elastoplastic``(w/w_1, growth of the area) w, and
-    ``plastic`` w from w_2 on.
-    """
-
-    elastic: float
-    power: float
-    elastoplastic: Callable
-    plastic: float
-
-
 @dataclass(frozen=True)
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
@@ -133,8 +114,7 @@ class SummitPopulation:
 
     Notes
     -----
-    Elastic and elastoplastic summits are summed by Gauss-Legendre quadrature, plastic ones in
-    closed form.
+    Elastic, elastoplastic and plastic summits are each summed by Gauss-Legendre quadrature.
 
     Examples
     --------
@@ -163,20 +143,10 @@ class SummitPopulation:
             parameters.plastic_interference_ratio,
         )
 
-    @classmethod
-    def of_unit(cls, yield_interference: float | NDArray, materials: tuple) -> SummitPopulation:
-        """The population of w_1 [1] whose eta_s R sigma_s is 1.
-
-        ``materials`` are the last three fields.  Loads and areas of any population are eta_s R sigma_s
-        times those of one such, which depend on w_1 and t alone.
-        """
-        unit = cls(1.0, 1.0, *materials)
-        return replace(unit, sharpness=unit.yield_interference / yield_interference)
-
-    @property
-    def materials(self) -> tuple[float, float, float]:
-        """H/E_ss, k and omega_2/omega_1 [1]."""
-        return self.hardness_ratio, self.yield_ratio, self.plastic_ratio
+    def take(self, chosen) -> SummitPopulation:
+        """The populations of the points that an index or mask ``chosen`` picks."""
+        columns = self.summit_parameter[chosen], self.sharpness[chosen]
+        return replace(self, summit_parameter=columns[0], sharpness=columns[1])
 
     @property
     def yield_interference(self) -> float | NDArray:
@@ -196,7 +166,7 @@ class SummitPopulation:
         log_load, slope : array
             ln(F_ss/(A_n E_ss)) and its derivative by t [1].
         """
-        return self._logarithms(t, self._load_weights)[0]
+        return self._logarithm(*self._sums(t, False), np.pi * self.hardness_ratio)[:2]
 
     def log_area(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
         """Contact area of all summits.
@@ -211,69 +181,70 @@ class SummitPopulation:
         log_area, slope : array
             ln(A_ss/A_n) and its derivative by t [1].
         """
-        return self._logarithms(t, self._area_weights)[0]
+        return self._logarithm(*self._sums(t, True), np.pi)[:2]
 
-    def log_load_and_area(self, t: ArrayLike) -> list[tuple[NDArray, NDArray]]:
-        """What ``log_load`` and ``log_area`` return, for little more than one of them costs."""
-        return self._logarithms(t, self._load_weights, self._area_weights)
+    def log_load_and_area(self, t: ArrayLike) -> NDArray:
+        """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives by ``t``: an array of the
+        shape (2, 3, ...)."""
+        load = self._logarithm(*self._sums(t, False), np.pi * self.hardness_ratio)
+        return np.stack([load, self._logarithm(*self._sums(t, True), np.pi)])
 
-    @computed_once
-    def _load_weights(self) -> Weights:
-        hertz = 4.0 / 3.0 * self.summit_parameter * np.sqrt(self.sharpness)
-        full = np.pi * self.summit_parameter * self.hardness_ratio
+    def _sums(self, t, of_area):
+        """max(t, 0), and sums over all summits of A/(pi R sigma_s), or of F/(pi R sigma_s H), times 1, v
+        and v^2, where v = w + min(t, 0).
 
-        def elastoplastic(ratio, growth):
-            pressure = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
-            return _over_nodes(full) * growth * pressure
-
-        return Weights(hertz, 1.5, elastoplastic, 2.0 * full)
-
-    @computed_once
-    def _area_weights(self) -> Weights:
-        full = np.pi * self.summit_parameter
-        return Weights(full, 1.0, lambda ratio, growth: _over_nodes(full) * growth, 2.0 * full)
-
-    def _logarithms(self, t, *quantities: Weights):
-        """ln of the sum over all summits and its slope, of each quantity.
-
-        The largest weight of a summit, exp(-max(t, 0)^2/2), is left out of the sums and enters as a
-        logarithm: so a tail far beyond float64 keeps its digits.
+        The largest weight of a summit, exp(-max(t, 0)^2/2), is left out of the sums: so a tail far
+        beyond float64 keeps its digits.
         """
         t = np.asarray(t, dtype=float)
+        above, below = np.maximum(t, 0.0), np.minimum(t, 0.0)
         w_1 = self.yield_interference
         w_2 = w_1 * self.plastic_ratio
-        reach = _reach(t)
-        elastic = _elastic_sums(t, np.minimum(w_1, reach), quantities)
-        between = _elastoplastic_sums(
-            t, w_1, np.clip(reach, w_1, w_2), self.plastic_ratio, quantities
-        )
-        plastic = _plastic_sums(t, w_2, quantities)
-        found = []
-        for parts in zip(elastic, between, plastic, strict=True):
-            total, slope = map(sum, zip(*parts, strict=True))
-            total = np.maximum(total, np.finfo(float).tiny)
-            value = np.log(total / SQRT_2PI) - 0.5 * np.maximum(t, 0.0) ** 2
-            found.append((value, slope / total))
-        return found
+        start = np.maximum(-below - WIDEST, 0.0)
+        end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
+        sums = 0.0
+        for law, first, last in (
+            (self._elastic, 0.0, w_1),
+            (self._elastoplastic, w_1, w_2),
+            (self._plastic, w_2, np.inf),
+        ):
+            # w = root^2 makes half powers smooth
+            low = np.sqrt(np.clip(first, start, end))
+            width = np.sqrt(np.clip(last, start, end)) - low
+            root = low[..., None] + width[..., None] * NODES
+            w = root * root
+            v = w + below[..., None]
+            terms = np.exp(-v * (above[..., None] + 0.5 * v)) * w * root
+            terms *= law(w / np.asarray(w_1)[..., None], of_area)
+            powers = np.stack([np.ones_like(v), v, v * v])
+            sums = sums + 2.0 * width * np.einsum("...i,k...i,i->k...", terms, powers, WEIGHTS)
+        return above, sums
 
+    def softness(self, ratio: ArrayLike) -> NDArray:
+        """F/(pi R omega H) [1] of a summit at omega/omega_1 = ``ratio`` [1]."""
+        yielding = area_growth(ratio, self.plastic_ratio)
+        yielding = yielding * pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
+        return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)
 
-def _reach(t):
-    """The w beyond which summits' weight is negligible: (t + w)^2 = max(t, 0)^2 + 2 NEGLIGIBLE."""
-    return np.where(
-        t > 0.0,
-        2.0 * NEGLIGIBLE / (np.abs(t) + np.hypot(t, np.sqrt(2.0 * NEGLIGIBLE))),
-        np.sqrt(2.0 * NEGLIGIBLE) - t,
-    )
+    def _elastic(self, ratio, of_area):
+        """A/(pi R omega), or F/(pi R omega H), at omega/omega_1 up to 1."""
+        return 1.0 if of_area else self.yield_ratio * np.sqrt(ratio)
 
+    def _elastoplastic(self, ratio, of_area):
+        growth = area_growth(ratio, self.plastic_ratio)
+        if of_area:
+            return growth
+        return growth * pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
 
-def _weight(t, w):
-    """exp(-(t+w)^2/2) over its largest value exp(-max(t, 0)^2/2), which cancels nothing for t > 0."""
-    return np.exp(-w * (t + 0.5 * w) - 0.5 * np.minimum(t, 0.0) ** 2)
+    def _plastic(self, ratio, of_area):
+        return 2.0
 
-
-def _over_nodes(values):
-    """``values`` of the points, or one for all, with an axis for the nodes of each point."""
-    return np.asarray(values)[..., None]
+    def _logarithm(self, above, sums, unit):
+        """ln of the ``sums`` in a ``unit`` of eta_s R sigma_s, and its first two derivatives by t."""
+        total = np.maximum(sums[0], np.finfo(float).tiny)
+        mean, square = sums[1] / total, sums[2] / total
+        value = np.log(total * (unit / SQRT_2PI)) + np.log(self.summit_parameter)
+        return value - 0.5 * above**2, -(above + mean), square - mean**2 - 1.0
 
 
 def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
@@ -282,53 +253,7 @@ def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
     return 0.5 * (nodes + 1.0), 0.5 * weights
 
 
-# Errors below 1e-12 for t > -5 and any material; half of the nodes would do for t > 0.
-ELASTIC_NODES = gauss_legendre(48)
-ELASTOPLASTIC_NODES = gauss_legendre(48)
-
-
-def _elastic_sums(t, end, quantities):
-    """Sum over elastic summits, those of w from 0 to ``end``, and its slope, of each quantity.
-
-    The integral of ``elastic`` w^``power``; w = end u^2 makes half powers smooth.
-    """
-    u, weights = ELASTIC_NODES
-    decay = _weight(_over_nodes(t), _over_nodes(end) * u**2)
-    for quantity in quantities:
-        measure = 2.0 * weights * u ** (2.0 * quantity.power + 1.0)
-        scale = quantity.elastic * end ** (quantity.power + 1.0)
-        terms = decay * measure
-        total, farther = terms.sum(-1), (terms * u**2).sum(-1)
-        yield scale * total, -scale * (t * total + end * farther)
-
-
-def _elastoplastic_sums(t, start, end, plastic_ratio, quantities):
-    """Sum over summits of w from ``start`` w_1 to ``end``, and its slope, of each quantity.
-
-    The integral of ``elastoplastic`` w; w = root^2 evens out the logarithm in the pressure.
-    """
-    u, weights = ELASTOPLASTIC_NODES
-    width = np.sqrt(end) - np.sqrt(start)
-    root = _over_nodes(np.sqrt(start)) + _over_nodes(width) * u
-    w = root**2
-    decay = _weight(_over_nodes(t), w)
-    ratio, measure = w / _over_nodes(start), 2.0 * weights * root * w * decay
-    growth = area_growth(ratio, plastic_ratio)
-    for quantity in quantities:
-        terms = measure * quantity.elastoplastic(ratio, growth)
-        total, farther = terms.sum(-1), (terms * w).sum(-1)
-        yield width * total, -width * (t * total + farther)
-
-
-def _plastic_sums(t, start, quantities):
-    """Sum over plastic summits, those of w above ``start`` w_2, and its slope, of each quantity.
-
-    The integral of ``plastic`` w is phi(t + w_2) - t Q(t + w_2), with phi and Q the density and
-    upper tail of the standard normal distribution.
-    """
-    tail = t + start
-    phi = _weight(t, start)
-    beyond = phi * np.sqrt(0.5 * np.pi) * scipy.special.erfcx(tail / np.sqrt(2.0))
-    for quantity in quantities:
-        factor = quantity.plastic
-        yield factor * (phi - t * beyond), -factor * (start * phi + beyond)
+# Errors of ln F_ss and ln A_ss are below 1e-12 for any material.
+NODES, WEIGHTS = gauss_legendre(48)
+# Summits whose weight is below exp(-40) of the largest do not matter in float64: in v beyond this.
+WIDEST = np.sqrt(2.0 * 40.0)

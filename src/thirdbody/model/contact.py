@@ -57,6 +57,8 @@ class SolidLoad(NamedTuple):
         What rounding may change in ``value`` [1], but for that of d itself.
     rounding : array
         Relative error that rounding leaves in any such v [1], but for that of d itself.
+    touching : tuple of array or None
+        What ``ParticleLayer.contact`` returns there; None without particles.
     """
 
     value: NDArray
@@ -64,6 +66,7 @@ class SolidLoad(NamedTuple):
     steepest: NDArray
     noise: NDArray
     rounding: NDArray
+    touching: tuple | None = None
 
 
 @dataclass(frozen=True)
@@ -109,7 +112,8 @@ class Contact:
             steepest = np.where(log_summits > NOTHING, -slope, 0.0)
             rounding = np.where(log_summits > NOTHING, rounded, 0.0)
             return SolidLoad(log_summits, slope, steepest, rounded, rounding)
-        area, area_slope, *coverage = self.particles.contact(separation)
+        touching = self.particles.contact(separation)
+        area, area_slope, *coverage = touching
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
         log_particles = np.log(area) + np.log(self.parameters.particle_pressure)  # Eqs. 4 and 5
@@ -127,6 +131,7 @@ class Contact:
             ),
             share * rounded + (1.0 - share) * rounded_area + 4.0 * EPSILON * (1.0 + np.abs(value)),
             np.maximum(np.where(log_beside > NOTHING, rounded, 0.0), rounded_area),
+            touching,
         )
 
     def areas(self, separation: NDArray, touching: tuple | None = None) -> tuple[NDArray, NDArray]:

@@ -20,8 +20,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
+import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps
@@ -32,6 +34,8 @@ THICKEST = 0.01  # H_c of what is still a film between two bodies
 # of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
+# the table of the inverse of Eq. 7: range in ln H_c, seen from where both terms are equal, and error
+INVERSE_RANGE, INVERSE_ERROR = (-6.0, 14.0), 2e-13
 
 
 def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
@@ -175,20 +179,17 @@ class Film:
         # Eq. 7
         return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
 
-    def rounding(
-        self, log_load_parameter: ArrayLike, thickness: NDArray, slope: NDArray
-    ) -> NDArray:
-        """Relative error [1] that rounding leaves in ``thickness``: the more, the larger logarithms of
-        which H_c is the exponential.
+    def rounding(self, log_load_parameter: ArrayLike, fall: ArrayLike) -> NDArray:
+        """Relative error [1] that rounding leaves in H_c: the more, the larger logarithms of which it
+        is the exponential.
 
         Parameters
         ----------
         log_load_parameter : array_like
             ln W [1].
-        thickness, slope : array
-            What ``thickness`` returns there.
+        fall : array_like
+            d ln H_c/d ln W [1] there.
         """
-        fall = slope / thickness  # the exponents' mean, by the size of their terms
         rough = (fall - self.smooth_exponent) / ROUGHNESS_LOAD_EXPONENT  # the second term's share
         size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
@@ -201,33 +202,38 @@ class Film:
         log_parameter = (self.smooth - self.rough) / (self.rough_exponent - self.smooth_exponent)
         return log_parameter, self.smooth + self.smooth_exponent * log_parameter
 
-    def load_parameter(self, thickness: ArrayLike, steps: int = INVERSE_STEPS) -> NDArray:
+    def load_parameter(self, thickness: ArrayLike) -> NDArray:
         """Load under which the film has a given thickness: the inverse of ``thickness``.
-
-        Newton's method on ln H_c, which is convex in ln W; it starts where one term of Eq. 7 has
-        the thickness by itself, so that it cannot overshoot.
 
         Parameters
         ----------
         thickness : array_like
             H_c [1], positive; a scalar or of the shape of the points.
-        steps : int
-            Number of steps; the default reaches the last digits of float64.
 
         Returns
         -------
         array
             ln W [1].
         """
-        target = np.log(thickness)
-        log_parameter = np.maximum(
-            (target - self.smooth) / self.smooth_exponent,
-            (target - self.rough) / self.rough_exponent,
-        )
-        for _ in range(steps):
-            value, slope = self.thickness(log_parameter)
-            log_parameter = log_parameter - (np.log(value) - target) * value / slope
-        return log_parameter
+        return self.load_parameter_and_slope(thickness)[0]
+
+    def load_parameter_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
+        """What ``load_parameter`` returns, and d ln W/d ln H_c [1] there.
+
+        Seen from where both terms of Eq. 7 are equal, all films of one ellipticity are the same
+        curve: it is read off a table.
+        """
+        log_parameter, log_thickness = self.crossing()
+        table = _inverse_table(self.smooth_exponent, self.rough_exponent)
+        x = np.log(thickness) - log_thickness
+        inside = table.covers(x)
+        if inside.all():
+            value, slope = table(x)
+        else:
+            value, slope = np.where(inside, table(np.where(inside, x, 0.0)), 0.0)
+            exponents = self.smooth_exponent, self.rough_exponent
+            value[~inside], slope[~inside] = _inverse(x[~inside], *exponents)[:2]
+        return value + log_parameter, slope
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
         """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does, and the
@@ -242,6 +248,26 @@ class Film:
         """ln W [1] below which H_c falls with viscosity."""
         excess = np.log(self.turning_ratio) + self.smooth - self.rough
         return excess / ROUGHNESS_LOAD_EXPONENT
+
+
+def _inverse(x, a, b):
+    """y of e^x = e^(a y) + e^(b y), and its first two derivatives.
+
+    Newton's method on the logarithm, which is convex; it starts where one term is e^x by itself, so
+    that it cannot overshoot.
+    """
+    y = np.maximum(x / a, x / b)
+    for _ in range(INVERSE_STEPS):
+        y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
+    rough = scipy.special.expit((b - a) * y)  # the share of the second term
+    slope = 1.0 / (a + (b - a) * rough)
+    return y, slope, -rough * (1.0 - rough) * (b - a) ** 2 * slope**3
+
+
+@lru_cache(maxsize=64)
+def _inverse_table(a, b):
+    """``_inverse`` as a table, for the exponents of one ellipticity."""
+    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_ERROR)
 
 
 class _Law(NamedTuple):

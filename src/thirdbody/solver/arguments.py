@@ -16,7 +16,6 @@ from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.solver.labelled import is_labelled
-from thirdbody.solver.points import Axis
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.units import without_unit
 
@@ -90,8 +89,8 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
         raise ValueError(f"{told} in one call, and thirdbody.stream writes any number to a file")
 
 
-def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
-    """Check a condition: a ``ValueError`` names it and its first bad value.
+def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
+    """The values of a condition, float64 in SI; a ``ValueError`` names it and its first bad value.
 
     Parameters
     ----------
@@ -105,8 +104,7 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
     if type(values) in PLAIN_NUMBERS and least <= values <= MOST:
-        number = float(values)  # the checks below would take longest
-        return Axis(np.asarray(number), number, number)
+        return np.asarray(float(values))  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         raise ValueError(
@@ -127,12 +125,11 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> Axis:
         kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
         raise ValueError(f"{name} is of type {kind}; allowed: numbers")
     array = np.asarray(array, float)
-    axis = Axis.of(array)
-    if not (axis.least >= least and axis.greatest < np.inf):
+    if not (array.min(initial=MOST) >= least and array.max(initial=0.0) < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"
         raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
-    return axis
+    return array
 
 
 def _of_long_integers(name, array):

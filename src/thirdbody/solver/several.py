@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
+from thirdbody.model.particles import EPSILON
 from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import Points
-from thirdbody.solver.roots import EPSILON
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
 SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
@@ -51,7 +51,7 @@ def may_be_several(points: Points) -> NDArray:
     return np.exp(points.log_load) > greatest_single_load(points.parameters)
 
 
-def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: bool) -> Enclosures:
+def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     """Find all separations that balance the forces, and enclose the largest.
 
     Parameters
@@ -62,8 +62,6 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
         The least separation d [m] to look at.
     end : array
         A separation [m] at which all that is there may still bear the load, or not.
-    with_film : bool
-        Whether the film bears the more, the closer the surfaces are; if not, solids alone count.
 
     Returns
     -------
@@ -78,7 +76,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray, with_film: boo
     """
 
     def excess(separation, which):
-        return _excess(separation, points.take(which), with_film)
+        return _excess(separation, points.take(which))
 
     every = np.arange(start.size)
     # two bodies together may bear more, farther out, than either of them alone
@@ -143,17 +141,10 @@ def _changes(signs, known):
     return (signs[:, 1:] != signs[:, :-1]).sum(axis=1)
 
 
-def _excess(separation, points, with_film):
-    """ln of the load that is borne at ``separation`` [m] over F_t, and what it may be wrong by."""
-    load = points.contact.log_solid_load(separation)
-    value = load.value - points.log_load
-    noise = load.noise + 2.0 * EPSILON * np.abs(separation * load.slope)
-    if with_film:
-        solids = value
-        value = np.logaddexp(solids, points.log_film_load(separation))
-        share = np.exp(solids - value)
-        noise = np.where(share > 0.0, noise * share, 0.0)
-    return value, ROUNDED + noise
+def _excess(separation, points):
+    """ln of the load that is carried at ``separation`` [m] over F_t, and what it may be wrong by."""
+    forces = points.forces(separation)
+    return forces.excess, ROUNDED + forces.noise
 
 
 def _places(points, start, end):

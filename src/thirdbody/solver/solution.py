@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import expit, log_expit
+from scipy.special import expit
 
-from thirdbody.model.computed_once import computed_once
-from thirdbody.model.film import THICKEST
+from thirdbody.model.film import THICKEST, log_load_parameter
+from thirdbody.model.particles import TINY, VANISHED
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     FLAG_MEANINGS,
@@ -20,17 +20,12 @@ from thirdbody.model.regimes import (
     gravest_status,
     lubrication_regime,
 )
-from thirdbody.solver.balance import BALANCES, dry_balance
+from thirdbody.solver.balance import balance_forces
 from thirdbody.solver.points import Points
-from thirdbody.solver.several import may_be_several
 
 if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
-
-LEAST_RTOL = 1e-12  # of roots that nothing but rounding limits
-ROOT_SHARE = 0.5  # of the error asked for: left by the roots
-NARROW = 1e-3  # of the spread of sizes: over so little slopes of areas stay what they are
 
 
 @dataclass(frozen=True)
@@ -167,11 +162,6 @@ class Solution:
 VARIABLES = tuple(each.name for each in fields(Solution) if each.name != "conditions")
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
-OF_AREAS = {
-    "contact_mode",
-    "solution_status",
-    *(name for name in VARIABLES if "contact_area" in name),
-}
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))
 
 
@@ -195,160 +185,98 @@ def type_of(variable: str) -> type:
     return np.int8 if variable in WHOLE else float
 
 
-class SolvedPoints:
-    """Points whose forces are balanced, by quadrature or by tables as their surfaces say.
+def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
+    """The variables of ``Solution`` at points, by name, as 1-D arrays.
 
     Parameters
     ----------
     points : Points
         All with or without particles, all with or without a film.
+    tolerance : float
+        Relative error that the solver may leave in any variable.
     rtol : float
-        Relative error asked for.  By quadrature the roots are as good as float64 allows.
-
-    Attributes
-    ----------
-    left : array of bool
-        Points that magnify the errors of tables beyond ``rtol``, or that may have several
-        separations, and are to be solved by quadrature; by quadrature none is left.
-
-    Notes
-    -----
-    The variables of ``Solution`` are attributes too, 1-D arrays that are evaluated when read.
+        Relative error asked for: beyond it points are not converged.
     """
+    balance = balance_forces(points, tolerance)
+    ends = balance.ends
+    has_particles = points.contact.particles is not None
+    solid = expit(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
+    fluid = expit(ends.log_fluid - ends.log_solid)
+    particle_ratio = np.zeros_like(ends.area)  # Eq. 10
+    if has_particles:
+        particle_ratio = expit(np.log(ends.area) - ends.log_beside)
+    found = {
+        "separation": ends.separation,
+        "film_thickness": ends.separation / points.parameters.ball_radius,
+        "solid_load_fraction": solid,
+        "fluid_load_fraction": fluid,
+        "total_contact_area": ends.area + np.exp(ends.log_beside),  # Eq. 3
+        "particle_contact_area_ratio": particle_ratio,
+        "surface_contact_area_ratio": 1.0 - particle_ratio,
+    }
+    if has_particles:
+        found["surface_contact_area_ratio"] = expit(ends.log_beside - np.log(ends.area))
+    found = {name: 0.5 * (both[0] + both[1]) for name, both in found.items()}
+    error = _error_bound(ends, solid, fluid)
+    error = np.where(balance.certain & (error <= 1.0), error, np.inf)
+    found |= {"error_bound": error, "separation_count": balance.count}
+    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
+    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
+    void = np.isnan(found["separation"])
+    no_room = np.zeros(void.shape, bool)
+    if has_particles:
+        no_room = points.contact.particles.leave_no_room(ends.coverage[1])
+    applies = {
+        "several_separations": balance.count > 1,
+        "outside_film_formula": _outside_film_formula(points, found),
+        "area_exceeded": found["total_contact_area"] > 1.0,
+        "not_converged": ~(error <= rtol),
+        "coverage_exceeded": no_room,
+        "load_exceeded": void & (balance.count == 0),
+    }
+    found["solution_status"] = gravest_status(**applies)
+    void |= no_room
+    if void.any():
+        for name, values in found.items():
+            if name != "solution_status":
+                otherwise = np.nan if type_of(name) is float else NO_FLAG
+                values[void] = 0 if name == "separation_count" else otherwise
+    return found
 
-    def __init__(self, points: Points, rtol: float):
-        self.points = points
-        film_load = points.parameters.readings.film_load
-        solve = dry_balance if points.film is None else BALANCES[type(film_load)]
-        self._balance = solve(
-            points, ROOT_SHARE * rtol if points.surfaces.is_tabulated else LEAST_RTOL
-        )
-        error = self._balance.error + self._error_between_sizes()
-        self._error = np.where(error > 1.0, np.inf, error)  # beyond that slopes tell nothing
-        self.left = ~(self._error <= rtol) | may_be_several(points)
-        self.left &= points.surfaces.is_tabulated
-        self._rtol = rtol
-        self._void = np.isnan(self._balance.separation) | self._leave_no_room
-        self._complete = not self._void.any()
 
-    @computed_once
-    def _touching(self):
-        """What ``ParticleLayer.contact`` returns there."""
-        return self.points.contact.particles.contact(self._balance.separation)
+def _error_bound(ends, solid, fluid):
+    """What loads and areas differ by between both ends, relative, and rounding beside."""
+    closest, farthest = ends.separation
+    bare = np.log1p(-ends.coverage)
+    summits = np.where(ends.log_beside > VANISHED, ends.log_beside - bare, 0.0)
+    beside = np.where(ends.log_beside > VANISHED, bare, 0.0)
+    areas = _difference(summits) + _difference(beside) + _relative_difference(ends.area)
+    loads = np.zeros(closest.shape)
+    for fraction, log_load in ((solid, ends.log_solid), (fluid, ends.log_fluid)):
+        loads = loads + np.where(fraction.max(axis=0) > TINY, _difference(log_load), 0.0)
+    shared = np.minimum(solid, fluid).max(axis=0) > TINY
+    loads = np.where(shared, loads, 0.0)
+    rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.noise), 0.0)
+    return np.maximum((farthest - closest) / closest, np.maximum(areas, loads)) + rounding
 
-    def _error_between_sizes(self):
-        """Relative error of areas from that of d, where slopes there do not tell it: some particles
-        lose touch within it, or it may be that none touches.
-        """
-        particles, balance = self.points.contact.particles, self._balance
-        if particles is None:
-            return 0.0
-        beside = np.abs(particles.reach - balance.separation)
-        error = np.where(beside <= balance.width, np.inf, 0.0)
-        wide = np.flatnonzero(balance.width > NARROW * particles.spread)
-        if wide.size:
-            separation, width = balance.separation[wide], balance.width[wide]
-            error[wide] += particles.take(wide).change(separation - width, separation + width)
-        return error
 
-    @computed_once
-    def _leave_no_room(self):
-        """Whether particles cover the whole interface."""
-        particles = self.points.contact.particles
-        if particles is None:
-            return np.zeros(self._balance.separation.shape, bool)
-        return particles.leave_no_room(self._touching[2])
+def _difference(both):
+    return np.abs(both[0] - both[1])
 
-    @computed_once
-    def solution_status(self):
-        points, balance = self.points, self._balance
-        applies = {
-            "several_separations": balance.count > 1,
-            "area_exceeded": self.total_contact_area > 1.0,
-            "not_converged": ~(self._error <= self._rtol),
-            "coverage_exceeded": self._leave_no_room,
-            "load_exceeded": self._cannot_bear(),
-        }
-        if points.film is not None:
-            share = points.parameters.readings.film_load.log_share(log_expit(-balance.logit))
-            meaningful = points.film.is_meaningful(points.log_load_parameter(share))
-            outside = ~meaningful | (self.film_thickness > THICKEST)
-            counts = expit(-balance.logit) > FILM_COUNTS
-            applies["outside_film_formula"] = outside & counts
-        return gravest_status(**applies)
 
-    def _cannot_bear(self):
-        """Whether the load is too much for the solids wherever they do not cut across each other's
-        mean planes, at d >= 0."""
-        cannot = np.isnan(self._balance.separation)
-        if not cannot.any():
-            return cannot
-        some = self.points.take(np.flatnonzero(cannot))
-        bears = some.contact.log_solid_load(np.zeros(some.log_load.shape)).value
-        cannot[cannot] = bears < some.log_load
-        return cannot
+def _relative_difference(both):
+    """Of positive numbers; those that float64 holds without all their digits are equal."""
+    least = np.maximum(np.minimum(*both), TINY)
+    return np.where(np.maximum(*both) > TINY, _difference(both) / least, 0.0)
 
-    def _valid(self, values, otherwise=np.nan):
-        """``values`` where there is a solution, else ``otherwise``."""
-        return values if self._complete else np.where(self._void, otherwise, values)
 
-    @property
-    def error_bound(self):
-        return self._valid(self._error)
-
-    @property
-    def separation_count(self):
-        return self._valid(self._balance.count, 0)
-
-    @computed_once
-    def _areas(self):
-        """A_sa/A_n and ln(A_ss/A_n)."""
-        touching = self.points.contact.particles and self._touching
-        particles, log_summits = self.points.contact.areas(self._balance.separation, touching)
-        return self._valid(particles), self._valid(log_summits)
-
-    @computed_once
-    def _log_area_odds(self):
-        """ln(A_sa/A_ss)."""
-        particles, log_summits = self._areas
-        return np.log(particles) - log_summits
-
-    @computed_once
-    def total_contact_area(self):
-        particles, log_summits = self._areas
-        return particles + np.exp(log_summits)  # Eq. 3
-
-    @computed_once
-    def particle_contact_area_ratio(self):
-        return expit(self._log_area_odds)
-
-    @property
-    def surface_contact_area_ratio(self):
-        return expit(-self._log_area_odds)
-
-    @computed_once
-    def solid_load_fraction(self):
-        return self._valid(expit(self._balance.logit))
-
-    @property
-    def fluid_load_fraction(self):
-        return self._valid(expit(-self._balance.logit))
-
-    @computed_once
-    def separation(self):
-        return self._valid(self._balance.separation)
-
-    @property
-    def film_thickness(self):
-        return self.separation / self.points.parameters.ball_radius
-
-    @property
-    def lubrication_regime(self):
-        return self._valid(lubrication_regime(self.solid_load_fraction), NO_FLAG)
-
-    @property
-    def contact_mode(self):
-        mode = contact_mode(
-            self.particle_contact_area_ratio, self.points.contact.particles is not None
-        )
-        return self._valid(mode, NO_FLAG)
+def _outside_film_formula(points, found):
+    """Whether a film counts where Eq. 7 has no meaning."""
+    if points.film is None:
+        return np.zeros(points.log_load.shape, bool)
+    fraction = found["fluid_load_fraction"]
+    film_load = points.parameters.readings.film_load.log_share(np.log(fraction))
+    meaningful = points.film.is_meaningful(
+        log_load_parameter(points.log_load + film_load, points.parameters)
+    )
+    return ~(meaningful & (found["film_thickness"] <= THICKEST)) & (fraction > FILM_COUNTS)

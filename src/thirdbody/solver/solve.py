@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import (
-    PLAIN_NUMBERS,
     check_named_points,
     check_parameters,
     check_points,
@@ -20,12 +20,16 @@ from thirdbody.solver.arguments import (
     checked_axis,
 )
 from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
-from thirdbody.solver.plan import check_way, solve_numbers, solve_points, threads_worth
-from thirdbody.solver.points import Axis, Conditions
-from thirdbody.solver.solution import VARIABLES, Solution
+from thirdbody.solver.points import Conditions
+from thirdbody.solver.solution import VARIABLES, Solution, solved, type_of
 from thirdbody.solver.usual import warn_beyond_usual
 
 DEFAULT_RTOL = 1e-9
+LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
+TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
+CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
+QUADRATURE_CHUNK = 1024  # the same by quadrature, where each has some hundred nodes
+NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
 def solve(
@@ -38,7 +42,6 @@ def solve(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = VARIABLES,
-    way: str | None = None,
     progress: bool = True,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
@@ -65,12 +68,6 @@ def solve(
         Relative error asked for in every variable, from 1e-11 to 1e-2.
     variables : collection of str
         Names of the fields of ``Solution`` that are wanted; the others are None.
-    way : {"quadrature", "tables", "compiled", "repeatable"}, optional
-        How points are solved: by integrals over the summits, by tables of these, or in machine
-        code.  Points that a way cannot solve to ``rtol`` are solved by one more precise.  By
-        default what takes least time for so many points in this process, the loading of a compiler
-        included.  "repeatable" chooses one of the first two by the number of points alone: the same
-        points have the same last digits, whatever the process has solved before.
     progress : bool, optional
         Whether a call that takes long says how far it has come, on the standard error stream: by a
         bar on a terminal, after two seconds, else by a line every half a minute.
@@ -87,10 +84,8 @@ def solve(
     ValueError
         In one line: for a negative, infinite or missing number, a zero load or roughness, a quantity
         of another dimension, arrays that do not broadcast, more than 1e9 points, inputs that are no
-        ``Parameters``, an ``rtol`` out of its range, an unknown variable or way, a ``progress`` that
+        ``Parameters``, an ``rtol`` out of its range, an unknown variable, a ``progress`` that
         is no bool, and a summit parameter that leaves no variance to the summits.
-    ImportError
-        If ``way`` is "compiled" and numba is not installed.
 
     Warns
     -----
@@ -123,7 +118,6 @@ def solve(
     check_parameters(parameters)
     check_rtol(rtol)
     check_variables(variables)
-    check_way(way)
     check_progress(progress)
     given = {
         "load": load,
@@ -132,36 +126,15 @@ def solve(
         "roughness": roughness,
         "particle_density": particle_density,
     }
-    axes = _checked_axes(given, parameters)
-    greatest = {name: axis.greatest for name, axis in axes.items()}
-    warn_beyond_usual(greatest)
-    arrays = {name: axis.values for name, axis in axes.items()}
-    if way is None and all(type(each) in PLAIN_NUMBERS for each in given.values()):
-        with np.errstate(all="ignore"):
-            found = solve_numbers(greatest, parameters, rtol, variables)
-        if found is not None:
-            return Solution(**found, conditions=arrays)
+    arrays = {name: checked_axis(name, each, parameters) for name, each in given.items()}
+    warn_beyond_usual({name: each.max(initial=0.0) for name, each in arrays.items()})
     if not any(map(is_labelled, given.values())):
-        return solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
+        return solve_arrays(arrays, parameters, rtol, variables, progress)
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
-    solution = solve_arrays(arrays, parameters, rtol, variables, way, progress, axes)
+    solution = solve_arrays(arrays, parameters, rtol, variables, progress)
     return labelled_as(pattern, solution, named)
-
-
-def _checked_axes(given, parameters):
-    """What ``checked_axis`` makes of each condition, by its name; of large arrays by threads, as each
-    is read from memory as a whole."""
-    sizes = [each.size for each in given.values() if isinstance(each, np.ndarray)]
-    threads = threads_worth(max(sizes, default=1))
-    if threads == 1:
-        return {name: checked_axis(name, each, parameters) for name, each in given.items()}
-    with ThreadPoolExecutor(threads) as pool:
-        checks = {
-            name: pool.submit(checked_axis, name, each, parameters) for name, each in given.items()
-        }
-    return {name: check.result() for name, check in checks.items()}
 
 
 def solve_arrays(
@@ -169,23 +142,62 @@ def solve_arrays(
     parameters: Parameters,
     rtol: float,
     variables: Collection[str],
-    way: str | None = None,
     progress: bool = False,
-    axes: Mapping[str, Axis] | None = None,
 ) -> Solution:
-    """What ``solve`` returns for conditions, by name, that have been checked; ``axes`` are what they
-    were taken from, if that is known."""
+    """What ``solve`` returns for conditions, by name, that have been checked.
+
+    Points on a roughness that ``TABLE_WORTH`` points have are solved by a table of its summits; the
+    others, those that magnify its error beyond ``rtol``, and those that may have several separations,
+    by quadrature.
+    """
     check_points(arrays)
-    columns = list(arrays.values())
-    if len({column.shape for column in columns}) > 1:
-        columns = np.broadcast_arrays(*columns)
+    columns = np.broadcast_arrays(*arrays.values())
     shape = columns[0].shape
-    conditions = Conditions(
-        **{name: column.ravel() for name, column in zip(arrays, columns, strict=True)}
-    )
-    axes = axes or {name: Axis.of(values) for name, values in arrays.items()}
+    conditions = Conditions(*(column.ravel() for column in columns))
+    result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
     # what cannot be computed gets a status
     with np.errstate(all="ignore"), Progress(conditions.size, "points", progress) as shown:
-        found = solve_points(conditions, axes, parameters, rtol, variables, way, shown.add)
-    variables = {name: values.reshape(shape) for name, values in found.items()}
-    return Solution(**variables, conditions=dict(arrays))
+        tabulated = _tables_pay(conditions, parameters)
+        task = conditions, parameters, rtol, result, shown.add
+        left = _solve_places(np.flatnonzero(tabulated), rtol, *task)
+        _solve_places(np.concatenate([np.flatnonzero(~tabulated), left]), None, *task)
+    solved_variables = {name: values.reshape(shape) for name, values in result.items()}
+    kept = {name: np.array(values) for name, values in arrays.items()}
+    return Solution(**solved_variables, conditions=kept)
+
+
+def _tables_pay(conditions, parameters):
+    """Which points are solved by tables: enough on each roughness, and no more than one separation."""
+    roughness = conditions.roughness
+    if roughness.size < TABLE_WORTH:
+        return np.zeros(roughness.size, bool)
+    single = ~conditions.have_particles | (conditions.load <= greatest_single_load(parameters))
+    if (roughness == roughness[0]).all():
+        return single & (np.count_nonzero(single) >= TABLE_WORTH)
+    _, which = np.unique(roughness, return_inverse=True)
+    return single & (np.bincount(which, single)[which] >= TABLE_WORTH)
+
+
+def _solve_places(places, table_rtol, conditions, parameters, rtol, result, settled):
+    """Solve the points at ``places`` and store their variables in ``result``.
+
+    Returns the places of those that tables leave unconverged; by quadrature none is left.
+    """
+    by_quadrature = table_rtol is None
+    size, tolerance = (QUADRATURE_CHUNK, LEAST_RTOL) if by_quadrature else (CHUNK, rtol)
+    left = [places[:0]]
+    kinds = conditions.kinds[places]
+    for kind in np.unique(kinds):
+        of_kind = places[kinds == kind]
+        of_kind = of_kind[np.argsort(conditions.roughness[of_kind], kind="stable")]
+        for start in range(0, of_kind.size, size):
+            piece = of_kind[start : start + size]
+            points = conditions.take(piece).points(parameters, table_rtol)
+            found = solved(points, tolerance, rtol)
+            for name, values in result.items():
+                values[piece] = found[name]
+            unconverged = piece[found["solution_status"] == NOT_CONVERGED]
+            if not by_quadrature:
+                left.append(unconverged)
+            settled(piece.size if by_quadrature else piece.size - unconverged.size)
+    return np.concatenate(left)

@@ -15,7 +15,6 @@ from thirdbody.data.extraction import curves_of
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.plan import REPEATABLE
 from thirdbody.solver.solve import solve
 
 BAND_RTOL = 1e-4  # asked for each member: an error far below the width of a drawn line
@@ -89,7 +88,6 @@ def band(
             parameters=inputs,
             rtol=BAND_RTOL,
             variables=names,
-            way=REPEATABLE,
         )
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():

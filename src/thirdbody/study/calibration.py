@@ -23,10 +23,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.surfaces import shared_tables
 from thirdbody.study.checks import MISSING_SCORE, judge
 from thirdbody.study.claims import CALIBRATION, VALIDATION, Claim, referenced_conditions
-from thirdbody.study.evidence import SEARCH_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
 SLOPE_OF_LOSS = 0.1
@@ -274,11 +273,10 @@ class Objective:
                 replace(self.base, **reading.fixed, **reading.values(positions)),
                 self.asked,
                 self.newtons,
-                SEARCH_EFFORT,
+                QUICK_EFFORT,
             )
-            with shared_tables():
-                fitted = np.array([judge(claim, evidence).ends for claim in self.claims])
-                beside = np.array([judge(claim, evidence).score for claim in self.beside])
+            fitted = np.array([judge(claim, evidence).ends for claim in self.claims])
+            beside = np.array([judge(claim, evidence).score for claim in self.beside])
         except ValueError:  # no surface has these inputs
             fitted = np.full((len(self.claims), 2), MISSING_SCORE)
             beside = np.full(len(self.beside), MISSING_SCORE)

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Reading
 from thirdbody.study.claims import CALIBRATION
-from thirdbody.study.evidence import FULL_EFFORT, SEARCH_EFFORT, Effort
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort
 from thirdbody.study.posterior import inputs_of, penalty_of
 from thirdbody.study.verdicts import Court, count_held
 
@@ -42,6 +42,6 @@ def most_held(reading: Reading, sets: NDArray[np.float64], court: Court) -> NDAr
         judgement = court.judge(reading.name, inputs, effort)
         return count_held(court.claims, judgement, CALIBRATION)[0]
 
-    counts = np.array([held(row, SEARCH_EFFORT) for row in sets])
+    counts = np.array([held(row, QUICK_EFFORT) for row in sets])
     first = sets[counts == counts.max()]
     return min(first, key=lambda row: (-held(row, FULL_EFFORT), penalty_of(reading, row)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
@@ -13,7 +13,6 @@ from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import is_as_asked
-from thirdbody.solver.plan import COMPILED, REPEATABLE
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 from thirdbody.study.checks import Curve, TurningPoint
@@ -36,23 +35,18 @@ class Effort:
         Relative error asked for [1].
     window : WindowSearch
         How the ends of windows are sought.
-    way : str
-        How curves are solved, as ``thirdbody.solve`` names it.
     """
 
     loads: int
     rtol: float
     window: WindowSearch
-    way: str
 
 
-FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)), REPEATABLE)
+FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
 # For many sets of inputs; its errors are far below the tolerances of all claims.
 QUICK_EFFORT = Effort(
-    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4), REPEATABLE
+    60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
-# For the thousands of a search, which repay the loading and compiling of the loop.
-SEARCH_EFFORT = replace(QUICK_EFFORT, way=COMPILED)
 
 
 class SolvedEvidence:
@@ -154,7 +148,6 @@ class SolvedEvidence:
             parameters=self.parameters,
             rtol=self.effort.rtol,
             variables=NEEDED,
-            way=self.effort.way,
         )
 
     @cached_property

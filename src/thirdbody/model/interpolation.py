@@ -1,0 +1,119 @@
+"""Smooth functions read off tables: quintic Hermite polynomials on equal pieces of an interval."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from copy import copy
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+FIRST_PIECES, MOST_PIECES = 45, 5760
+ELSEWHERE = 1.25  # the error in the middle of a piece is the largest, but for this factor
+
+
+class HermiteTable:
+    """Functions of one variable, with their slopes, as quintic polynomials.
+
+    Each polynomial has the value, slope and curvature of its function at both ends of a piece.  The
+    pieces are halved until the error in their middle is small enough.
+
+    Parameters
+    ----------
+    function : callable
+        Maps a 1-D array x to an array of the shape (functions, 3, len(x)): values, slopes and
+        curvatures of each function.
+    start, end : float
+        The interval of x.
+    error : float
+        Absolute error of the values that is small enough.
+    pieces : int
+        Number of pieces to begin with.
+
+    Attributes
+    ----------
+    pieces : int
+        Number of pieces.
+    error : float
+        Estimate of the largest error of the values, ``ELSEWHERE`` times that in the middle of a piece.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> def sine(x):
+    ...     return np.stack([np.sin(x), np.cos(x), -np.sin(x)])[None]
+    >>> table = HermiteTable(sine, 0.0, 3.0, 1e-12)
+    >>> value, slope = table(np.array([0.5, 2.0]))
+    >>> bool(abs(value - np.sin([0.5, 2.0])).max() < 1e-12), bool(abs(slope[0] - np.cos(0.5)) < 1e-9)
+    (True, True)
+    """
+
+    def __init__(
+        self,
+        function: Callable,
+        start: float,
+        end: float,
+        error: float,
+        pieces: int = FIRST_PIECES,
+    ):
+        self.start, self.end = start, end
+        nodes = function(np.linspace(start, end, pieces + 1))
+        while True:
+            step = (end - start) / pieces
+            middle = function(start + step * (np.arange(pieces) + 0.5))
+            self.pieces, self._rows, self._per_piece = pieces, _quintics(nodes, step), 1.0 / step
+            read = self._rows @ 0.5 ** np.arange(6)
+            self.error = ELSEWHERE * float(np.abs(read - middle[:, 0]).max())
+            if self.error <= error or pieces >= MOST_PIECES:
+                return
+            pieces *= 2
+            finer = np.empty((*nodes.shape[:2], pieces + 1))
+            finer[..., ::2], finer[..., 1::2] = nodes, middle
+            nodes = finer
+
+    def covers(self, x: NDArray) -> NDArray:
+        """Whether each ``x`` lies in the interval."""
+        return (x >= self.start) & (x < self.end)
+
+    @classmethod
+    def joined(cls, tables: Sequence[HermiteTable]) -> HermiteTable:
+        """Tables of the same interval and pieces as one, of all functions of the first, then of the
+        second, and so on."""
+        found = copy(tables[0])
+        found._rows = np.concatenate([table._rows for table in tables])
+        found.error = max(table.error for table in tables)
+        return found
+
+    def __call__(self, x: ArrayLike, which: ArrayLike = 0) -> tuple[NDArray, NDArray]:
+        """Value and slope of the functions of index ``which`` at an array ``x`` in the interval."""
+        position = (x - self.start) * self._per_piece
+        piece = position.astype(np.intp)
+        x = position - piece
+        piece = piece + self.pieces * which
+        rows = self._rows.reshape(-1, 6).take(piece, axis=0, mode="clip")
+        value, slope = rows[..., 5] * x + rows[..., 4], rows[..., 5]
+        for power in (3, 2, 1, 0):
+            slope = slope * x + value
+            value = value * x + rows[..., power]
+        return value, slope * self._per_piece
+
+    def nodes(self, which: int = 0) -> tuple[NDArray, NDArray]:
+        """The ends of pieces but the last, and the values of a function there."""
+        rows = self._rows[which]
+        return self.start + np.arange(self.pieces) / self._per_piece, rows[:, 0]
+
+
+def _quintics(nodes, step):
+    """Coefficients of the powers of the place in each piece, from 0 to 1: (functions, pieces, 6)."""
+    y, y_1, y_2 = nodes[:, 0, :-1], nodes[:, 1, :-1] * step, nodes[:, 2, :-1] * step**2
+    z, z_1, z_2 = nodes[:, 0, 1:], nodes[:, 1, 1:] * step, nodes[:, 2, 1:] * step**2
+    rise, rise_1, rise_2 = z - y - y_1 - 0.5 * y_2, z_1 - y_1 - y_2, z_2 - y_2
+    powers = (
+        y,
+        y_1,
+        0.5 * y_2,
+        10.0 * rise - 4.0 * rise_1 + 0.5 * rise_2,
+        -15.0 * rise + 7.0 * rise_1 - rise_2,
+        6.0 * rise - 3.0 * rise_1 + 0.5 * rise_2,
+    )
+    return np.stack(powers, axis=-1)

@@ -1,0 +1,158 @@
+"""The summits under points: by quadrature, or read off a table of their surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.model.asperity import SummitPopulation
+from thirdbody.model.interpolation import HermiteTable
+from thirdbody.model.parameters import Parameters, Surface
+
+TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
+# of rtol, so that few points magnify it beyond; but not less than what rounding leaves of a table
+TABLE_ERROR, LEAST_ERROR = 0.01, 1e-12
+QUADRATURE_ERROR = 2e-13  # of ln F_ss and ln A_ss
+
+
+@dataclass(frozen=True, eq=False)
+class RoughSurfaces:
+    """The summits under each of many points: the ``Summits`` of ``thirdbody.model.contact``.
+
+    Attributes
+    ----------
+    surface : Surface
+        Its columns are scalars where all points share one surface, else have an element a point.
+    population : SummitPopulation
+        The same of the summits.
+    table : HermiteTable or None
+        ln F_ss* and ln A_ss* over t, of one surface after the other; None: by quadrature.
+    which : int or array of int
+        Which of the surfaces in the table a point is on.
+    """
+
+    surface: Surface
+    population: SummitPopulation
+    table: HermiteTable | None
+    which: NDArray | int = 0
+
+    @classmethod
+    def of(
+        cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None
+    ) -> RoughSurfaces:
+        """The surfaces of points.
+
+        Parameters
+        ----------
+        roughness : array
+            sigma [m], 1-D.
+        parameters : Parameters
+            Inputs of the model.
+        table_rtol : float or None
+            Relative error for which tables are good; None: by quadrature.
+
+        Raises
+        ------
+        ValueError
+            Where the summit parameter leaves no variance to the summits.
+        """
+        values, which = roughness[:1], 0
+        if (roughness == roughness[0]).all():
+            roughness = float(roughness[0])
+        elif table_rtol is not None:
+            values, which = np.unique(roughness, return_inverse=True)
+        surface = parameters.surface(roughness)
+        population = SummitPopulation.of(surface, parameters)
+        table = None
+        if table_rtol is not None:
+            table = _table_of(tuple(values.tolist()), parameters, table_rtol)
+        return cls(surface, population, table, which)
+
+    def take(self, chosen) -> RoughSurfaces:
+        """The surfaces of the points that an index or mask ``chosen`` picks."""
+        if np.ndim(self.surface.roughness) == 0:
+            return self
+        which = self.which[chosen] if np.ndim(self.which) else 0
+        return RoughSurfaces(
+            self.surface.take(chosen), self.population.take(chosen), self.table, which
+        )
+
+    @property
+    def offset(self):
+        """y_s [m]."""
+        return self.surface.summit_offset
+
+    @property
+    def deviation(self):
+        """sigma_s [m]."""
+        return self.surface.summit_deviation
+
+    @property
+    def error(self) -> float:
+        """What ln F_ss* and ln A_ss* may be wrong by, beside rounding."""
+        return QUADRATURE_ERROR if self.table is None else self.table.error + QUADRATURE_ERROR
+
+    def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
+        """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
+        return self._read(t, 0)
+
+    def log_area(self, t: NDArray) -> tuple[NDArray, NDArray]:
+        """ln(A_ss/A_n) and its slope d/dt at summit separations ``t`` [1]."""
+        return self._read(t, 1)
+
+    def _read(self, t, function):
+        """ln F_ss* or ln A_ss* and its slope, as ``function`` is 0 or 1."""
+        if self.table is None:
+            return _integrated(self.population, t, function)
+        inside = self.table.covers(t)
+        if inside.all():
+            return self.table(t, 2 * self.which + function)
+        value, slope = self.table(np.where(inside, t, 0.0), 2 * self.which + function)
+        population = self.population
+        if np.ndim(self.surface.roughness):
+            points = np.broadcast_to(np.arange(self.surface.roughness.size), t.shape)
+            population = population.take(points[~inside])
+        value[~inside], slope[~inside] = _integrated(population, t[~inside], function)
+        return value, slope
+
+    def first_separation(self, log_load: NDArray) -> NDArray:
+        """About the t [1] at which summits carry ``log_load`` ln F_t*."""
+        summits = self.population
+        wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
+        t, loads = _plastic_summits()
+        found = np.interp(wanted, loads, t)
+        for _ in range(2):  # a typical summit tells how far from plastic they are
+            ratio = 3.0 / (np.maximum(found, 0.0) + 1.5) / summits.yield_interference
+            found = np.interp(wanted - np.log(0.5 * summits.softness(ratio)), loads, t)
+        return found
+
+
+def _integrated(population, t, function):
+    return population.log_load(t) if function == 0 else population.log_area(t)
+
+
+@lru_cache(maxsize=128)
+def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteTable:
+    """The table of surfaces of so many ``roughness`` [m] that is good for a relative error ``rtol``."""
+    error = max(TABLE_ERROR * rtol, LEAST_ERROR)
+    if len(roughness) == 1:
+        population = SummitPopulation.of(parameters.surface(roughness[0]), parameters)
+        return HermiteTable(population.log_load_and_area, *TABLE_RANGE, error)
+    tables = [_table_of((each,), parameters, rtol) for each in roughness]
+    pieces = max(table.pieces for table in tables)
+    for index, table in enumerate(tables):
+        if table.pieces < pieces:
+            population = SummitPopulation.of(parameters.surface(roughness[index]), parameters)
+            tables[index] = HermiteTable(population.log_load_and_area, *TABLE_RANGE, error, pieces)
+    return HermiteTable.joined(tables)
+
+
+@lru_cache
+def _plastic_summits():
+    """t, and increasing ln F_ss* there of summits that all are plastic, of unit hardness and density."""
+    t = np.linspace(*TABLE_RANGE, 91)[::-1]
+    loads, _ = SummitPopulation(1.0, 1e300, 1.0, 1.0, 1.0).log_load(t)
+    return t, loads
