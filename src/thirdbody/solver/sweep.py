@@ -28,12 +28,12 @@ from thirdbody.solver.solve import solve_arrays
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
 FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved one by one
 STEP = 0.06  # of asinh(d/sigma) between separations
-SIZES = np.linspace(0.0, 1.0, 40)  # from the smallest to the largest particle
+# from the smallest to the largest particle, closing in on that
+SIZES = np.concatenate([np.linspace(0.0, 1.0, 40), 1.0 - np.geomspace(1e-7, 0.02, 14)])
 LOWEST = -6.0  # (size - mean)/spread below which particles do not matter
 BESIDE = 1e-12  # relative distance of the separations on both sides of a kink
 SAFETY = 2.0  # times the error in the middle between two separations
 SUMMIT_RTOL = 1e-7  # error of the summits' load and area
-FILM_STEP = 0.05  # of ln d, where the load of a film is evaluated
 # of dry contact
 NEEDED = (
     *("separation", "solid_load_fraction", "fluid_load_fraction", "total_contact_area"),
@@ -172,8 +172,6 @@ class _Surface:
         farthest = self.parameters.ball_radius * self.film.thickness(half)[0].max()
         low = np.nan_to_num(0.999 * dry[-1])
         high = 1.001 * np.fmax(farthest, dry[0])
-        if self.shares:
-            self.film_curve = self._film_curve(max(low.min(), 1e-3 * high.max()), high.max())
         one = np.full_like(diameter, self.roughness)
         contact = make_contact(diameter, one, density, self.parameters, SUMMIT_RTOL)
         separations = [
@@ -202,15 +200,6 @@ class _Surface:
             constant = np.zeros((order, cells, 2))
             constant[-1] = errors
             yield PPoly(np.concatenate([curve.c, slopes, constant], axis=2), place)
-
-    def _film_curve(self, low, high):
-        """ln F_f [1] of each film over ln d, from ``low`` to ``high`` [m]."""
-        log_d = np.linspace(np.log(low), np.log(high), int(np.log(high / low) / FILM_STEP) + 2)
-        thickness = np.exp(log_d) / self.parameters.ball_radius
-        log_parameter = self.film.load_parameter(thickness)
-        _, slope = self.film.thickness(log_parameter)
-        log_load = log_parameter - log_load_parameter(0.0, self.parameters)
-        return CubicHermiteSpline(log_d, log_load.T, (thickness / slope).T)
 
     def _points(self, table, dry, has_particles):
         """Variables over viscosity and load by name, and which points to solve one by one."""
@@ -274,7 +263,8 @@ class _Surface:
         radius = self.parameters.ball_radius
         log_summits, area = table(table.x)[:, :2].T
         log_solid = np.logaddexp(log_summits, np.log(area * self.parameters.particle_pressure))
-        log_film = self.film_curve(np.maximum(np.log(table.x), self.film_curve.x[0])).T
+        log_film = self.film.load_parameter(table.x / radius)
+        log_film = log_film - log_load_parameter(0.0, self.parameters)
         log_fluid = np.empty(self.alone.shape)
         for guess, film in zip(log_fluid, log_film, strict=True):
             held = np.logaddexp(log_solid, film)[::-1]
