@@ -126,35 +126,10 @@ use rule write_table as write_chart_table with:
         table="|".join(CHARTS),
 
 
-rule find_lookup:
-    input:
-        modules=import_closure("workflow/scripts/find_lookup.py"),
-    output:
-        table="<results>/atlas/lookup.nc",
-    log:
-        "<logs>/find_lookup.log",
-    benchmark:
-        "<logs>/find_lookup.tsv"
-    conda:
-        "../envs/thirdbody.yaml"
-    threads: 1
-    resources:
-        runtime=30,
-    params:
-        axes=ATLAS["axes"],
-        settings=ATLAS["lookup"],
-        parameters=settings["parameters"],
-    message:
-        "Searching the smallest table for real time"
-    script:
-        "../scripts/find_lookup.py"
-
-
 rule atlas:
     input:
         "<results>/atlas/catalogue.json",
         "<results>/atlas/cost.csv",
-        "<results>/atlas/lookup.nc",
         expand(
             "<results>/figures/{chart}{kind}",
             chart=CHARTS,
