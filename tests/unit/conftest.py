@@ -1,21 +1,22 @@
-"""A small release, for the tests of its formats and of its verification; the ways to a solution."""
+"""A small release, for the tests of its formats and of its verification; the methods of solving."""
 
 import os
 from pathlib import Path
 
 import pytest
+from methods import METHODS, solved_by
 from small_release import make_release
 
 from thirdbody.release.citation import Release
-from thirdbody.solver.plan import WAYS
 
 ROOT = Path(__file__).resolve().parents[2]
 
 
-@pytest.fixture(params=WAYS)
-def way(request):
-    """Each way to a solution."""
-    return request.param
+@pytest.fixture(params=METHODS)
+def method(request):
+    """Each method of solving, by which a test solves its points."""
+    with solved_by(request.param):
+        yield request.param
 
 
 @pytest.fixture(scope="session")

