@@ -18,7 +18,7 @@ from scipy.interpolate import CubicHermiteSpline, PPoly
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import THICKEST, Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles, log_bare_share
+from thirdbody.model.particles import TINY, has_particles, log_bare_share
 from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
 from thirdbody.progress import Progress
 from thirdbody.solver.points import make_contact
@@ -190,10 +190,11 @@ class _Surface:
         for place, middle, known, between in zip(
             separations, middles, pieces[: diameter.size], pieces[diameter.size :], strict=True
         ):
+            unknown = ~np.isfinite(known).all(axis=1)
+            known[unknown] = 0.0
             curve = CubicHermiteSpline(place, known[:, :3], known[:, 3:6])
             errors = _errors(curve(middle), between, pressure)
-            covered = np.isnan(known[:, 0])
-            errors[covered[:-1] | covered[1:]] = np.inf
+            errors[unknown[:-1] | unknown[1:]] = np.inf
             order, cells, _ = curve.c.shape
             slopes = np.zeros_like(curve.c)
             slopes[1:] = curve.c[:-1] * np.arange(order - 1, 0, -1)[:, np.newaxis, np.newaxis]
@@ -219,6 +220,7 @@ class _Surface:
         found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
         found["separation_count"] = np.ones(d.shape, np.int8)
         unsure = ~(found["error_bound"] <= self.rtol)
+        unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
         if has_particles:
             unsure |= self.load > greatest_single_load(self.parameters)
         if self.wet.all():
