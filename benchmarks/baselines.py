@@ -23,7 +23,7 @@ from scipy.special import expit, log_expit
 
 from benchmarks.points import VARIABLES
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
+from thirdbody.model.asperity import SummitPopulation, area_growth, pressure_fraction
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.parameters import Parameters, Surface
@@ -35,6 +35,16 @@ GAP_ENDS = 0.0, 40.0  # of d/sigma where nothing but summits can touch
 ROUNDING = 1e-15  # least relative width of a bracket
 CHUNK = 4096  # points solved together; other numbers take more time
 TAIL = 9.0  # summits higher than so many standard deviations are left out
+
+
+def asperity_load_and_area(omega, radius, modulus, hardness, yield_ratio, plastic_ratio):
+    """F [N] and A [m2] of one asperity that is pressed by omega [m] (Zhao, Maietta & Chang 2000)."""
+    omega = np.maximum(omega, 0.0)
+    ratio = omega / ((0.75 * np.pi * yield_ratio * hardness / modulus) ** 2 * radius)
+    area = np.pi * radius * omega * area_growth(ratio, plastic_ratio)
+    hertz = 4.0 / 3.0 * modulus * np.sqrt(radius) * omega**1.5
+    yielding = area * hardness * pressure_fraction(ratio, yield_ratio, plastic_ratio)
+    return np.where(ratio < 1.0, hertz, yielding), area
 
 
 def load_plain_model(path: str | PathLike) -> ModuleType:

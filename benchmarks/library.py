@@ -1,18 +1,17 @@
-"""Golden points as the library solves them, by each of its ways."""
+"""Golden points as the library solves them, in one call."""
 
 from __future__ import annotations
 
 import warnings
 
 from benchmarks.points import Group
-from thirdbody.solver.plan import WAYS
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
 from thirdbody.solver.usual import OutOfRangeWarning
 
 
 def solutions(group: Group, rtol: float) -> list[Solution]:
-    """Solve golden points, all in one call, by each way of solving.
+    """Solve golden points, all in one call.
 
     Parameters
     ----------
@@ -24,9 +23,9 @@ def solutions(group: Group, rtol: float) -> list[Solution]:
     Returns
     -------
     list of Solution
-        One for each of ``thirdbody.solver.plan.WAYS``; its variables have the shape (points,).
+        One, whose variables have the shape (points,).
     """
     given = group.conditions | {"parameters": group.parameters, "rtol": rtol}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OutOfRangeWarning)  # the domain reaches farther
-        return [solve(**given, way=way) for way in WAYS]
+        return [solve(**given)]

@@ -5,8 +5,8 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from tests.summit_reference import PRINTED
-from thirdbody.model.asperity import SummitPopulation, asperity_load_and_area
+from tests.summit_reference import PRINTED, asperity_load_and_area
+from thirdbody.model.asperity import SummitPopulation
 
 RADIUS, MODULUS, HARDNESS, YIELD, PLASTIC = 10e-6, 112e9, 5e9, 0.4, 54.0
 OMEGA_1 = (0.75 * np.pi * YIELD * HARDNESS / MODULUS) ** 2 * RADIUS

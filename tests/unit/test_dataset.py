@@ -321,7 +321,6 @@ def test_what_a_figure_shows_is_what_the_solver_gives(shown, scene, parameters):
         solution = tb.solve(
             **crossed(axes),
             parameters=parameters,
-            way="repeatable",
         )
         for name in (*MEANINGS, *FLAGS):
             values = shown[name].values[scene.placed(group)]

@@ -161,7 +161,7 @@ def test_rounding_counts_every_logarithm_of_which_the_thickness_is_made(paramete
     oil = film(inputs, 2.665739689460262e-06, 2.0882287151817785e-08)
     log_load_parameter = -11.04297534359267
     exact = 0.000003086879344748276936010111  # Eq. 7 by mpmath
-    found = oil.thickness(log_load_parameter)
-    rounding = oil.rounding(log_load_parameter, *found)
-    assert np.abs(found[0] / exact - 1.0) <= rounding
+    thickness, slope = oil.thickness(log_load_parameter)
+    rounding = oil.rounding(log_load_parameter, slope / thickness)
+    assert np.abs(thickness / exact - 1.0) <= rounding
     assert rounding < 1e-13

@@ -5,11 +5,9 @@ import threading
 import time
 import warnings
 
-import numpy as np
 import pytest
 
 import thirdbody as tb
-from thirdbody.solver import plan
 
 POINT = {
     "load": 1e-5,
@@ -18,7 +16,7 @@ POINT = {
     "roughness": 300e-9,
     "particle_density": 1e11,
 }
-FORKS, FORKS_OF_TWO = 100, 50
+FORKS = 100
 PATIENCE = 20.0  # [s] for a child that takes some milliseconds
 
 
@@ -72,14 +70,3 @@ FORK = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no for
 def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
     given = POINT | {"parameters": parameters}
     assert forks_that_end_well(given, [given], FORKS) == FORKS
-
-
-@FORK
-def test_a_child_that_was_forked_while_two_threads_of_the_loop_solved_can_solve(
-    parameters, monkeypatch
-):
-    monkeypatch.setattr(plan, "threads_worth", lambda points: 2)
-    one = POINT | {"parameters": parameters, "way": plan.COMPILED}
-    many = one | {"load": np.geomspace(1e-7, 1e-4, 2 * plan.THREADS_WORTH)}
-    tb.solve(**many)  # loads the loop
-    assert forks_that_end_well(many, [one, many], FORKS_OF_TWO) == FORKS_OF_TWO

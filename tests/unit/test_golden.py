@@ -28,13 +28,12 @@ def golden_rows():
         return list(csv.DictReader(stream))
 
 
-def solve_row(row, rtol, way=None):
+def solve_row(row, rtol):
     inputs = Parameters.on_one_surface(row, float(row["roughness"]))
     return tb.solve(
         **{name: float(row[name]) for name in DIMENSIONS},
         parameters=inputs,
         rtol=rtol,
-        way=way,
     )
 
 
@@ -54,10 +53,10 @@ def test_there_are_enough_golden_points_over_all_readings():
     assert len(readings) == 3 * 2 * 2 * 2 * 2
 
 
-def test_every_variable_within_the_tolerance_asked_for(way):
+def test_every_variable_within_the_tolerance_asked_for(method):
     errors, refused = {}, []
     for index, row in enumerate(golden_rows()):
-        solution = solve_row(row, RTOL, way)
+        solution = solve_row(row, RTOL)
         status = SOLUTION_STATUSES[solution.solution_status]
         if status == "not_converged":  # next to the largest particles the bound is a rough one
             refused.append(float(solution.error_bound))

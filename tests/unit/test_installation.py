@@ -47,8 +47,6 @@ LACKING = {
         "xarray, netCDF4, yaml, jsonschema, tabulate",
         "data",
     ),
-    "import thirdbody.solver.compiled.points": ("numba", "compiled"),
-    "from thirdbody.solver.plan import check_way; check_way('compiled')": ("numba", "compiled"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
     "import thirdbody.study.sobol": ("SALib, cma, emcee, tabulate", "study"),
 }
@@ -82,17 +80,8 @@ def installed(tmp_path_factory):
 def test_numpy_and_scipy_are_enough_to_solve(installed, parameters):
     done = installed(SOLVE, json.dumps([asdict(parameters), POINT]))
     assert done.stderr == ""
-    expected = thirdbody.solve(**POINT, parameters=parameters, way="repeatable")
+    expected = thirdbody.solve(**POINT, parameters=parameters)
     assert json.loads(done.stdout) == [expected.separation, expected.total_contact_area]
-
-
-def test_without_numba_no_number_of_points_is_compiled(installed, parameters):
-    worth = "LOOP_WORTH = plan.LOADING_WORTH = plan.COMPILING_WORTH = 1"
-    given = [asdict(parameters), POINT | {"load": [1e-6, 1e-5, 1e-4]}]
-    code = SOLVE.replace(".item()", ".size")
-    done = installed(f"from thirdbody.solver import plan; plan.{worth}\n{code}", json.dumps(given))
-    assert done.stderr == ""
-    assert json.loads(done.stdout) == [3, 3]
 
 
 @pytest.mark.parametrize("code", LACKING)

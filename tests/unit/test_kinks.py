@@ -75,11 +75,11 @@ POINTS = {  # the error asked for, the conditions, the values
 
 @pytest.mark.parametrize("others", [0, 1999])
 @pytest.mark.parametrize("name", POINTS)
-def test_a_point_next_to_a_kink_is_right_alone_and_first_of_many(name, others, way):
+def test_a_point_next_to_a_kink_is_right_alone_and_first_of_many(name, others, method):
     rtol, given, values = POINTS[name]
     conditions = dict(zip(CONDITIONS, given, strict=True))
     loads = np.append(conditions.pop("load"), np.geomspace(1e-7, 1e-4, others))
-    found = tb.solve(load=loads, **conditions, parameters=INPUTS, rtol=rtol, way=way)
+    found = tb.solve(load=loads, **conditions, parameters=INPUTS, rtol=rtol)
     assert found.solution_status[0] == 0
     bound = found.error_bound[0]
     assert bound <= rtol

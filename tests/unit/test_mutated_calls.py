@@ -112,7 +112,7 @@ def calls(parameters):
     bodies = dict.fromkeys(("ball", "flat", "particle"), MATERIALS["steel"])
     bodies |= {"ball_radius_mm": 5.0, "speed_m_per_s": 2.0, "oil_density_kg_per_m3": 850.0}
     return {
-        "solve": (tb.solve, SI | inputs | choice | {"way": "tables"}),
+        "solve": (tb.solve, SI | inputs | choice),
         "grid": (tb.grid, SI | inputs | choice),
         "stream": (tb.stream, SI | inputs | choice | {"path": "a.nc", "compression": 0}),
         "find": (tb.find, search | WITHOUT_LOAD | inputs),

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from methods import solved_by
 
 import thirdbody as tb
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.solver.plan import WAYS
 from thirdbody.solver.points import make_contact
 
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
@@ -41,15 +41,14 @@ def borne(inputs, separation, **given):
 
 @pytest.mark.parametrize("film_load", ["fluid", "total"])
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6])
-@pytest.mark.parametrize("way", WAYS)
 def test_a_load_of_which_rounding_tells_no_separation_is_not_converged(
-    soft, way, viscosity, film_load
+    soft, method, viscosity, film_load
 ):
     inputs = replace(soft, film_load=film_load)
     plateau = borne(inputs, [0.97 * DIAMETER])
     factors = np.array([1.0 - 1e-3, 1.0 - 1e-14, 1.0, 1.0 + 1e-14, 1.0 + 1e-3])
     given = GIVEN | {"load": plateau * factors, "viscosity": viscosity}
-    found = tb.solve(**given, parameters=inputs, rtol=1e-8, way=way)
+    found = tb.solve(**given, parameters=inputs, rtol=1e-8)
     undecided = [False, True, True, True, False]
     assert (found.solution_status == NOT_CONVERGED).tolist() == undecided
     assert np.isinf(found.error_bound).tolist() == undecided
@@ -58,8 +57,7 @@ def test_a_load_of_which_rounding_tells_no_separation_is_not_converged(
     assert found.separation[4] < 0.5 * DIAMETER  # where summits touch
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_where_rounding_tells_nothing_beyond_the_film_that_stays(soft, way):
+def test_where_rounding_tells_nothing_beyond_the_film_that_stays(soft, method):
     """A film under the total load that lies on a plateau as high as the load, or higher by rounding."""
     inputs = replace(soft, film_load="total", elastic_depth_ratio=0.3)
     plateau = borne(inputs, [0.85 * DIAMETER])[0]
@@ -68,21 +66,20 @@ def test_where_rounding_tells_nothing_beyond_the_film_that_stays(soft, way):
     thickness = inputs.ball_radius * Film.of(oils, ROUGHNESS, inputs).thickness(log_parameter)[0]
     oil = oils[np.argmin(np.abs(thickness - 0.85 * DIAMETER))]
     given = GIVEN | {"load": plateau * np.array([1.0, 1.0 - 1e-14]), "viscosity": oil}
-    found = tb.solve(**given, parameters=inputs, way=way)
+    found = tb.solve(**given, parameters=inputs)
     assert (found.solution_status == NOT_CONVERGED).all()
     assert ((found.separation > 0.75 * DIAMETER) & (found.separation < OUTSIDE * DIAMETER)).all()
     assert np.isinf(found.error_bound).all()
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_a_crest_that_summits_and_particles_bear_together_is_found(soft, way):
+def test_a_crest_that_summits_and_particles_bear_together_is_found(soft, method):
     given = {"particle_diameter": 300e-9, "particle_density": 1e11}
     places = 300e-9 * np.array([INSIDE, OUTSIDE, 0.6])
     crest, summits, closer = borne(soft, places, **given)
     assert 0.005 < summits / crest < 0.5
     assert closer < 0.7 * crest
     given |= {"roughness": ROUGHNESS, "load": 0.99 * crest, "viscosity": 0.0}
-    found = tb.solve(**given, parameters=soft, way=way)
+    found = tb.solve(**given, parameters=soft)
     assert found.separation_count == 3
     assert places[0] < found.separation < places[1]
 
@@ -100,7 +97,7 @@ def test_a_crest_that_stands_out_by_little_more_than_rounding_is_found(soft, dia
     crest = loads.argmax()
     assert least < loads[crest] / loads[-1] - 1.0 < 1.3 * least
     given |= {"load": loads[crest] * (1.0 - 5e-12), "viscosity": 0.0}
-    found = tb.solve(**given, parameters=inputs, rtol=1e-3, way="quadrature")
+    found = tb.solve(**given, parameters=inputs, rtol=1e-3)
     assert found.separation_count == 3
     assert found.separation == pytest.approx(places[crest], rel=2e-5)
 
@@ -117,20 +114,18 @@ def test_what_particles_lose_within_an_error_is_in_its_bound(
         given = {"particle_diameter": diameter, "particle_density": density}
         d = diameter * np.concatenate([1.0 + SPREAD * np.linspace(-10.0, 8.0, 200), [1.05, 1.099]])
         points = GIVEN | given | {"load": borne(inputs, d, **given), "viscosity": viscosity}
-        exact, *others = (
-            tb.solve(**points, parameters=inputs, rtol=rtol, way=way)
-            for way in ("quadrature", "compiled", "tables")
-        )
-        for found in others:
-            known = np.isfinite(found.error_bound)
-            bound = found.error_bound + exact.error_bound * (1.0 + found.error_bound)
-            for name in ("separation", "particle_contact_area_ratio", "total_contact_area"):
-                right = getattr(exact, name)
-                assert (np.abs(getattr(found, name) - right) <= bound * right)[known].all(), name
+        with solved_by("quadrature"):
+            exact = tb.solve(**points, parameters=inputs, rtol=rtol)
+        with solved_by("tables"):
+            found = tb.solve(**points, parameters=inputs, rtol=rtol)
+        known = np.isfinite(found.error_bound)
+        bound = found.error_bound + exact.error_bound * (1.0 + found.error_bound)
+        for name in ("separation", "particle_contact_area_ratio", "total_contact_area"):
+            right = getattr(exact, name)
+            assert (np.abs(getattr(found, name) - right) <= bound * right)[known].all(), name
 
 
-@pytest.mark.parametrize("way", WAYS)
-def test_separations_at_which_particles_cover_everything_do_not_count(narrow, way):
+def test_separations_at_which_particles_cover_everything_do_not_count(narrow, method):
     inputs = replace(narrow, coverage_limits="contacting", elastic_limits="physical")
     given = {"particle_diameter": 100e-9, "roughness": 300e-9, "particle_density": 1e14}
     inside, outside = 100e-9 * np.array([INSIDE, OUTSIDE])
@@ -138,7 +133,7 @@ def test_separations_at_which_particles_cover_everything_do_not_count(narrow, wa
     load = np.sqrt(elastic * summits)
     assert elastic < 0.8 * load
     assert borne(inputs, [0.0], **given) > load  # where particles are plastic
-    found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs, way=way)
+    found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs)
     assert found.separation > outside
     assert found.separation_count == 2
 
@@ -161,6 +156,6 @@ def test_nor_do_they_where_a_crest_elsewhere_bears_the_load(parameters):
     load = 0.999 * loads[crest]
     assert borne(inputs, [0.0], **given) > load
     with pytest.warns(tb.OutOfRangeWarning):
-        found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs, way="quadrature")
+        found = tb.solve(load=load, viscosity=0.0, **given, parameters=inputs)
     assert found.separation_count == 2
     assert found.separation > places[crest]

@@ -85,13 +85,8 @@ def test_a_stream_that_is_closed_stops_nothing(stream):
         shown.add(1)
 
 
-@pytest.mark.parametrize("way", ["quadrature", "tables", "compiled"])
-def test_every_point_is_counted_once(stream, parameters, way):
-    if way == "compiled":
-        pytest.importorskip("numba")
-    tb.solve(
-        **dict(zip(AXES, np.meshgrid(*AXES.values()), strict=True)), parameters=parameters, way=way
-    )
+def test_every_point_is_counted_once(stream, parameters, method):
+    tb.solve(**dict(zip(AXES, np.meshgrid(*AXES.values()), strict=True)), parameters=parameters)
     last = re.split("[\r\n]", stream.getvalue().rstrip())[-1]
     assert re.search(f"100% of {POINTS} points", last)
 

@@ -70,7 +70,7 @@ def narrowed():
     del SizeDistribution.known["narrowed"]
 
 
-def test_a_new_size_distribution_is_one_class(parameters, narrowed, way):
+def test_a_new_size_distribution_is_one_class(parameters, narrowed, method):
     sizes = {"mean_ratio": 0.5, "size_distribution": "centred"}
     like = replace(parameters, **sizes, spread_ratio=0.4)
     new = replace(parameters, **sizes | {"size_distribution": narrowed}, spread_ratio=0.8)
@@ -82,7 +82,6 @@ def test_a_new_size_distribution_is_one_class(parameters, narrowed, way):
             roughness=300e-9,
             particle_density=1e11,
             parameters=inputs,
-            way=way,
         )
         for inputs in (like, new)
     )

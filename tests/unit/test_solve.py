@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from methods import solved_by
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film
 from thirdbody.model.particles import ParticleLayer
 from thirdbody.model.regimes import (
@@ -19,7 +19,6 @@ from thirdbody.model.regimes import (
     SOLUTION_STATUSES,
     has_values,
 )
-from thirdbody.solver import plan, surfaces
 from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
 
 pytestmark = [
@@ -44,8 +43,8 @@ FLAGS = {
 CONVERGED, OUTSIDE, COVERED, FAILED, SEVERAL, WIDE, EXCEEDED = range(len(SOLUTION_STATUSES))
 
 
-def solve(parameters, rtol=RTOL, way="repeatable", **given):
-    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol, way=way)
+def solve(parameters, rtol=RTOL, **given):
+    return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
 
 
 def assert_same(one, other, rtol=0.0):
@@ -175,15 +174,18 @@ def test_points_do_not_depend_on_their_order_or_company(parameters, mixture):
 def test_where_a_chunk_ends_makes_no_difference(parameters, mixture, monkeypatch):
     whole = solve(parameters, **mixture)
     for chunk in (1, 7):
-        monkeypatch.setattr(plan, "CHUNK", chunk)
+        for size in ("CHUNK", "QUADRATURE_CHUNK"):
+            monkeypatch.setattr(f"thirdbody.solver.solve.{size}", chunk)
         assert_same(solve(parameters, **mixture), whole, rtol=1e-12)
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-6, 1e-9, 1e-11])
 def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, rtol):
     given = {"load": loads, "viscosity": np.array([0.0, 25e-6, 120e-6])[:, None]}
-    best = solve(reading, rtol=1e-11, way="quadrature", **given)
-    tabulated = solve(reading, rtol=rtol, way="tables", **given)
+    with solved_by("quadrature"):
+        best = solve(reading, rtol=1e-11, **given)
+    with solved_by("tables"):
+        tabulated = solve(reading, rtol=rtol, **given)
     for name in QUANTITIES:
         # the best has an error of its own
         values = getattr(tabulated, name), getattr(best, name)
@@ -191,17 +193,17 @@ def test_tables_and_quadrature_agree_within_the_error_asked_for(reading, loads, 
 
 
 def test_no_jump_where_points_become_enough_for_a_table(parameters):
-    loads = np.geomspace(1e-7, 1e-4, plan.TABLE_WORTH)
+    loads = np.geomspace(1e-7, 1e-4, 500)
     few, enough = solve(parameters, load=loads[:-1]), solve(parameters, load=loads)
     for name in QUANTITIES:
         assert_allclose(getattr(enough, name)[:-1], getattr(few, name), rtol=2.0 * RTOL)
 
 
 @pytest.mark.parametrize("viscosity", [0.0, 1e-2])
-def test_points_on_several_surfaces_are_what_they_are_on_one(parameters, loads, way, viscosity):
+def test_points_on_several_surfaces_are_what_they_are_on_one(parameters, loads, method, viscosity):
     # on the smoothest of them the film is thicker than any table reaches
     roughness = np.array([[1e-8], [1e-7], [3e-7]])
-    given = {"load": loads, "viscosity": viscosity, "way": way}
+    given = {"load": loads, "viscosity": viscosity}
     together = solve(parameters, roughness=roughness, **given)
     for place, (sigma,) in enumerate(roughness):
         alone = solve(parameters, roughness=sigma, **given)
@@ -212,7 +214,7 @@ def test_points_on_several_surfaces_are_what_they_are_on_one(parameters, loads, 
 
 def test_separations_beyond_the_table_are_solved_too(parameters):
     # thick films on a smooth surface: d/sigma_s up to thousands, past any table
-    viscosity = np.geomspace(20e-6, 1e-2, 2 * plan.TABLE_WORTH)
+    viscosity = np.geomspace(20e-6, 1e-2, 2 * 500)
     many = solve(parameters, viscosity=viscosity, roughness=1e-8)
     chosen = slice(None, None, 200)
     few = solve(parameters, viscosity=viscosity[chosen], roughness=1e-8)
@@ -375,12 +377,12 @@ def test_the_status_says_where_the_film_formula_has_lost_its_meaning(
 @pytest.mark.parametrize("particle_diameter", [0.0, 3e-7])
 @pytest.mark.parametrize("rtol", [1e-3, RTOL])
 def test_no_film_presses_harder_than_the_softer_surface_is(
-    defaults, way, rtol, film_load, particle_diameter
+    defaults, method, rtol, film_load, particle_diameter
 ):
     inputs = replace(defaults, film_load=film_load, hardness_surface_2=3e9)
     hardest = 3e9 / inputs.elastic_modulus_surfaces
     loads = np.array([0.99 * hardest, 1.05 * hardest, 1.0, 1e10, 1e308])
-    given = {"particle_diameter": particle_diameter, "way": way, "rtol": rtol}
+    given = {"particle_diameter": particle_diameter, "rtol": rtol}
     together = solve(inputs, load=loads, **given)
     # at the first load but one the film bears some 98 %: more than it can, all or its share
     assert together.solution_status.tolist() == [CONVERGED, *[OUTSIDE] * 4]
@@ -516,9 +518,9 @@ def counted(monkeypatch, owner, name):
 
 def test_a_dry_scene_evaluates_no_film(parameters, loads, monkeypatch):
     calls = counted(monkeypatch, Film, "of")
-    solve(parameters, load=loads, viscosity=0.0, way="tables")
+    solve(parameters, load=loads, viscosity=0.0)
     assert not calls
-    solve(parameters, load=loads, way="tables")
+    solve(parameters, load=loads)
     assert calls
 
 
@@ -531,32 +533,12 @@ def test_a_two_body_scene_evaluates_no_particles(parameters, loads, monkeypatch,
     assert calls
 
 
-def test_each_roughness_is_prepared_once(parameters, loads, monkeypatch):
-    surfaces.prepare_tables.cache_clear()
-    calls = counted(monkeypatch, surfaces.SummitPopulation, "log_load_and_area")
-    for _ in range(2):
-        roughness = np.array([[1e-7], [3e-7], [1e-7]])
-        solve(parameters, load=loads, roughness=roughness, viscosity=0.0, way="tables")
-    assert len(calls) == 2
-
-
 @pytest.mark.parametrize("name", VARIABLES)
 def test_a_variable_alone_is_what_it_is_among_all(parameters, mixture, name):
     every = solve(parameters, **mixture)
     alone = solve(parameters, **mixture, variables=[name])
     assert np.array_equal(getattr(alone, name), getattr(every, name), equal_nan=True)
     assert all(getattr(alone, other) is None for other in VARIABLES if other != name)
-
-
-WITHOUT_AREAS = ("solid_load_fraction", "fluid_load_fraction", "separation", "lubrication_regime")
-
-
-@pytest.mark.parametrize("names", [WITHOUT_AREAS, ("contact_mode",), ("total_contact_area",)])
-def test_areas_are_evaluated_where_asked_for_alone(parameters, loads, monkeypatch, names):
-    calls = counted(monkeypatch, Contact, "areas")
-    given = POINT | {"load": loads, "variables": names}
-    tb.solve(**given, parameters=parameters, way="tables")
-    assert len(calls) == (names != WITHOUT_AREAS)
 
 
 @pytest.mark.parametrize("names", [["total_area"], "separation", ["separation", "load"]])

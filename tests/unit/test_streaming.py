@@ -8,7 +8,6 @@ import xarray as xr
 import thirdbody as tb
 from thirdbody.data import streaming
 from thirdbody.data.netcdf import read_dataset
-from thirdbody.solver import availability
 from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -25,8 +24,6 @@ AXES = {
 @pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
 def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, points):
     monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", points)
-    for what in ("is_loaded", "is_kept"):  # in both alike
-        monkeypatch.setattr(availability, what, lambda: False)
     tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6)
     assert capsys.readouterr() == ("", "")
     streamed, grid = (

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +22,6 @@ from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.messages import shown
-from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
 from thirdbody.solver.arguments import NEVER_ZERO, check_names, check_parameters
@@ -90,7 +90,7 @@ class Interface:
         """The five conditions by their names in engineering units."""
         return {key: getattr(self, key) for key in ENGINEERING.values()}
 
-    @computed_once
+    @cached_property
     def members(self) -> tuple[Parameters, ...]:
         """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
         return calibrated_ensemble(self.parameters)

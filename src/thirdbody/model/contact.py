@@ -24,7 +24,7 @@ class Summits(Protocol):
     """What a contact asks of the summits of the two surfaces.
 
     ``log_load`` and ``log_area`` map summit separations t = (d - y_s)/sigma_s [1] to ln F_ss* and
-    ln(A_ss/A_n), each as a pair of value and slope d/dt; ``offset`` y_s [m] and ``deviation``
+    ln(A_ss/A_n), each as a pair of value and slope d/dt, ``log_load_and_area`` to both; ``offset`` y_s [m] and ``deviation``
     sigma_s [m] are scalars or have one element for each point.
     """
 
@@ -37,6 +37,8 @@ class Summits(Protocol):
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]: ...
 
     def log_area(self, t: NDArray) -> tuple[NDArray, NDArray]: ...
+
+    def log_load_and_area(self, t: NDArray) -> tuple: ...
 
     def take(self, chosen) -> Summits: ...
 
@@ -59,6 +61,8 @@ class SolidLoad(NamedTuple):
         Relative error that rounding leaves in any such v [1], but for that of d itself.
     touching : tuple of array or None
         What ``ParticleLayer.contact`` returns there; None without particles.
+    log_area : array or None
+        ln(A_ss/A_n), were there no particles; None if it was not asked for.
     """
 
     value: NDArray
@@ -66,7 +70,8 @@ class SolidLoad(NamedTuple):
     steepest: NDArray
     noise: NDArray
     rounding: NDArray
-    touching: tuple | None = None
+    touching: tuple | None
+    log_area: NDArray | None
 
 
 @dataclass(frozen=True)
@@ -101,17 +106,22 @@ class Contact:
         t = (separation - self.summits.offset) / self.summits.deviation
         return np.minimum(t, FARTHEST)
 
-    def log_solid_load(self, separation: NDArray) -> SolidLoad:
-        """Load that summits and particles bear together at ``separation`` d [m]."""
+    def log_solid_load(self, separation: NDArray, with_areas: bool = False) -> SolidLoad:
+        """Load that summits and particles carry together at ``separation`` d [m]; ``with_areas`` if
+        ``areas`` are wanted there too, which then take less time."""
         t = self.summit_separation(separation)
-        log_summits, slope = self.summits.log_load(t)
+        log_area = None
+        if with_areas:
+            (log_summits, slope, *_), (log_area, *_) = self.summits.log_load_and_area(t)
+        else:
+            log_summits, slope = self.summits.log_load(t)
         slope = np.where(t < FARTHEST, slope / self.summits.deviation, 0.0)
         placed = EPSILON * np.abs(slope) * (np.abs(separation) + np.abs(self.summits.offset))
         rounded = EPSILON * (24.0 + 4.0 * np.abs(log_summits)) + 2.0 * placed
         if self.particles is None:
             steepest = np.where(log_summits > NOTHING, -slope, 0.0)
             rounding = np.where(log_summits > NOTHING, rounded, 0.0)
-            return SolidLoad(log_summits, slope, steepest, rounded, rounding)
+            return SolidLoad(log_summits, slope, steepest, rounded, rounding, None, log_area)
         touching = self.particles.contact(separation)
         area, area_slope, *coverage = touching
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
@@ -132,17 +142,18 @@ class Contact:
             share * rounded + (1.0 - share) * rounded_area + 4.0 * EPSILON * (1.0 + np.abs(value)),
             np.maximum(np.where(log_beside > NOTHING, rounded, 0.0), rounded_area),
             touching,
+            log_area,
         )
 
-    def areas(self, separation: NDArray, touching: tuple | None = None) -> tuple[NDArray, NDArray]:
+    def areas(self, separation: NDArray, known: SolidLoad | None = None) -> tuple[NDArray, NDArray]:
         """Real contact areas of particles and, beside them, of summits.
 
         Parameters
         ----------
         separation : array
             Mean separation d [m].
-        touching : tuple, optional
-            What ``ParticleLayer.contact`` returns there, if it is known already.
+        known : SolidLoad, optional
+            What ``log_solid_load`` returns there with areas, if it is known already.
 
         Returns
         -------
@@ -151,10 +162,12 @@ class Contact:
         log_summits : array
             ln(A_ss-sa/A_n) [1].
         """
-        log_summits, _ = self.summits.log_area(self.summit_separation(separation))
+        if known is None:
+            known = self.log_solid_load(separation, with_areas=True)
+        log_summits = known.log_area
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits
-        area, _, *coverage = touching or self.particles.contact(separation)
+        area, _, *coverage = known.touching
         log_bare, _ = log_bare_share(*coverage)
         return area, log_summits + log_bare  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
 

@@ -17,7 +17,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 import scipy  # of which special is loaded when it is first used: many jobs never do
@@ -27,34 +26,23 @@ from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps
-ROUGHNESS_EXPONENT = 1.248  # the power of sigma/R_x in the roughness term,
-ROUGHNESS_SPEED_EXPONENT = 0.884  # that of 1/U
-ROUGHNESS_LOAD_EXPONENT = -0.133  # and that of W
 THICKEST = 0.01  # H_c of what is still a film between two bodies
 # of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
 INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
-# the table of the inverse of Eq. 7: range in ln H_c, seen from where both terms are equal, and error
-INVERSE_RANGE, INVERSE_ERROR = (-6.0, 14.0), 2e-13
+# the table of the inverse of Eq. 7: its range in ln H_c, its pieces, and its error in ln W
+INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
 def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
-    """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load F.
-
-    Parameters
-    ----------
-    log_load : array_like
-        ln F* [1], F* = F/(A_n E_ss).
-    parameters : Parameters
-        All inputs of the model.
-    """
-    return log_load + np.log(parameters.apparent_area / parameters.ball_radius**2)
+    """ln W [1], W = F/(E_ss R_x^2) (Eq. 8), of a load ln F* [1], F* = F/(A_n E_ss)."""
+    return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
 def greatest_film_load(parameters: Parameters) -> float:
     """F_f* [1] under which a film presses on all of the interface as hard as the softer surface is.
 
-    Eq. 7 is of bodies that yield to a film as elastic ones do: no more than this do they bear of it.
+    Eq. 7 is of bodies that yield to a film as elastic ones do: they carry no more than this of it.
     """
     return parameters.softer_hardness / parameters.elastic_modulus_surfaces
 
@@ -75,11 +63,11 @@ class Film:
     ----------
     smooth, rough : array
         s and r [1], of the shape of the points.
-    smooth_exponent, rough_exponent : float
-        a and b [1].
     smooth_size, rough_size : array
-        How large the logarithms are together whose sum is s, and those that r adds to it [1]:
-        rounding grows with them.
+        The sum of the sizes of all logarithms in s, and of those that r adds [1]: rounding grows
+        with it.
+    exponents : pair of float
+        a and b [1].
     turning_ratio : float
         Ratio of the second term to the first where H_c is least over the speed U [1].
     greatest : float
@@ -90,8 +78,7 @@ class Film:
     rough: NDArray
     smooth_size: NDArray
     rough_size: NDArray
-    smooth_exponent: float
-    rough_exponent: float
+    exponents: tuple[float, float]
     turning_ratio: float
     greatest: float
 
@@ -108,10 +95,6 @@ class Film:
         parameters : Parameters
             All inputs of the model.
 
-        Returns
-        -------
-        Film
-
         Examples
         --------
         >>> import numpy as np, thirdbody
@@ -122,44 +105,35 @@ class Film:
         >>> film.load_parameter(thickness)
         array([-13.81551056])
         """
-        law = _law_of(parameters)
-        ln_viscosity, ln_sigma = np.log(viscosity), np.log(roughness / parameters.ball_radius)
-        ln_U = law.ln_speed + ln_viscosity
-        # Eq. 7, all but W of the smooth film
-        smooth = law.smooth + law.speed_exponent * ln_U + law.smooth_material
-        rough = smooth + (  # Eq. 7, all but W of the roughness term
-            law.rough
-            + ROUGHNESS_EXPONENT * ln_sigma
-            + law.rough_hardness
-            - ROUGHNESS_SPEED_EXPONENT * ln_U
-            - law.rough_material
-        )
-        speed_size = abs(law.ln_speed) + np.abs(ln_viscosity)
-        materials_size = abs(law.rough_hardness) + abs(law.rough_material)
+        kappa = parameters.ellipticity
+        ln_G = math.log(parameters.material_parameter)
+        ln_V = math.log(parameters.hardness_parameter)
+        ln_speed, ln_viscosity = math.log(parameters.speed_per_viscosity), np.log(viscosity)
+        ln_U, ln_sigma = ln_speed + ln_viscosity, np.log(roughness / parameters.ball_radius)
+        a, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
+        # Eq. 7, all but the powers of W
+        smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
+        smooth = smooth + of_U * ln_U + of_G * ln_G
+        rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
+        rough = rough - 0.884 * ln_U - 0.977 * ln_G
+        size_U = abs(ln_speed) + np.abs(ln_viscosity)
+        rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
+        greatest = log_load_parameter(math.log(greatest_film_load(parameters)), parameters)
         return cls(
             smooth,
-            rough,
-            law.speed_exponent * speed_size + abs(law.smooth_material),
-            ROUGHNESS_SPEED_EXPONENT * speed_size
-            + (ROUGHNESS_EXPONENT * np.abs(ln_sigma) + materials_size),
-            law.load_exponent,
-            law.load_exponent + ROUGHNESS_LOAD_EXPONENT,
-            law.speed_exponent / (ROUGHNESS_SPEED_EXPONENT - law.speed_exponent),
-            law.greatest,
+            smooth + rough,
+            of_U * size_U + of_G * abs(ln_G),
+            rough_size + 0.977 * abs(ln_G),
+            (a, a - 0.133),
+            of_U / (0.884 - of_U),
+            greatest,
         )
 
     def take(self, chosen) -> Film:
         """The film at the points that an index or mask ``chosen`` picks."""
-        return Film(
-            self.smooth[chosen],
-            self.rough[chosen],
-            self.smooth_size[chosen],
-            self.rough_size[chosen],
-            self.smooth_exponent,
-            self.rough_exponent,
-            self.turning_ratio,
-            self.greatest,
-        )
+        columns = self.smooth, self.rough, self.smooth_size, self.rough_size
+        picked = (column[chosen] for column in columns)
+        return Film(*picked, self.exponents, self.turning_ratio, self.greatest)
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
         """Film thickness under a load (Eq. 7).
@@ -174,23 +148,19 @@ class Film:
         thickness, slope : array
             H_c [1] and dH_c/d ln W [1].
         """
-        smooth = np.exp(self.smooth + self.smooth_exponent * log_load_parameter)
-        rough = np.exp(self.rough + self.rough_exponent * log_load_parameter)
-        # Eq. 7
-        return smooth + rough, self.smooth_exponent * smooth + self.rough_exponent * rough
+        a, b = self.exponents
+        smooth = np.exp(self.smooth + a * log_load_parameter)
+        rough = np.exp(self.rough + b * log_load_parameter)
+        return smooth + rough, a * smooth + b * rough  # Eq. 7
 
     def rounding(self, log_load_parameter: ArrayLike, fall: ArrayLike) -> NDArray:
         """Relative error [1] that rounding leaves in H_c: the more, the larger logarithms of which it
         is the exponential.
 
-        Parameters
-        ----------
-        log_load_parameter : array_like
-            ln W [1].
-        fall : array_like
-            d ln H_c/d ln W [1] there.
+        ``fall`` is d ln H_c/d ln W [1] at ``log_load_parameter`` ln W [1].
         """
-        rough = (fall - self.smooth_exponent) / ROUGHNESS_LOAD_EXPONENT  # the second term's share
+        a, b = self.exponents
+        rough = (fall - a) / (b - a)  # the fraction of the second term
         size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
@@ -199,8 +169,9 @@ class Film:
 
         Seen from there, all films of one ellipticity are the same curve.
         """
-        log_parameter = (self.smooth - self.rough) / (self.rough_exponent - self.smooth_exponent)
-        return log_parameter, self.smooth + self.smooth_exponent * log_parameter
+        a, b = self.exponents
+        log_parameter = (self.smooth - self.rough) / (b - a)
+        return log_parameter, self.smooth + a * log_parameter
 
     def load_parameter(self, thickness: ArrayLike) -> NDArray:
         """Load under which the film has a given thickness: the inverse of ``thickness``.
@@ -224,15 +195,14 @@ class Film:
         curve: it is read off a table.
         """
         log_parameter, log_thickness = self.crossing()
-        table = _inverse_table(self.smooth_exponent, self.rough_exponent)
+        table = _inverse_table(*self.exponents)
         x = np.log(thickness) - log_thickness
         inside = table.covers(x)
         if inside.all():
             value, slope = table(x)
         else:
             value, slope = np.where(inside, table(np.where(inside, x, 0.0)), 0.0)
-            exponents = self.smooth_exponent, self.rough_exponent
-            value[~inside], slope[~inside] = _inverse(x[~inside], *exponents)[:2]
+            value[~inside], slope[~inside] = _inverse(x[~inside], *self.exponents)[:2]
         return value + log_parameter, slope
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
@@ -242,12 +212,9 @@ class Film:
         Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
         meaning.  At kappa = 1 that is where the roughness term exceeds 3.
         """
-        return (log_load_parameter > self.turning()) & (log_load_parameter <= self.greatest)
-
-    def turning(self) -> NDArray:
-        """ln W [1] below which H_c falls with viscosity."""
-        excess = np.log(self.turning_ratio) + self.smooth - self.rough
-        return excess / ROUGHNESS_LOAD_EXPONENT
+        a, b = self.exponents
+        turning = (np.log(self.turning_ratio) + self.smooth - self.rough) / (b - a)
+        return (log_load_parameter > turning) & (log_load_parameter <= self.greatest)
 
 
 def _inverse(x, a, b):
@@ -267,35 +234,4 @@ def _inverse(x, a, b):
 @lru_cache(maxsize=64)
 def _inverse_table(a, b):
     """``_inverse`` as a table, for the exponents of one ellipticity."""
-    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_ERROR)
-
-
-class _Law(NamedTuple):
-    """What is the same in Eq. 7 at all conditions [1]: logarithms of factors, and exponents."""
-
-    ln_speed: float  # U over the viscosity
-    smooth: float
-    smooth_material: float
-    rough: float
-    rough_hardness: float
-    rough_material: float  # of 1/G
-    load_exponent: float  # in the smooth film, as the next
-    speed_exponent: float
-    greatest: float
-
-
-@lru_cache(maxsize=256)
-def _law_of(parameters: Parameters) -> _Law:
-    kappa = parameters.ellipticity
-    ln_G, ln_V = math.log(parameters.material_parameter), math.log(parameters.hardness_parameter)
-    return _Law(
-        ln_speed=math.log(parameters.speed_per_viscosity),
-        smooth=math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa))),
-        smooth_material=0.502 * kappa**0.064 * ln_G,
-        rough=math.log(0.025 * kappa**0.081),
-        rough_hardness=0.119 * ln_V,
-        rough_material=0.977 * ln_G,
-        load_exponent=-0.045 * kappa**0.18,
-        speed_exponent=0.663 * kappa**0.025,
-        greatest=float(log_load_parameter(math.log(greatest_film_load(parameters)), parameters)),
-    )
+    return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_PIECES)

@@ -8,15 +8,13 @@ from copy import copy
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-FIRST_PIECES, MOST_PIECES = 45, 5760
 ELSEWHERE = 1.25  # the error in the middle of a piece is the largest, but for this factor
 
 
 class HermiteTable:
     """Functions of one variable, with their slopes, as quintic polynomials.
 
-    Each polynomial has the value, slope and curvature of its function at both ends of a piece.  The
-    pieces are halved until the error in their middle is small enough.
+    Each polynomial has the value, slope and curvature of its function at both ends of a piece.
 
     Parameters
     ----------
@@ -25,51 +23,33 @@ class HermiteTable:
         curvatures of each function.
     start, end : float
         The interval of x.
-    error : float
-        Absolute error of the values that is small enough.
     pieces : int
-        Number of pieces to begin with.
+        Number of polynomials, each on a piece of the same width.
 
     Attributes
     ----------
-    pieces : int
-        Number of pieces.
-    error : float
-        Estimate of the largest error of the values, ``ELSEWHERE`` times that in the middle of a piece.
+    error : array, shape (functions,)
+        Estimate of the largest error of the values: ``ELSEWHERE`` times that in the middle of a piece.
 
     Examples
     --------
     >>> import numpy as np
     >>> def sine(x):
     ...     return np.stack([np.sin(x), np.cos(x), -np.sin(x)])[None]
-    >>> table = HermiteTable(sine, 0.0, 3.0, 1e-12)
+    >>> table = HermiteTable(sine, 0.0, 3.0, 90)
     >>> value, slope = table(np.array([0.5, 2.0]))
     >>> bool(abs(value - np.sin([0.5, 2.0])).max() < 1e-12), bool(abs(slope[0] - np.cos(0.5)) < 1e-9)
     (True, True)
     """
 
-    def __init__(
-        self,
-        function: Callable,
-        start: float,
-        end: float,
-        error: float,
-        pieces: int = FIRST_PIECES,
-    ):
-        self.start, self.end = start, end
-        nodes = function(np.linspace(start, end, pieces + 1))
-        while True:
-            step = (end - start) / pieces
-            middle = function(start + step * (np.arange(pieces) + 0.5))
-            self.pieces, self._rows, self._per_piece = pieces, _quintics(nodes, step), 1.0 / step
-            read = self._rows @ 0.5 ** np.arange(6)
-            self.error = ELSEWHERE * float(np.abs(read - middle[:, 0]).max())
-            if self.error <= error or pieces >= MOST_PIECES:
-                return
-            pieces *= 2
-            finer = np.empty((*nodes.shape[:2], pieces + 1))
-            finer[..., ::2], finer[..., 1::2] = nodes, middle
-            nodes = finer
+    def __init__(self, function: Callable, start: float, end: float, pieces: int):
+        self.start, self.end, self.pieces = start, end, pieces
+        places, step = np.linspace(start, end, 2 * pieces + 1, retstep=True)
+        sampled = function(places)
+        self._per_piece = pieces / (end - start)
+        self._rows = _quintics(sampled[..., ::2], 2.0 * step)
+        middle = self._rows @ 0.5 ** np.arange(6)
+        self.error = ELSEWHERE * np.abs(middle - sampled[:, 0, 1::2]).max(axis=-1)
 
     def covers(self, x: NDArray) -> NDArray:
         """Whether each ``x`` lies in the interval."""
@@ -81,7 +61,7 @@ class HermiteTable:
         second, and so on."""
         found = copy(tables[0])
         found._rows = np.concatenate([table._rows for table in tables])
-        found.error = max(table.error for table in tables)
+        found.error = np.concatenate([table.error for table in tables])
         return found
 
     def __call__(self, x: ArrayLike, which: ArrayLike = 0) -> tuple[NDArray, NDArray]:
@@ -96,11 +76,6 @@ class HermiteTable:
             slope = slope * x + value
             value = value * x + rows[..., power]
         return value, slope * self._per_piece
-
-    def nodes(self, which: int = 0) -> tuple[NDArray, NDArray]:
-        """The ends of pieces but the last, and the values of a function there."""
-        rows = self._rows[which]
-        return self.start + np.arange(self.pieces) / self._per_piece, rows[:, 0]
 
 
 def _quintics(nodes, step):

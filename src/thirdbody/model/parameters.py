@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.computed_once import computed_once
 from thirdbody.model.load_unit import newtons_per_load
 from thirdbody.model.readings import Readings
 
@@ -145,6 +144,7 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
+        object.__setattr__(self, "readings", Readings.of(self))  # the objects that words choose
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.readings.size_distribution
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
@@ -152,11 +152,6 @@ class Parameters:
         for name in outside:
             told = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
             raise ValueError(told)
-
-    @computed_once
-    def readings(self) -> Readings:
-        """The readings of the paper that these inputs choose, as objects."""
-        return Readings.of(self)
 
     @property
     def elastic_factor(self) -> float:

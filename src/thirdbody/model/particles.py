@@ -1,12 +1,12 @@
 """Third particles between the surfaces: load, area and coverage in closed form (Eqs. 4-6).
 
-Every reading of the size distribution phi_a gives the second moment above a size a as
+Every interpretation of the size distribution phi_a gives the second moment above a size a as
 
     T(alpha) = c_1 M(alpha),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
 
 with phi and Q the density and upper tail of the standard normal distribution, so that
-I(a, b) = T(alpha) - T(beta).  The readings differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
-are the same for all particles of a reading: the fields of ``SizeLaw``.  Particles begin at X_min and
+I(a, b) = T(alpha) - T(beta).  Interpretations differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
+are the same for all particles of one interpretation: the fields of ``SizeLaw``.  Particles begin at X_min and
 end at X_max = m + truncation * S, so M is never needed deep in the tail; what is called the *moment*
 here is M less that of X_max, constant below X_min and zero from X_max on.
 
@@ -30,7 +30,6 @@ import scipy  # of which special is loaded when it is first used: many jobs neve
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.asperity import gauss_legendre
-from thirdbody.model.computed_once import computed_once
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.readings import SizeLaw
 
@@ -61,11 +60,11 @@ class ParticleLayer:
         is: where particles meet the separation of the summits' planes, y_s is added.
     depth : array
         h_e/S [1].
-    share : array
+    factor : array
         pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times the hardness of a surface and the moment it is the
-        share of the interface that particles take (Eqs. 4 and 5).
+        fraction of the interface that particles take (Eqs. 4 and 5).
     log_bare : array
-        ln of the share of the interface that the particles of Eq. 4 leave bare, where they are the
+        ln of the fraction of the interface that the particles of Eq. 4 leave bare, where they are the
         same at every separation; else 0.
     moment : Moment
         The moment of the sizes above any other.
@@ -76,7 +75,7 @@ class ParticleLayer:
     mean: NDArray
     spread: NDArray
     depth: NDArray
-    share: NDArray
+    factor: NDArray
     log_bare: NDArray
     moment: Moment
     parameters: Parameters
@@ -96,10 +95,6 @@ class ParticleLayer:
         parameters : Parameters
             All inputs of the model.
 
-        Returns
-        -------
-        ParticleLayer
-
         Examples
         --------
         >>> import numpy as np, thirdbody
@@ -116,19 +111,19 @@ class ParticleLayer:
         sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
         moment = Moment.of(sizes, parameters)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
-        share = np.pi * parameters.participation / hardness * density * sizes.square
+        factor = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
         if parameters.readings.coverage_limits.contacting:
-            log_bare = np.zeros(share.shape, share.dtype)
+            log_bare = np.zeros(factor.shape)
         else:
-            every = moment.of_all * share  # I(X_min, X_max)
+            every = moment.of_all * factor  # I(X_min, X_max)
             log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))
         height = parameters.readings.particle_plane.height(roughness, parameters)
-        return cls(sizes.mean + height, sizes.spread, depth, share, log_bare, moment, parameters)
+        return cls(sizes.mean + height, sizes.spread, depth, factor, log_bare, moment, parameters)
 
     def take(self, chosen) -> ParticleLayer:
         """The layer at the points that an index or mask ``chosen`` picks."""
-        columns = self.mean, self.spread, self.depth, self.share, self.log_bare
+        columns = self.mean, self.spread, self.depth, self.factor, self.log_bare
         picked = (column[chosen] for column in columns)
         return ParticleLayer(*picked, self.moment, self.parameters)
 
@@ -159,8 +154,8 @@ class ParticleLayer:
         there, there_slope = self.moment(alpha + limits.side * self.depth)
         own, other = limits.weights(self.parameters.elastic_factor)
         moment = np.maximum(own * here + other * there, 0.0)
-        area_factor = self.share * self.parameters.hardness_surface_2
-        load_factor = self.share * self.parameters.hardness_surface_1
+        area_factor = self.factor * self.parameters.hardness_surface_2
+        load_factor = self.factor * self.parameters.hardness_surface_1
         return (
             area_factor * moment,  # Eq. 5
             area_factor / self.spread * (own * here_slope + other * there_slope),
@@ -168,36 +163,9 @@ class ParticleLayer:
             load_factor / self.spread * here_slope,
         )
 
-    def change(self, low: NDArray, high: NDArray) -> NDArray:
-        """Bound on the relative change of areas between two separations that particles cause [1].
-
-        Moments fall with d: so what they lose between ``low`` and ``high`` [m] bounds it, wherever
-        they lose it.
-        """
-        limits = self.parameters.readings.elastic_limits
-        own, other = limits.weights(self.parameters.elastic_factor)
-        alphas = (np.stack([low, high]) - self.mean) / self.spread
-        here, there = self.moment(alphas)[0], self.moment(alphas + limits.side * self.depth)[0]
-        lost = abs(own) * (here[0] - here[1]) + abs(other) * (there[0] - there[1])
-        least = (own * here + other * there).max(axis=0) - lost
-        covering = self.share * self.parameters.hardness_surface_1
-        room = 1.0 - covering * here[0]
-        uncovered = covering * (here[0] - here[1])
-        return np.where(lost > 0.0, np.maximum(_ratio(lost, least), _ratio(uncovered, room)), 0.0)
-
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
-        """Relative error that rounding leaves in the area of ``contact``.
-
-        Parameters
-        ----------
-        separation, area, slope : array
-            d [m], and A_sa/A_n [1] and its slope [m-1] there.
-
-        Returns
-        -------
-        array
-            [1]; 0 where no particle touches.  Next to the largest size it is that of the place.
-        """
+        """Relative error [1] that rounding leaves in the ``area`` that ``contact`` returns, with its
+        ``slope``, at ``separation`` d [m]; 0 where no particle touches."""
         weights = self.parameters.readings.elastic_limits.weights(self.parameters.elastic_factor)
         terms = (8.0 + self.moment.largest**2) * sum(map(abs, weights))
         terms = terms * self.moment.cancellation * area
@@ -206,18 +174,8 @@ class ParticleLayer:
         return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
 
     def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
-        """What particles leave of the summits' load: the bracket of Eq. 4.
-
-        Parameters
-        ----------
-        coverage, slope : array
-            Coverage [1] and its slope [m-1], as ``contact`` returns them.
-
-        Returns
-        -------
-        log_share, slope : array
-            ln of the share of the load that is left [1] and its derivative by d [m-1].
-        """
+        """ln of the fraction of the summits' load that particles leave, the bracket of Eq. 4, and its
+        derivative by d [m-1]; for what ``contact`` returns of the coverage."""
         if self.parameters.readings.coverage_limits.contacting:
             return log_bare_share(coverage, slope)
         return self.log_bare, 0.0
@@ -233,22 +191,21 @@ class ParticleLayer:
         return self.log_bare < FULL
 
 
-@dataclass(frozen=True)
 class Moment:
-    """M(alpha) less that of X_max, for all particles of a reading.
+    """M(alpha) less that of X_max, for all particles of an interpretation.
 
-    Attributes
-    ----------
-    constant, linear : float
-        c_2 and c_3.
-    smallest, largest : float
-        alpha of X_min and of X_max.
+    ``constant`` and ``linear`` are c_2 and c_3; ``smallest`` and ``largest`` alpha of X_min and of X_max.
     """
 
-    constant: float
-    linear: float
-    smallest: float
-    largest: float
+    def __init__(self, constant: float, linear: float, smallest: float, largest: float):
+        self.constant, self.linear = constant, linear
+        self.smallest, self.largest = smallest, largest
+        self.next_to_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
+        self.of_largest = float(self._untruncated(np.array(largest))[0])
+        nearest = max(self.next_to_largest, smallest)
+        # by how much rounding of M is magnified in the moment at most
+        self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
+        self.of_all = float(self(np.array(-np.inf))[0])
 
     @classmethod
     def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
@@ -256,19 +213,14 @@ class Moment:
         smallest = max(sizes.smallest, FARTHEST)
         return _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
 
-    @classmethod
-    def of_all_layers(cls, parameters: Parameters) -> Moment:
-        """The moment that all layers of particles share in the readings that are chosen."""
-        one = np.ones(1)
-        return cls.of(parameters.readings.size_distribution.law(one, one, parameters), parameters)
-
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
 
         Next to the largest size it is an integral of its slope, since a difference would lose its
         digits.
         """
-        value, slope = self._untruncated(np.clip(alpha, self.smallest, self.largest))
+        clipped = np.minimum(np.maximum(alpha, self.smallest), self.largest)
+        value, slope = self._untruncated(clipped)
         within = (alpha > self.smallest) & (alpha < self.largest)
         moment = np.array(np.maximum(value - self.of_largest, 0.0))
         next_to_it = within & (alpha > self.next_to_largest)
@@ -277,27 +229,6 @@ class Moment:
             _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
             moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
-
-    @computed_once
-    def next_to_largest(self) -> float:
-        """alpha from which on the moment is an integral of its slope."""
-        return self.largest - min(NEXT_TO_LARGEST, 1.0 / self.largest)
-
-    @computed_once
-    def of_largest(self) -> float:
-        """M of X_max [1]."""
-        return float(self._untruncated(np.array(self.largest))[0])
-
-    @computed_once
-    def cancellation(self) -> float:
-        """By how much rounding of M is magnified in the moment at most [1]."""
-        nearest = max(self.next_to_largest, self.smallest)
-        return 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
-
-    @computed_once
-    def of_all(self) -> float:
-        """The moment of all sizes [1]."""
-        return float(self(np.array(-np.inf))[0])
 
     def samples(self) -> tuple[NDArray, NDArray]:
         """Increasing moments [1] from zero on, and alpha there [1]."""
@@ -314,39 +245,22 @@ class Moment:
 
 
 @lru_cache(maxsize=64)
-def _moment(*fields):
-    """The moment with these fields: one object, which evaluates once what is computed once."""
-    return Moment(*fields)
-
-
-def _ratio(part, whole):
-    """``part`` over ``whole``, infinite where nothing may be left of that."""
-    return np.where(whole > 0.0, part / np.maximum(whole, LEAST), np.inf)
+def _moment(constant, linear, smallest, largest):
+    return Moment(constant, linear, smallest, largest)
 
 
 def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
-    """ln of the share that a coverage leaves bare, and its slope.
-
-    Parameters
-    ----------
-    coverage, slope : array
-        Share of the interface under particles [1] and its derivative by d [m-1].
-
-    Returns
-    -------
-    log_share, slope : array
-        ln(1 - coverage) [1] and its derivative [m-1]; below ``FULL`` and 0 where particles cover
-        everything.
-    """
+    """ln of the fraction that a ``coverage`` leaves bare, and its ``slope`` by d [m-1]; below ``FULL``
+    and 0 where particles cover everything."""
     bare = _bare_share(coverage)
-    covers = bare == np.finfo(bare.dtype).tiny
+    covers = bare == TINY
     return np.log(bare), np.where(covers, 0.0, -slope) / bare
 
 
 def _bare_share(coverage):
     """1 - coverage, or next to nothing where particles cover everything."""
     bare = 1.0 - coverage
-    return np.where(bare <= EPSILON, np.finfo(bare.dtype).tiny, bare)
+    return np.where(bare <= EPSILON, TINY, bare)
 
 
 def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
@@ -362,17 +276,12 @@ def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     particles together have less than the area.
     """
     parameters = layer.parameters
-    wanted = area / (layer.share * parameters.hardness_surface_2)
+    wanted = area / (layer.factor * parameters.hardness_surface_2)
     sampled = layer.moment.samples()
+    limits = parameters.readings.elastic_limits
     alpha, shifted = (
-        np.interp(part * wanted, *sampled, right=-np.inf) for part in parts_bearing(parameters)
+        np.interp(wanted / weight, *sampled, right=-np.inf) if weight > 0.0 else -np.inf
+        for weight in limits.weights(parameters.elastic_factor)
     )
-    shifted = shifted - parameters.readings.elastic_limits.side * layer.depth
+    shifted = shifted - limits.side * layer.depth
     return layer.mean + layer.spread * np.maximum(alpha, shifted)
-
-
-def parts_bearing(parameters: Parameters) -> tuple[float, float]:
-    """By how much more moment either limit needs to have an area by itself [1]; infinite where it
-    cannot."""
-    weights = parameters.readings.elastic_limits.weights(parameters.elastic_factor)
-    return tuple(1.0 / weight if weight > 0.0 else np.inf for weight in weights)

@@ -19,7 +19,7 @@ from thirdbody.solver.several import enclose_largest, may_be_several
 MAX_ITERATIONS = 200
 THINNER = 1e-3  # a film thinner by so much carries more than the load for certain
 CURVED = 0.05  # of the tolerance: what the next step of Newton's method may leave
-NARROW = 8.0 * EPSILON  # relative width of the narrowest bracket
+NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 WIDER = 4.0  # by which an interval grows in which no change of sign is seen
 
 
@@ -95,7 +95,7 @@ def balance_forces(points: Points, tolerance: float) -> Balance:
     if points.film is not None:
         alone, rounded = points.film_separation()
         guess = np.maximum(guess, alone)
-        least = alone * (1.0 - THINNER if points.shares_load else 1.0 + 4.0 * rounded)
+        least = alone * (1.0 - THINNER if points.shares_load else 1.0 + rounded)
     if points.shares_load:
         exists = sure = ~held
     else:
@@ -114,7 +114,10 @@ def balance_forces(points: Points, tolerance: float) -> Balance:
         beyond = found.count > 0
         # a film so thin that particles cover everything is no balance
         count[several] = (held[several] & ~_are_covered(some, least[several])) + found.count
-        held[several] &= ~beyond
+        if points.film is not None and not points.shares_load:
+            # along a plateau as high as the load nothing may be found beyond the film
+            held[several] = ~beyond & (held[several] | found.undecided)
+            count[several] = np.maximum(count[several], found.undecided)
         exists[several], sure[several] = beyond, True
         certain[several] = ~found.undecided
         middle = 0.5 * (found.low + found.high)
@@ -126,7 +129,7 @@ def balance_forces(points: Points, tolerance: float) -> Balance:
         ends[..., seek], enclosed = _enclose(some, *brackets[:, seek], sure[seek], tolerance)
         certain[seek] &= enclosed
     if held.any():
-        thin, thick = alone[held] * (1.0 - 4.0 * rounded[held]), least[held]
+        thin, thick = alone[held] * (1.0 - rounded[held]), least[held]
         ends[..., held] = _held_ends(points.take(held), thin, thick)
     return Balance(Ends(*ends), certain, count, held)
 
@@ -194,7 +197,7 @@ def _enclose(points, guess, low, high, sure, tolerance):
         a = np.where(final, low, np.fmax(d - width, low))[close]
         b = np.where(final, high, np.fmin(d + width, high))[close]
         some = points if close.size == d.size else points.take(close)
-        above, below = some.forces(a), some.forces(b)
+        above, below = some.forces(a, True), some.forces(b, True)
         holds = (above.excess > above.noise) | (sure[close] & (a == low[close]))
         holds &= (below.excess < -below.noise) | (b == high[close])
         done = holds | final[close]
@@ -221,8 +224,9 @@ def _enclose(points, guess, low, high, sure, tolerance):
 
 def _ends_at(points, separation, forces):
     """Rows of ``Ends`` at one separation each."""
-    area, log_beside = points.contact.areas(separation, forces.touching)
-    coverage = np.zeros_like(area) if forces.touching is None else forces.touching[2]
+    area, log_beside = points.contact.areas(separation, forces.solids)
+    touching = forces.solids.touching
+    coverage = np.zeros_like(area) if touching is None else touching[2]
     return np.stack(
         [
             separation,
@@ -241,7 +245,7 @@ def _held_ends(points, thin, thick):
     """Rows of ``Ends`` where a film of known thickness, within rounding, takes what solids leave."""
     both = []
     for separation in (thin, thick):
-        forces = points.forces(separation)
+        forces = points.forces(separation, True)
         fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
         less = np.exp(forces.log_solid) / fluid  # F_s/F_f, by which rounding of F_s is magnified
         forces = forces._replace(

@@ -17,7 +17,7 @@ def bracketed_roots(
     high: NDArray,
     tolerance: NDArray | float,
 ) -> tuple[NDArray, NDArray]:
-    """Find where a function changes its sign, element by element.
+    """Find where a function changes its sign between two bounds, element by element.
 
     Parameters
     ----------
@@ -30,15 +30,13 @@ def bracketed_roots(
 
     Returns
     -------
-    roots : array, shape (n,)
-        The end of the last bracket at which the function is smaller.
-    widths : array, shape (n,)
-        Widths of the last brackets, at most ``tolerance`` where float64 allows it.
+    roots, widths : array, shape (n,)
+        The end of the last bracket at which the function is smaller, and its width, at most
+        ``tolerance`` where float64 allows it.
 
     References
     ----------
-    Chandrupatla (1997), Adv. Eng. Software 28:145: inverse quadratic interpolation where the last
-    three points promise that it converges, bisection elsewhere.
+    Chandrupatla (1997), Adv. Eng. Software 28:145.
 
     Examples
     --------

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact
+from thirdbody.model.contact import Contact, SolidLoad
 from thirdbody.model.film import EPSILON, INVERSE_ERROR, Film, has_film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
@@ -119,8 +119,8 @@ class Forces(NamedTuple):
         ln(F_s/F_t) and ln(F_f/F_t) [1].
     solid_noise : array
         What rounding and the tables may change in ``log_solid`` [1].
-    touching : tuple of array or None
-        That of ``SolidLoad``.
+    solids : SolidLoad
+        That of the contact.
     """
 
     excess: NDArray
@@ -131,7 +131,7 @@ class Forces(NamedTuple):
     log_solid: NDArray
     log_fluid: NDArray
     solid_noise: NDArray
-    touching: tuple | None
+    solids: SolidLoad
 
 
 @dataclass(frozen=True)
@@ -166,10 +166,10 @@ class Points:
         film = self.film and self.film.take(chosen)
         return Points(self.contact.take(chosen), film, self.log_load[chosen])
 
-    def forces(self, separation: NDArray) -> Forces:
+    def forces(self, separation: NDArray, with_areas: bool = False) -> Forces:
         """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
-        film of thickness d (Eqs. 7 and 8)."""
-        solids = self.contact.log_solid_load(separation)
+        film of thickness d (Eqs. 7 and 8); ``with_areas`` if those of ``solids`` are wanted too."""
+        solids = self.contact.log_solid_load(separation, with_areas)
         log_solid = solids.value - self.log_load
         noise = solids.noise + self.surfaces.error + 2.0 * EPSILON * np.abs(self.log_load)
         steepest = np.maximum(solids.steepest, 1.0 / separation)
@@ -177,7 +177,7 @@ class Points:
         if not self.shares_load:
             nothing = np.full(separation.shape, -np.inf)
             found = log_solid, solids.slope, noise, steepest, rounding, log_solid, nothing
-            return Forces(*found, noise, solids.touching)
+            return Forces(*found, noise, solids)
         log_fluid, film_slope, film_noise = self.log_film_load(separation)
         odds = np.exp(-np.abs(log_solid - log_fluid))
         larger = 1.0 / (1.0 + odds)
@@ -191,7 +191,7 @@ class Points:
             log_solid,
             log_fluid,
             noise,
-            solids.touching,
+            solids,
         )
 
     def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:

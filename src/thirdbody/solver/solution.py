@@ -245,7 +245,10 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
 
 
 def _error_bound(ends, solid, fluid):
-    """What loads and areas differ by between both ends, relative, and rounding beside."""
+    """Half of what loads and areas differ by between both ends, relative, and rounding beside.
+
+    Each of their parts rises or falls all the way: so none is farther from its mean than by half.
+    """
     closest, farthest = ends.separation
     bare = np.log1p(-ends.coverage)
     summits = np.where(ends.log_beside > VANISHED, ends.log_beside - bare, 0.0)
@@ -256,8 +259,9 @@ def _error_bound(ends, solid, fluid):
         loads = loads + np.where(fraction.max(axis=0) > TINY, _difference(log_load), 0.0)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
+    half = 0.5 * np.maximum((farthest - closest) / closest, np.maximum(areas, loads))
     rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.noise), 0.0)
-    return np.maximum((farthest - closest) / closest, np.maximum(areas, loads)) + rounding
+    return half + half**2 + rounding
 
 
 def _difference(both):

@@ -28,7 +28,7 @@ DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
 TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
-QUADRATURE_CHUNK = 1024  # the same by quadrature, where each has some hundred nodes
+QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 

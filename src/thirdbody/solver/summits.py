@@ -8,14 +8,15 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.asperity import SummitPopulation
+from thirdbody.model.asperity import SummitPopulation, area_growth
 from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
-# of rtol, so that few points magnify it beyond; but not less than what rounding leaves of a table
-TABLE_ERROR, LEAST_ERROR = 0.01, 1e-12
-QUADRATURE_ERROR = 2e-13  # of ln F_ss and ln A_ss
+# Pieces of tables: errors, which fall with their sixth power, are at most a hundredth of rtol, so that
+# few points magnify them beyond; the most pieces leave what rounding does.
+PIECES_AT_ONE, FEWEST_PIECES, MOST_PIECES = 11.0, 45, 720
+QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,9 +92,12 @@ class RoughSurfaces:
         return self.surface.summit_deviation
 
     @property
-    def error(self) -> float:
+    def error(self):
         """What ln F_ss* and ln A_ss* may be wrong by, beside rounding."""
-        return QUADRATURE_ERROR if self.table is None else self.table.error + QUADRATURE_ERROR
+        if self.table is None:
+            return QUADRATURE_ERROR
+        errors = self.table.error.reshape(-1, 2).max(axis=1)
+        return errors[self.which] + QUADRATURE_ERROR
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
@@ -102,6 +106,12 @@ class RoughSurfaces:
     def log_area(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln(A_ss/A_n) and its slope d/dt at summit separations ``t`` [1]."""
         return self._read(t, 1)
+
+    def log_load_and_area(self, t: NDArray) -> tuple:
+        """What ``log_load`` and ``log_area`` return, for little more than one of them takes."""
+        if self.table is None:
+            return tuple(self.population.log_load_and_area(t)[:, :2])
+        return self._read(t, 0), self._read(t, 1)
 
     def _read(self, t, function):
         """ln F_ss* or ln A_ss* and its slope, as ``function`` is 0 or 1."""
@@ -126,7 +136,9 @@ class RoughSurfaces:
         found = np.interp(wanted, loads, t)
         for _ in range(2):  # a typical summit tells how far from plastic they are
             ratio = 3.0 / (np.maximum(found, 0.0) + 1.5) / summits.yield_interference
-            found = np.interp(wanted - np.log(0.5 * summits.softness(ratio)), loads, t)
+            growth = area_growth(ratio, summits.plastic_ratio)
+            softer = np.log(0.5 * growth * summits.pressure(ratio))
+            found = np.interp(wanted - softer, loads, t)
         return found
 
 
@@ -137,17 +149,12 @@ def _integrated(population, t, function):
 @lru_cache(maxsize=128)
 def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteTable:
     """The table of surfaces of so many ``roughness`` [m] that is good for a relative error ``rtol``."""
-    error = max(TABLE_ERROR * rtol, LEAST_ERROR)
-    if len(roughness) == 1:
-        population = SummitPopulation.of(parameters.surface(roughness[0]), parameters)
-        return HermiteTable(population.log_load_and_area, *TABLE_RANGE, error)
-    tables = [_table_of((each,), parameters, rtol) for each in roughness]
-    pieces = max(table.pieces for table in tables)
-    for index, table in enumerate(tables):
-        if table.pieces < pieces:
-            population = SummitPopulation.of(parameters.surface(roughness[index]), parameters)
-            tables[index] = HermiteTable(population.log_load_and_area, *TABLE_RANGE, error, pieces)
-    return HermiteTable.joined(tables)
+    if len(roughness) > 1:
+        return HermiteTable.joined([_table_of((each,), parameters, rtol) for each in roughness])
+    summits = SummitPopulation.of(parameters.surface(roughness[0]), parameters)
+    doubled = max(np.ceil(np.log2(PIECES_AT_ONE * rtol ** (-1.0 / 6.0) / FEWEST_PIECES)), 0.0)
+    pieces = min(FEWEST_PIECES * 2 ** int(doubled), MOST_PIECES)
+    return HermiteTable(summits.log_load_and_area, *TABLE_RANGE, pieces)
 
 
 @lru_cache
