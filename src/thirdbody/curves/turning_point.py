@@ -219,6 +219,7 @@ def _turning_points(
     return found
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def share_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -280,11 +281,11 @@ def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     return np.minimum(before, after)
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def particle_share(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
     particle_area, log_summit_area = solids.areas(separation)
-    with np.errstate(divide="ignore"):  # no particle may touch
-        return expit(np.log(particle_area) - log_summit_area)
+    return expit(np.log(particle_area) - log_summit_area)
 
 
 def _greatest(curve, values):
@@ -293,6 +294,7 @@ def _greatest(curve, values):
     return order[np.unique(curve[order], return_index=True)[1]]
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) -> dict:
     """Fields of ``TurningPoints`` at maxima ``separation`` [m] known within ``width``."""
     inputs = solids.parameters
