@@ -8,7 +8,6 @@ import yaml
 from workspace import ROOT
 
 import thirdbody as tb
-from thirdbody.atlas.lookup import Lookup
 from thirdbody.data.tables import TABLES, read_csv
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
@@ -21,7 +20,6 @@ WRITTEN_BY_NETCDF = re.compile(
 PRODUCTS = {
     "atlas/catalogue.json",
     "atlas/cost.csv",
-    "atlas/lookup.nc",
     *(f"atlas/chunks/{chunk}.nc" for chunk in CHUNKS),
     *(f"atlas/cost/{chunk}.csv" for chunk in CHUNKS),
     *(f"extracted/{chart}/all.csv" for chart in CHARTS),
@@ -71,15 +69,14 @@ def test_every_point_of_every_member_is_counted(charted):
 
 @pytest.fixture
 def written(charted, tmp_path):
-    """Files of the atlas by what they hold: one chunk, all chunks together, the table for real time."""
+    """Files of the atlas by what they hold: one chunk, all chunks together."""
     atlas = charted[0].root / "results" / "atlas"
     with tb.open_atlas(atlas / "catalogue.json") as whole:
         whole.to_netcdf(tmp_path / "whole.nc")
-    chunk, lookup = atlas / "chunks" / f"{CHUNKS[1]}.nc", atlas / "lookup.nc"
-    return {"chunk": chunk, "whole": tmp_path / "whole.nc", "lookup": lookup}
+    return {"chunk": atlas / "chunks" / f"{CHUNKS[1]}.nc", "whole": tmp_path / "whole.nc"}
 
 
-@pytest.mark.parametrize("holding", ["chunk", "whole", "lookup"])
+@pytest.mark.parametrize("holding", ["chunk", "whole"])
 def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, written, holding):
     found = findings_in(written[holding])
     assert [text for text in found["CF"] if not WRITTEN_BY_NETCDF.match(text)] == []
@@ -97,9 +94,3 @@ def test_a_chart_is_drawn_and_has_a_table(charted, chart):
     assert all(f"{row['limit']:.10g}" in drawn for row in finite)
     assert all(row["low"] <= row["median"] <= row["high"] for row in rows)
     assert "1 N" in (results / "tables" / f"{chart}.md").read_text(encoding="utf-8")
-
-
-def test_the_table_for_real_time_can_be_asked(charted):
-    lookup = Lookup.read(charted[0].root / "results" / "atlas" / "lookup.nc")
-    solid, ratio = lookup(10, 0, 300, 300, 1e11)
-    assert solid == pytest.approx(1.0) and 0.0 <= ratio <= 1.0

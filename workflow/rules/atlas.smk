@@ -17,8 +17,6 @@ rule solve_chunk:
         cost="<results>/atlas/cost/{scatteritem}.csv",
     log:
         "<logs>/solve_chunk/{scatteritem}.log",
-    benchmark:
-        "<logs>/solve_chunk/{scatteritem}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -45,8 +43,6 @@ rule catalogue_atlas:
         cost="<results>/atlas/cost.csv",
     log:
         "<logs>/catalogue_atlas.log",
-    benchmark:
-        "<logs>/catalogue_atlas.tsv"
     conda:
         "../envs/thirdbody.yaml"
     message:
@@ -64,8 +60,6 @@ rule extract_chart:
         rows="<results>/extracted/{chart}/all.csv",
     log:
         "<logs>/extract_chart/{chart}.log",
-    benchmark:
-        "<logs>/extract_chart/{chart}.tsv"
     wildcard_constraints:
         chart="|".join(CHARTS),
     conda:
@@ -86,16 +80,9 @@ rule render_chart:
         modules=modules_of("render_chart.py"),
     output:
         multiext("<results>/figures/{chart}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/{chart}.png",
-            caption="../report/product.rst",
-            category="Atlas",
-            labels={"figure": "{chart}"},
-        ),
+        png=report("<results>/figures/{chart}.png", category="Atlas", labels={"figure": "{chart}"}),
     log:
         "<logs>/render_chart/{chart}.log",
-    benchmark:
-        "<logs>/render_chart/{chart}.tsv"
     wildcard_constraints:
         chart="|".join(CHARTS),
     conda:
@@ -115,49 +102,15 @@ use rule write_table as write_chart_table with:
         modules=modules_of("write_table.py"),
     log:
         "<logs>/write_chart_table/{table}.log",
-    benchmark:
-        "<logs>/write_chart_table/{table}.tsv"
     wildcard_constraints:
         table="|".join(CHARTS),
-
-
-rule find_lookup:
-    input:
-        modules=modules_of("find_lookup.py"),
-    output:
-        table="<results>/atlas/lookup.nc",
-    log:
-        "<logs>/find_lookup.log",
-    benchmark:
-        "<logs>/find_lookup.tsv"
-    conda:
-        "../envs/thirdbody.yaml"
-    resources:
-        runtime=30,
-    params:
-        axes=ATLAS["axes"],
-        settings=ATLAS["lookup"],
-        parameters=settings["parameters"],
-    message:
-        "Searching the smallest table for real time"
-    script:
-        "../scripts/find_lookup.py"
 
 
 rule atlas:
     input:
         "<results>/atlas/catalogue.json",
         "<results>/atlas/cost.csv",
-        "<results>/atlas/lookup.nc",
-        expand(
-            "<results>/figures/{chart}{kind}",
-            chart=CHARTS,
-            kind=[".svg", ".pdf", ".png", ".csv", ".md"],
-        ),
-        expand(
-            "<results>/tables/{chart}{kind}",
-            chart=CHARTS,
-            kind=[".csv", ".json", ".md", ".html", ".tex"],
-        ),
+        expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
+        expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),
     message:
         "All of the atlas is made"

@@ -15,14 +15,10 @@ from thirdbody.model.parameters import Parameters
 
 def solve(item, axes, variables, rtol, parameters, ensemble, chunk, cost):
     """Write the chunk called ``item``, as 3-of-8, and beside it what solving it cost."""
-    whole_grid = AtlasGrid.of(axes)
-    grid = whole_grid.chunk(*map(int, item.split("-of-")))
+    grid = AtlasGrid.of(axes).chunk(*map(int, item.split("-of-")))
     begun, started = time.perf_counter(), time.process_time()
     with whole(chunk, cost) as (chunk_part, cost_part):
-        clock = write_chunk(
-            *(chunk_part, grid, Parameters(**parameters), ensemble, variables, rtol),
-            math.prod(whole_grid.shape),
-        )
+        clock = write_chunk(chunk_part, grid, Parameters(**parameters), ensemble, variables, rtol)
         conditions = math.prod(grid.shape)
         row = {
             "chunk": item,

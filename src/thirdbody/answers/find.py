@@ -19,7 +19,6 @@ from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.arguments import check_points, check_rtol
-from thirdbody.solver.bracketing import Known
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 32  # values along the axis
@@ -218,8 +217,8 @@ def crossings(
         for piece in pieces:
             enclosed.append(search.enclosed(piece, swept[:, None]))
             shown.add(piece.size)
-    limit, query, rises, *places = map(np.concatenate, zip(*enclosed)) if pieces else [_NONE] * 9
-    log_value, log_error, status = search.refined(limit, query, *places)
+    limit, query, rises, *ends = map(np.concatenate, zip(*enclosed)) if pieces else [_NONE] * 5
+    log_value, log_error, status = search.refined(limit, query, *ends)
     value = np.exp(log_value)
     error = value * np.expm1(log_error)
     fields = query, unit.from_si(value), unit.from_si(error), rises, status
@@ -244,8 +243,7 @@ class _Search:
     def enclosed(self, query, values, limits=None, depth=DEPTH):
         """The crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries).
 
-        Returns the limit and the query of each, and whether it rises; ln of both neighbours and of a
-        value beyond the first of them; by how much the variable exceeds the level at these three.
+        Returns the limit and the query of each, whether it rises, and ln of both neighbours.
         """
         limits = range(len(self.limits)) if limits is None else limits
         given = {name: column[query] for name, column in self.others.items()}
@@ -266,20 +264,9 @@ class _Search:
             above = excess > 0.0
             known = np.isfinite(excess)
             step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
-            first = step == 0  # of which the values beyond lie on the other side
-            around = [
-                (np.minimum(each, len(values) - 1), place)
-                for each in (step + first, step + ~first, np.where(first, 2, step - 1))
-            ]
-            pieces.append(
-                (
-                    np.full(step.size, index),
-                    query[place],
-                    above[step + 1, place],
-                    *(log_values[each] for each in around),
-                    *(excess[each] for each in around),
-                )
-            )
+            ends = log_values[step, place], log_values[step + 1, place]
+            rises = above[step + 1, place]
+            pieces.append((np.full(step.size, index), query[place], rises, *ends))
             if depth:
                 step, place = np.nonzero(_may_touch(excess))
                 if place.size:
@@ -288,7 +275,7 @@ class _Search:
                     pieces.append(self.enclosed(query[place], finer, [index], depth - 1))
         return tuple(map(np.concatenate, zip(*pieces)))
 
-    def refined(self, limit, query, near, far, beyond, *excess):
+    def refined(self, limit, query, low, high):
         """ln of each crossing and of its error as a ratio, and the status there."""
         if query.size == 0:
             return np.zeros(0), np.zeros(0), np.zeros(0, np.int8)
@@ -296,8 +283,7 @@ class _Search:
         level = np.stack([levels for _, levels in self.limits])[limit, query]
         given = {name: column[query] for name, column in self.others.items()}
         asked = names, limit, level, given, self.parameters, self.rtol
-        known = Known(*excess[:2], beyond, excess[2])
-        root, width = level_roots(self.along, (near, far), *asked, known=known)
+        root, width = level_roots(self.along, (low, high), *asked)
         return root, *self._certain(root, 2.0 * (width + self.rtol), asked)
 
     def _certain(self, root, error, asked):

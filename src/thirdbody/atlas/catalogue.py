@@ -11,11 +11,7 @@ from collections.abc import Sequence
 from os import PathLike
 from pathlib import Path
 
-import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
-from xarray.backends import BackendArray
-from xarray.core import indexing
 
 from thirdbody.data.attributes import identity
 from thirdbody.data.netcdf import unreadable
@@ -86,33 +82,31 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         files = [path.parent / each[FILE] for each in listed]
     except (ValueError, TypeError, KeyError) as error:
         raise unreadable(path, type(error).__name__) from None
-    parts = [_opened(file) for file in files]
-    first = parts[0]
-    ends = np.cumsum([part.sizes[ALONG] for part in parts])
-    coordinates = dict(first.coords)
-    surfaces = np.concatenate([part[ALONG].values for part in parts])
-    coordinates[ALONG] = (ALONG, surfaces, first[ALONG].attrs)
-    variables = {}
-    for name, variable in first.data_vars.items():
-        joined = _Joined([part[name].variable for part in parts], ends)
-        values = indexing.LazilyIndexedArray(joined)
-        variables[name] = xr.Variable(variable.dims, values, variable.attrs)
-    attributes = first.attrs | {
-        "title": "Atlas of three-body contact",
-        "model_parameters": _joined_parameters(parts),
-        **identity(" ".join(part.attrs["configuration_sha256"] for part in parts)),
-    }
-    dataset = xr.Dataset(variables, coordinates, attributes)
+    parts = []
+    for file in files:
+        with _opened(file) as part:
+            parts.append(part.attrs)
+    dataset = xr.open_mfdataset(
+        files,
+        engine="netcdf4",
+        combine="nested",
+        concat_dim=ALONG,
+        data_vars="minimal",
+        coords="minimal",
+        compat="override",
+        join="override",
+    )
     for name in dataset.coords:
-        dataset.variables[name].encoding["_FillValue"] = (
-            None  # where it is written: none is missing
-        )
-    dataset.set_close(lambda: [part.close() for part in parts])
-    return dataset
+        dataset[name].encoding["_FillValue"] = None  # where it is written: none is missing
+    return dataset.assign_attrs(
+        title="Atlas of three-body contact",
+        model_parameters=_joined_parameters(parts),
+        **identity(" ".join(part["configuration_sha256"] for part in parts)),
+    )
 
 
 def _opened(path) -> xr.Dataset:
-    """The dataset of a file, whose values are read when they are used and then forgotten."""
+    """The dataset of a file."""
     try:
         return xr.open_dataset(path, engine="netcdf4", cache=False)
     except Exception as error:  # each kind of damage has an exception of its own below
@@ -121,50 +115,9 @@ def _opened(path) -> xr.Dataset:
 
 def _joined_parameters(parts) -> str:
     """The attribute ``model_parameters`` of all surfaces: its lists run along the roughness."""
-    each = [json.loads(part.attrs["model_parameters"]) for part in parts]
+    each = [json.loads(part["model_parameters"]) for part in parts]
     joined = {
         name: sum((some[name] for some in each), []) if isinstance(value, list) else value
         for name, value in each[0].items()
     }
     return json.dumps(joined)
-
-
-class _Joined(BackendArray):
-    """A variable of several files, one behind the other along the roughness.
-
-    Parameters
-    ----------
-    parts : sequence of xarray.Variable
-        Of each file, unread.
-    ends : array
-        Where each part ends along the roughness.
-    """
-
-    def __init__(self, parts: Sequence[xr.Variable], ends: NDArray[np.int64]):
-        self.parts, self.ends = parts, ends
-        self.axis = parts[0].dims.index(ALONG)
-        sizes = parts[0].sizes | {ALONG: int(ends[-1])}
-        self.shape, self.dtype = tuple(sizes.values()), parts[0].dtype
-
-    def __getitem__(self, key):
-        return indexing.explicit_indexing_adapter(
-            key, self.shape, indexing.IndexingSupport.OUTER, self._read
-        )
-
-    def _read(self, key):
-        """What ``key`` picks, a number, slice or array of places for each axis."""
-        places = np.arange(self.shape[self.axis])[key[self.axis]]
-        asked = np.atleast_1d(places)
-        owners = np.searchsorted(self.ends, asked, side="right")
-        pieces = []
-        for owner in np.unique(owners) if owners.size else [0]:
-            own = asked[owners == owner] - (self.ends[owner - 1] if owner else 0)
-            within = (*key[: self.axis], own, *key[self.axis + 1 :])
-            picked = dict(zip(self.parts[owner].dims, within, strict=True))
-            pieces.append(self.parts[owner].isel(picked).values)
-        axis = sum(np.ndim(each) > 0 or isinstance(each, slice) for each in key[: self.axis])
-        values = np.concatenate(pieces, axis=axis)
-        # pieces are in the order of the files, each in the order that was asked for
-        back = np.argsort(np.argsort(owners, kind="stable"), kind="stable")
-        values = np.take(values, back, axis=axis) if len(pieces) > 1 else values
-        return values if np.ndim(places) else np.take(values, 0, axis=axis)

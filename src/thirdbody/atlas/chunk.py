@@ -134,7 +134,6 @@ def write_chunk(
     members: Sequence[Mapping[str, Any]],
     kept: Collection[str],
     rtol: float,
-    conditions: int | None = None,
 ) -> Clock:
     """Solve the surfaces of ``grid`` for all inputs and write what is found, little by little.
 
@@ -152,8 +151,6 @@ def write_chunk(
         Quantities kept of each point under the default inputs, beside the flags.
     rtol : float
         Relative error asked for.
-    conditions : int, optional
-        How many the whole atlas has, of which ``grid`` is a part that a process of its own solves.
 
     Returns
     -------

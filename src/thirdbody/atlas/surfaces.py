@@ -28,9 +28,9 @@ from thirdbody.model.regimes import (
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
-from thirdbody.solver.bracketing import Known
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
+from thirdbody.solver.sweep import is_worthwhile, sweep
 
 SOLVED = (
     *("separation", "particle_contact_area_ratio", "solid_load_fraction"),
@@ -101,7 +101,7 @@ def solve_surface(
     for parameters, weight in zip(sets, weights, strict=True):
         names = SOLVED if values else dict.fromkeys((*SOLVED, *kept, *FLAGS))
         axes = grid.axes(parameters)
-        solution = _timed(clock, "solving", solve_arrays, crossed(axes), parameters, rtol, names)
+        solution = _timed(clock, "solving", _solved, axes, parameters, rtol, names)
         values = values or {name: getattr(solution, name) for name in (*kept, *FLAGS)}
         if weight:
             for flag, states in STATES.items():
@@ -113,6 +113,13 @@ def solve_surface(
         ).items():
             found[name].append(each)
     return values | counts | _summed_up(found, weights)
+
+
+def _solved(axes, parameters, rtol, names) -> Solution:
+    """The points of a grid: by a sweep over the separation if they are many."""
+    if is_worthwhile(axes, rtol):
+        return sweep(axes, parameters, rtol, names)
+    return solve_arrays(crossed(axes), parameters, rtol, names)
 
 
 def _timed(clock, what, function, *given):
@@ -183,7 +190,6 @@ def first_passed(
         below, above = (logit(share) - logit(level) for share in shares)
         root = ends[0] + below / (below - above) * (ends[1] - ends[0])
     leap = np.flatnonzero(np.isfinite(shares[0]) & ~(np.abs(above - below) < EVEN))
-    unknown = np.full(leap.size, np.nan)
     root[leap], _ = level_roots(
         along,
         tuple(end[leap] for end in ends),
@@ -196,7 +202,6 @@ def first_passed(
         },
         parameters,
         min(LEAP_RTOL * rtol, 1e-2),
-        known=Known(*(share[leap] - level for share in shares), unknown, unknown),
     )
     found[others] = np.exp(root)
     return found

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.bracketing import Known, bracketed_roots
+from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.solve import solve
 
 
@@ -60,7 +60,6 @@ def level_roots(
     given: Mapping[str, NDArray],
     parameters: Parameters,
     rtol: float,
-    known: Known | None = None,
 ) -> tuple[NDArray, NDArray]:
     """Where each quantity passes its level between two values of one condition.
 
@@ -76,8 +75,6 @@ def level_roots(
         The other four conditions.
     parameters, rtol
         As for ``solve``.
-    known : Known, optional
-        By how much the quantities exceed their levels at both ends and at a third place.
 
     Returns
     -------
@@ -95,4 +92,4 @@ def level_roots(
         value[moved] = excess_over(*asked, parameters, rtol)[0]
         return value.copy()
 
-    return bracketed_roots(excess, *ends, 0.1 * rtol, known)
+    return bracketed_roots(excess, *ends, 0.1 * rtol)

@@ -13,15 +13,14 @@ lies at one separation d*, dry or lubricated, and its load follows from the bala
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit
 
 from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film
+from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.solver.bracketing import bracketed_roots
@@ -111,27 +110,13 @@ def turning_points(
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
     array([8.273e-07])
     """
-    found = {field.name: np.full(separation.shape[1], np.nan) for field in fields(TurningPoints)}
-
-    def enclosed(curves):
-        across = separation[:, curves]
-        return across, (np.fmax.reduce(across), np.fmin.reduce(across))
-
-    for curves, solids, maxima in _searched(
-        particle_diameter, roughness, particle_density, enclosed, len(separation), parameters, rtol
-    ):
-        curve, peak, width, prominence = maxima
-        seen = prominence > 0.0
-        if seen.any():
-            curve, prominence = curve[seen], prominence[seen]
-            refined = _state_at(
-                solids.take(curve), viscosity[curves[curve]], peak[seen], width[seen], rtol
-            )
-            refined["prominence"] = prominence
-            best = _greatest(curve, prominence)
-            for name, values in refined.items():
-                found[name][curves[curve[best]]] = values[best]
-    return TurningPoints(**found)
+    ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
+    solids = particle_diameter, roughness, particle_density
+    found = _turning_points(separation, ends, viscosity[np.newaxis], *solids, parameters, rtol)
+    inside = found.prominence[0] > 0.0
+    return TurningPoints(
+        **{name: np.where(inside, values[0], np.nan) for name, values in vars(found).items()}
+    )
 
 
 def film_turning_points(
@@ -186,48 +171,55 @@ def film_turning_points(
     array([[3.27210e-06],
            [1.48509e-05]])
     """
-    shape = separation.shape[1:]
-    found = {field.name: np.full(shape, np.nan) for field in fields(TurningPoints)}
-    ends = np.fmax.reduce(separation), np.fmin.reduce(separation)
-
-    def enclosed(columns):
-        first, last = (end[:, columns] for end in ends)
-        return np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places), (first, last)
-
-    for columns, solids, maxima in _searched(
-        particle_diameter, roughness, particle_density, enclosed, places, parameters, rtol
-    ):
-        solid, peak, width, prominence = maxima
-        film, maximum = np.nonzero(np.isfinite(prominence))
-        standing = prominence[film, maximum]
-        best = _greatest(film * columns.size + solid[maximum], standing)
-        film, maximum, standing = film[best], maximum[best], standing[best]
-        found["prominence"][film, columns[solid[maximum]]] = standing
-        seen = standing >= PROMINENCE
-        film, maximum = film[seen], maximum[seen]
-        state = _state_at(
-            solids.take(solid[maximum]), viscosity[film], peak[maximum], width[maximum], rtol
-        )
-        for name, values in state.items():
-            found[name][film, columns[solid[maximum]]] = values
-    return TurningPoints(**found)
+    first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places)
+    viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
+    solids = particle_diameter, roughness, particle_density
+    found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
+    known = {
+        name: np.where(found.exists, values, np.nan)
+        for name, values in vars(found).items()
+        if name != "prominence"
+    }
+    return replace(found, **known)
 
 
-def _searched(
-    diameter, roughness, density, enclosed, separations, parameters, rtol
-) -> Iterator[tuple]:
-    """Search the maxima of A_sa,t* on curves of solids, of which those without particles have none.
+def _turning_points(
+    separation, ends, viscosity, diameter, roughness, density, parameters, rtol
+) -> TurningPoints:
+    """The maximum that stands out most under each film on each solid: arrays of shape (films, solids).
 
-    Yields indices of some curves, their ``Contact``, and what ``share_maxima`` finds between the
-    separations, so many on each, and ends that ``enclosed`` returns for these indices.
+    ``separation`` [m] has shape (separations, solids), ``ends`` and ``viscosity`` (films, solids).
     """
-    curves = np.flatnonzero(has_particles(diameter, density))
-    if curves.size:
-        columns = (column[curves] for column in (diameter, roughness, density))
-        solids = make_contact(*columns, parameters, rtol)
-        yield curves, solids, share_maxima(solids, *enclosed(curves), SEPARATION_MARGIN * rtol)
+    found = TurningPoints(*np.full((len(fields(TurningPoints)), *viscosity.shape), np.nan))
+    three_body = np.flatnonzero(has_particles(diameter, density))
+    if three_body.size == 0:
+        return found
+    columns = (each[three_body] for each in (diameter, roughness, density))
+    solids = make_contact(*columns, parameters, rtol)
+    ends = tuple(each[:, three_body] for each in ends)
+    solid, peak, width, prominence = share_maxima(
+        solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
+    )
+    film, maximum = np.nonzero(np.isfinite(prominence))
+    best = _greatest(film * three_body.size + solid[maximum], prominence[film, maximum])
+    film, maximum = film[best], maximum[best]
+    place = film, three_body[solid[maximum]]
+    found.prominence[place] = prominence[film, maximum]
+    state = _state_at(
+        solids.take(solid[maximum]),
+        viscosity[place],
+        roughness[place[1]],
+        peak[maximum],
+        width[maximum],
+        rtol,
+    )
+    for name, values in state.items():
+        getattr(found, name)[place] = values
+    return found
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def share_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -289,11 +281,11 @@ def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     return np.minimum(before, after)
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def particle_share(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
     particle_area, log_summit_area = solids.areas(separation)
-    with np.errstate(divide="ignore"):  # no particle may touch
-        return expit(np.log(particle_area) - log_summit_area)
+    return expit(np.log(particle_area) - log_summit_area)
 
 
 def _greatest(curve, values):
@@ -302,17 +294,19 @@ def _greatest(curve, values):
     return order[np.unique(curve[order], return_index=True)[1]]
 
 
-def _state_at(solids: Contact, viscosity, separation, width, rtol) -> dict:
-    """The fields of ``TurningPoints`` at the maxima ``separation`` [m] known within ``width``, from
-    functions that are good for ``rtol``."""
-    bears = solids.log_solid_load(separation)
-    solid = np.exp(bears.value)
-    fluid = np.zeros_like(solid)
-    steepest = np.abs(bears.slope)
-    wet = viscosity > 0.0
-    fluid[wet], film_slope = _fluid_load(viscosity[wet], separation[wet], solids.take(wet))
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
+def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) -> dict:
+    """Fields of ``TurningPoints`` at maxima ``separation`` [m] known within ``width``."""
+    inputs = solids.parameters
+    loads = solids.log_solid_load(separation)
+    solid, steepest = np.exp(loads.value), np.abs(loads.slope)
+    fluid, wet = np.zeros_like(solid), viscosity > 0.0
+    film = Film.of(viscosity[wet], roughness[wet], inputs)
+    log_parameter = film.load_parameter(separation[wet] / inputs.ball_radius)  # Eq. 7
+    fluid[wet] = np.exp(log_parameter - log_load_parameter(0.0, inputs))  # Eq. 8
+    film_slope = 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
     steepest[wet] = np.maximum(steepest[wet], film_slope)
-    load = solids.parameters.readings.film_load.total_load(solid, fluid)  # Eq. 1
+    load = inputs.readings.film_load.total_load(solid, fluid)  # Eq. 1
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),
@@ -320,12 +314,3 @@ def _state_at(solids: Contact, viscosity, separation, width, rtol) -> dict:
         "solid_load_fraction": solid / load,
         "separation": separation,
     }
-
-
-def _fluid_load(viscosity, separation, solids: Contact):
-    """F_f* [1] of films that are ``separation`` d [m] thick, and |d ln F_f/dd| [m-1] (Eq. 7)."""
-    inputs = solids.parameters
-    film = Film.of(viscosity, solids.summits.roughness, inputs)
-    log_parameter = film.load_parameter(separation / inputs.ball_radius)
-    load = np.exp(log_parameter) * inputs.ball_radius**2 / inputs.apparent_area
-    return load, 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,29 +11,11 @@ MAX_ITERATIONS = 100
 SPACING = 4.0 * np.finfo(float).eps  # of neighbouring numbers, relative: no bracket gets narrower
 
 
-class Known(NamedTuple):
-    """Values of a function that a search need not ask for, each array of shape (n,).
-
-    Attributes
-    ----------
-    low, high : array
-        At both ends of the brackets.
-    beyond, at_beyond : array
-        A place beyond ``low``, seen from ``high``, and the value there; nan where it is unknown.
-    """
-
-    low: NDArray
-    high: NDArray
-    beyond: NDArray
-    at_beyond: NDArray
-
-
 def bracketed_roots(
     function: Callable[[NDArray], NDArray],
     low: NDArray,
     high: NDArray,
     tolerance: NDArray | float,
-    known: Known | None = None,
 ) -> tuple[NDArray, NDArray]:
     """Find where a function changes its sign between two bounds, element by element.
 
@@ -46,8 +27,6 @@ def bracketed_roots(
         Ends of the brackets: the function is positive at one of them and not at the other.
     tolerance : array or float
         How narrow a bracket is to be.
-    known : Known, optional
-        What is known of the function: with three places it begins with interpolation.
 
     Returns
     -------
@@ -67,13 +46,8 @@ def bracketed_roots(
     array([1.41421356])
     """
     newest, other, last = low, high, high
-    if known is None:
-        f_newest, f_other = function(low), function(high)
-        f_last = f_other
-    else:
-        f_newest, f_other, third = known.low, known.high, np.isfinite(known.at_beyond)
-        last = np.where(third, known.beyond, high)
-        f_last = np.where(third, known.at_beyond, f_other)
+    f_newest, f_other = function(low), function(high)
+    f_last = f_other
     for _ in range(MAX_ITERATIONS):
         best = np.where(np.abs(f_newest) < np.abs(f_other), newest, other)
         exact = (f_newest == 0.0) | (f_other == 0.0)

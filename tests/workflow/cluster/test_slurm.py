@@ -84,7 +84,7 @@ def test_the_atlas_goes_out_by_chunk(cluster, fresh, charted):
     before = cluster.jobs("all")
     run = fresh.snakemake("atlas", *PROFILE)
     assert run.returncode == 0, run.stdout + run.stderr
-    assert cluster.purposes(but=before) == {"solve_chunk": 3, "find_lookup": 1, "chart": 1}
+    assert cluster.purposes(but=before) == {"solve_chunk": 3, "chart": 1}
     here, _ = charted
     agree(fresh, here, "results", but="atlas/cost")
 
