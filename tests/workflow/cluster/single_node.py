@@ -48,6 +48,7 @@ AccountingStoragePort={ports[2]}
 AccountingStorageEnforce=associations
 ReturnToService=2
 KillWait=2
+MessageTimeout=2
 MinJobAge=3600
 SchedulerParameters=sched_interval=1,bf_interval=1
 NodeName={node} NodeAddr=127.0.0.1 CPUs=2 RealMemory=4000
@@ -118,14 +119,14 @@ class Cluster:
         """Start all daemons, and wait until the node can be had."""
         self.start_munge()
         self.start_database()
-        self.start_accounting()
+        self.start("slurmdbd", "-D")
+        listing = ["sacctmgr", "list", "cluster"]
+        wait_until(lambda: subprocess.run(listing, capture_output=True).returncode == 0)
         self.ask("sacctmgr", "-i", "add", "cluster", "tests")
         self.ask("sacctmgr", "-i", "add", "account", ACCOUNT)
         self.ask("sacctmgr", "-i", "add", "user", getpass.getuser(), f"account={ACCOUNT}")
-        self.start("slurmctld", "-D")
-        node = ANOTHER_HOST.format(place=self.place)
-        self.start("unshare", "--uts", "--mount", "sh", "-c", node)
-        wait_until(self.is_idle)
+        self.start_controller()
+        self.start_node()
 
     def start_munge(self):
         """Start the daemon by which the others know each other."""
@@ -158,16 +159,26 @@ class Cluster:
         )
         wait_until((self.place / "mariadb.pid").exists)
 
-    def start_accounting(self):
-        """Start the daemon between SLURM and the database."""
-        self.start("slurmdbd", "-D")
-        listing = ["sacctmgr", "list", "cluster"]
-        wait_until(lambda: subprocess.run(listing, capture_output=True).returncode == 0)
+    def start_node(self):
+        """Start the node, and wait until it can be had."""
+        own = ("--uts", "--mount", "--pid", "--mount-proc", "--fork", "--kill-child")
+        self.start("unshare", *own, "sh", "-c", ANOTHER_HOST.format(place=self.place))
+        wait_until(lambda: self.ask("sinfo", "--noheader", "--format=%T") == "idle")
 
-    def stop_accounting(self):
-        """Stop the daemon between SLURM and the database."""
-        self.daemons["slurmdbd"].terminate()
-        self.daemons["slurmdbd"].wait()
+    def cut_power_of_node(self):
+        """Kill all that runs on the node, and tell the controller."""
+        self.daemons["unshare"].kill()
+        self.daemons["unshare"].wait()
+        self.ask("scontrol", "update", f"nodename={NODE}", "state=down", "reason=test")
+
+    def start_controller(self):
+        """Start the controller, with what it knew when it was stopped."""
+        self.start("slurmctld", "-D")
+
+    def stop_controller(self):
+        """Stop the controller, which keeps what it knows."""
+        self.daemons["slurmctld"].terminate()
+        self.daemons["slurmctld"].wait()
 
     def stop(self):
         """End all daemons, and what they started."""
@@ -194,10 +205,6 @@ class Cluster:
         told = self.ask("squeue", "--noheader", "--format=%A %k", "--states=all").splitlines()
         jobs = dict(line.split(" ", 1) for line in told)
         return sum(jobs[job].startswith(f"rule_{purpose}") for job in jobs.keys() - set(but))
-
-    def is_idle(self):
-        """Whether the node waits for jobs."""
-        return self.ask("sinfo", "--noheader", "--format=%T") == "idle"
 
     def running(self, but=None):
         """Wait until a job runs, another than ``but``; its number."""

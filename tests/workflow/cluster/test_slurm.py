@@ -6,7 +6,7 @@ import signal
 import subprocess
 
 import pytest
-from single_node import ACCOUNT, NODE, PARTITION, PLUGIN, wait_until
+from single_node import ACCOUNT, PARTITION, PLUGIN, wait_until
 from workspace import MADE_BY_RUNS, MINIMAL, READINGS, SNAKEMAKE, ended
 
 PROFILE = ("--profile", "workflow/profiles/slurm")
@@ -17,6 +17,7 @@ SCRIPT = "workflow/scripts/recompute_paper_table.py"
 # a job that lasts until the test lets it go on
 HELD = """
     import pathlib, time
+    pathlib.Path("begun").touch()
     while not pathlib.Path("go").exists():
         time.sleep(0.1)
     with logged"""
@@ -73,6 +74,13 @@ def begin(fresh):
             kill(run)
 
 
+def wait_for_begun(workspace):
+    """Wait until a job for Table 1 has begun."""
+    begun = workspace.root / "begun"
+    wait_until(begun.exists)
+    begun.unlink()
+
+
 def kill(run):
     run.send_signal(signal.SIGKILL)
     run.communicate()
@@ -106,23 +114,26 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
         assert (there.root / name).read_bytes() == (here.root / name).read_bytes(), name
 
 
-def test_a_job_may_be_cancelled_its_node_go_down_and_the_accounting_be_away(
+def test_a_job_may_be_cancelled_its_node_go_down_and_the_controller_be_away(
     cluster, fresh, begin, finished
 ):
     run = begin()
     first = cluster.running()
     cluster.ask("scancel", first)
     second = cluster.running(but=first)
-    cluster.ask("scontrol", "update", f"nodename={NODE}", "state=down", "reason=test")
+    wait_for_begun(fresh)
+    cluster.cut_power_of_node()
     wait_until(lambda: second in cluster.jobs("pending"))
-    wait_until(cluster.is_idle)
+    cluster.start_node()
     cluster.ask("scontrol", "update", f"jobid={second}", "starttime=now")  # not minutes later
-    cluster.stop_accounting()
+    wait_for_begun(fresh)
+    cluster.stop_controller()
     (fresh.root / "go").touch()
-    wait_until(lambda: second in cluster.jobs("completed"))
-    cluster.start_accounting()
+    wait_until((fresh.root / TABLE).exists)
+    cluster.start_controller()
     said = complete(run)
-    assert f"SLURM-job '{first}' failed, SLURM status is: 'CANCELLED" in said
+    assert f"SLURM-job '{first}' failed, SLURM status is: 'CANCELLED'" in said
+    assert second in cluster.jobs("completed")
     assert made_as(finished, fresh)
 
 
