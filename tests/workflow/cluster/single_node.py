@@ -20,7 +20,8 @@ set -e
 hostname {NODE}
 mount -t tmpfs none {{place}}/own
 mount --bind {{place}} /etc/slurm
-exec slurmd -D
+slurmd -D &
+wait  # and reap what the jobs leave
 """
 SLURM = """
 ClusterName=tests
