@@ -16,6 +16,8 @@ BIN := $(VENV)/bin
 COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
 
+SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-jobstep
+
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
 RELEASE := results/release/thirdbody-$(VERSION)
 
@@ -30,7 +32,7 @@ reproduce: $(VENV)/workflow.done
 	$(BIN)/snakemake -c$(CORES)
 
 # one thread of linear algebra a process, as processes share the cores
-test: $(VENV)/test.done
+test: $(VENV)/test.done $(VENV)/slurm.done
 	$(BIN)/snakemake -c$(CORES)
 	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses=$(CORES) --dist=loadfile --no-loadscope-reorder
 
@@ -54,6 +56,11 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 	$(BIN)/python -m pip install --quiet --no-compile --require-hashes --requirement locks/test.txt
 	$(COMPILE)
+	touch $@
+
+# a folder of its own: beside Snakemake the plugin slows every command where SLURM does not answer
+$(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --upgrade --target $(VENV)/slurm --no-deps --require-hashes --constraint locks/slurm.txt $(SLURM_PLUGIN)
 	touch $@
 
 verify: $(VENV)/workflow.done
