@@ -16,6 +16,7 @@ BIN := $(VENV)/bin
 COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
 LOWEST := $(VENV)/lowest
 
+# what the executor for SLURM needs beside locks/workflow.txt
 SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-jobstep
 
 VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
@@ -60,7 +61,7 @@ $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
 
 # a folder of its own: beside Snakemake the plugin slows every command where SLURM does not answer
 $(VENV)/slurm.done: locks/slurm.txt | $(BIN)/python
-	$(BIN)/python -m pip install --quiet --upgrade --target $(VENV)/slurm --no-deps --require-hashes --constraint locks/slurm.txt $(SLURM_PLUGIN)
+	$(BIN)/python -m pip install --quiet --upgrade --target $(VENV)/slurm --no-deps --require-hashes --requirement locks/slurm.txt
 	touch $@
 
 verify: $(VENV)/workflow.done
@@ -72,7 +73,7 @@ accuracy: $(VENV)/test.done
 
 lock:
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --extra slurm --constraint locks/workflow.txt --output-file locks/slurm.txt pyproject.toml
+	printf '%s\n' $(SLURM_PLUGIN) | uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-deps --output-file locks/slurm.txt -
 	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
 
 vendor:
