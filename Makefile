@@ -52,6 +52,7 @@ $(VENV)/workflow.done: locks/workflow.txt pyproject.toml | $(BIN)/python
 	$(COMPILE)
 	$(BIN)/python -m pip install --quiet --no-compile --no-deps --no-build-isolation --editable .
 	cp workflow/envs/container_home.* $(VENV)/lib/python3*/site-packages
+	$(BIN)/python -m compileall -qq src benchmarks
 	touch $@
 
 $(VENV)/test.done: locks/test.txt $(VENV)/workflow.done
