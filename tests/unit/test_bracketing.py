@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.solver.bracketing import Known, bracketed_roots
+from thirdbody.solver.bracketing import bracketed_roots
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -46,21 +46,3 @@ def test_smooth_functions_take_few_evaluations():
 def test_nothing_to_find_is_nothing():
     found, width = bracketed_roots(np.cos, np.zeros(0), np.zeros(0), 1e-9)
     assert found.size == width.size == 0
-
-
-@pytest.mark.parametrize("beyond", [-0.5, np.nan])
-def test_what_is_known_is_not_asked_for(beyond):
-    calls = []
-
-    def function(x):
-        calls.append(x.item())
-        return np.exp(x) - 2.0
-
-    low, high, third = np.zeros(1), np.ones(1), np.array([beyond])
-    known = Known(np.exp(low) - 2.0, np.exp(high) - 2.0, third, np.exp(third) - 2.0)
-    found, width = bracketed_roots(function, low, high, 1e-12, known)
-    assert_allclose(found, np.log(2.0), rtol=1e-12)
-    assert width <= 1e-12
-    assert not {0.0, 1.0, beyond} & set(calls)
-    assert len(calls) <= 8
-    assert (calls[0] == 0.5) == np.isnan(beyond)  # it bisects where it knows no third place
