@@ -40,8 +40,8 @@ test: $(VENV)/test.done $(VENV)/slurm.done
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build
 
-test-survival: $(VENV)/test.done
-	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival
+test-survival: $(VENV)/test.done $(VENV)/slurm.done
+	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival tests/workflow/cluster
 
 $(BIN)/python:
 	$(PYTHON) -c "import sys; sys.exit(0 if sys.version_info >= (3, 11) else 'Python 3.11 or newer is needed, this is ' + sys.version.split()[0])"

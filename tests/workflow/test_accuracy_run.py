@@ -55,15 +55,6 @@ def test_the_default_run_makes_none_of_them(sources):
     assert not [name for name in PRODUCTS if f"results/{name}" in listed]
 
 
-def test_what_is_timed_leaves_no_share_to_others(measured):
-    rules = measured.rules()
-    timed = {name for name, text in rules.items() if "quiet=100" in text}
-    assert timed == {name for name in rules if name.startswith("time_")} != set()
-    profile = yaml.safe_load((measured.root / "workflow/profiles/default/config.yaml").read_text())
-    assert profile["resources"] == ["quiet=100"]
-    assert "quiet=1" in profile["default-resources"]
-
-
 @pytest.mark.parametrize("name", ["errors", "times"])
 def test_each_class_has_each_method_at_each_rtol(tables, name):
     found = {(row["method"], row["rtol"], *of_class(row)) for row in tables[name]}

@@ -14,6 +14,7 @@ QUICK = ("--slurm-init-seconds-before-status-checks", "1", "--max-status-checks-
 GIVEN = (f"slurm_account={ACCOUNT}", f"slurm_partition={PARTITION}", "runtime=10")
 FIGURE, TABLE = "results/figures/fig03.png", "results/extracted/table1/all.csv"
 SCRIPT = "workflow/scripts/recompute_paper_table.py"
+long = pytest.mark.skipif(os.environ.get("SURVIVAL") != "long", reason="make test-survival")
 # a job that lasts until the test lets it go on
 HELD = """
     import pathlib, time
@@ -95,6 +96,7 @@ def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
     assert "Nothing to be done" in fresh.snakemake("--dry-run", FIGURE).stdout
 
 
+@long
 def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
     cluster, charted, calibrated, sources, tmp_path
 ):
@@ -114,6 +116,7 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
         assert (there.root / name).read_bytes() == (here.root / name).read_bytes(), name
 
 
+@long
 def test_a_job_may_be_cancelled_its_node_go_down_and_the_controller_be_away(
     cluster, fresh, begin, finished
 ):
