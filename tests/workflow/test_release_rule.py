@@ -40,7 +40,7 @@ def verified_with_products(released):
 
 def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
     workspace = Workspace(released.parents[2])
-    dry_run = workspace.snakemake("release", "--dry-run", "--quiet", "none", config=())
+    dry_run = workspace.snakemake("release", "--dry-run", "--quiet", "host", config=())
     assert f"{PAPER.full_name}.zip" in dry_run.stdout + dry_run.stderr
     crate = json.loads((released / "data" / "ro-crate-metadata.json").read_text(encoding="utf-8"))
     (root,) = (each for each in crate["@graph"] if each["@id"] == "./")
