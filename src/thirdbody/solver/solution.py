@@ -56,7 +56,7 @@ class Solution:
         surfaces meet first.
     error_bound : array
         What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308:
-        half of what loads and areas differ by between two separations at which the forces are seen to
+        what loads and areas differ by between two separations at which the forces are seen to
         be too large and too small, and rounding.  Where it is above the ``rtol`` that was asked for,
         the status is ``not_converged``, but the values stand.
     conditions : mapping
@@ -243,10 +243,7 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
-    """Half of what loads and areas differ by between both ends, relative, and rounding beside.
-
-    Each of their parts rises or falls all the way: so none is farther from its mean than by half.
-    """
+    """What loads and areas differ by between both ends, relative, and rounding beside."""
     closest, farthest = ends.separation
     bare = np.log1p(-ends.coverage)
     summits = _difference(ends.log_beside - bare) + _difference(bare)
@@ -258,9 +255,10 @@ def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
     loads = loads + _counted(_difference(ends.log_fluid), fluid)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
-    half = 0.5 * np.maximum((farthest - closest) / closest, np.maximum(areas, loads))
+    apart = np.maximum((farthest - closest) / closest, np.maximum(areas, loads))
     rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.noise), 0.0)
-    return half + half**2 + rounding
+    # a ratio has the rounding of both its parts
+    return np.expm1(apart) + 2.0 * rounding
 
 
 def _difference(both):
