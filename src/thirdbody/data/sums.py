@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable
+from os import PathLike
 from pathlib import Path
 
 
@@ -35,7 +36,7 @@ def require_sums(path: str | Path) -> None:
             )
 
 
-def digest(path: str | Path) -> str:
-    """SHA-256 sum of a file, in hexadecimal digits."""
+def digest(path: str | PathLike, algorithm: str = "sha256") -> str:
+    """The sum of a file, in hexadecimal digits."""
     with open(path, "rb") as content:
-        return hashlib.file_digest(content, "sha256").hexdigest()
+        return hashlib.file_digest(content, algorithm).hexdigest()

@@ -14,8 +14,9 @@ from datetime import date
 from os import PathLike
 from pathlib import Path
 
+from thirdbody.data.sums import digest
 from thirdbody.release.citation import Release
-from thirdbody.release.files import digest, files_in
+from thirdbody.release.files import files_in
 
 ALGORITHMS = ("sha256", "sha512")
 FILE_MODE = 0o100644 << 16  # a plain file that its owner may write

@@ -12,9 +12,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from thirdbody.data.sums import digest
 from thirdbody.data.tables import DRAWN_POINTS, TABLES
 from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
-from thirdbody.release.files import digest, files_in, media_type
+from thirdbody.release.files import files_in, media_type
 
 
 def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:

@@ -1,8 +1,7 @@
-"""Files of a release: which sources it has, and names, sums and media types."""
+"""Files of a release: which sources it has, and names and media types."""
 
 from __future__ import annotations
 
-import hashlib
 import json
 import mimetypes
 import subprocess
@@ -61,12 +60,6 @@ def files_in(folder: Path, root: Path) -> list[str]:
     """Sorted names of all files below ``folder``, relative to ``root``, with forward slashes."""
     paths = (path for path in folder.rglob("*") if path.is_file())
     return sorted(path.relative_to(root).as_posix() for path in paths)
-
-
-def digest(path: str | PathLike, algorithm: str) -> str:
-    """Hexadecimal sum of the bytes of a file; ``algorithm`` as ``hashlib`` names it."""
-    with open(path, "rb") as file:
-        return hashlib.file_digest(file, algorithm).hexdigest()
 
 
 def write_json(path: Path, content: Any) -> None:

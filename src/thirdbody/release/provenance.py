@@ -12,8 +12,8 @@ from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
 
+from thirdbody.data.sums import digest
 from thirdbody.release.bag import ALGORITHMS
-from thirdbody.release.files import digest
 
 
 def provenance(archive: Path) -> dict[str, Any]:
