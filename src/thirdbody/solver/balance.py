@@ -38,6 +38,8 @@ class Ends(NamedTuple):
         A_sa/A_n and ln(A_ss-sa/A_n) [1].
     coverage : array
         That of the particles larger than d [1].
+    solid_slope, area_slope : array
+        d ln F_s/dd [m-1] and d(A_sa/A_n)/dd [m-1].
     """
 
     separation: NDArray
@@ -48,6 +50,8 @@ class Ends(NamedTuple):
     area: NDArray
     log_beside: NDArray
     coverage: NDArray
+    solid_slope: NDArray
+    area_slope: NDArray
 
 
 class Balance(NamedTuple):
@@ -226,7 +230,7 @@ def _ends_at(points, separation, forces):
     """Rows of ``Ends`` at one separation each."""
     area, log_beside = points.contact.areas(separation, forces.solids)
     touching = forces.solids.touching
-    coverage = np.zeros_like(area) if touching is None else touching[2]
+    _, area_slope, coverage, _ = np.zeros((4, area.size)) if touching is None else touching
     return np.stack(
         [
             separation,
@@ -237,6 +241,8 @@ def _ends_at(points, separation, forces):
             area,
             log_beside,
             coverage,
+            forces.solids.slope,
+            area_slope,
         ]
     )
 

@@ -243,22 +243,23 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
-    """What loads and areas differ by between both ends, relative, and rounding beside."""
-    closest, farthest = ends.separation
+    """What loads and areas differ by from the mean of both ends, relative, and rounding beside."""
+    width = np.diff(ends.separation, axis=0)[0]
     bare = np.log1p(-ends.coverage)
     summits = _difference(ends.log_beside - bare) + _difference(bare)
     beside = np.minimum(particle_ratio, summit_ratio)  # what vanishes alone may count in a ratio
     areas = _counted(summits, np.maximum(np.exp(ends.log_beside), beside))
-    particles = _difference(np.log(ends.area))
+    # elastic particles may have a maximum of area between the ends
+    rise = width * np.abs(ends.area_slope).max(axis=0) / ends.area.min(axis=0)
+    particles = np.maximum(_difference(np.log(ends.area)), rise)
     areas = areas + _counted(particles, np.maximum(ends.area, beside))
-    loads = _counted(_difference(ends.log_solid), solid)
-    loads = loads + _counted(_difference(ends.log_fluid), fluid)
+    solids = np.maximum(_difference(ends.log_solid), width * np.abs(ends.solid_slope).max(axis=0))
+    loads = _counted(solids, solid) + _counted(_difference(ends.log_fluid), fluid)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
-    apart = np.maximum((farthest - closest) / closest, np.maximum(areas, loads))
+    apart = np.maximum(width / ends.separation[0], np.maximum(areas, loads))
     rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.noise), 0.0)
-    # a ratio has the rounding of both its parts
-    return np.expm1(apart) + 2.0 * rounding
+    return 0.5 * np.expm1(apart) + rounding
 
 
 def _difference(both):
