@@ -1,10 +1,8 @@
 # `snakemake -c2 accuracy`, not part of the default run: errors, verdicts on extremes, times, and targets.
 
 ACCURACY = settings["accuracy"]
-MEASURED = sorted(
-    str(path.relative_to(HOME))
-    for folder in ("src", "benchmarks")
-    for path in HOME.glob(f"{folder}/**/*.py")
+MEASURED = digest(
+    path for folder in ("src", "benchmarks") for path in HOME.glob(f"{folder}/**/*.py")
 )
 
 
@@ -13,7 +11,6 @@ rule measure_errors:
         points=project_file("tests/golden/accuracy_points.csv"),
         extremes=project_file("tests/golden/extremes.csv"),
         plain=project_file("verification/plain_model.py"),
-        modules=MEASURED,
     output:
         errors="<results>/accuracy/errors.csv",
         verdicts="<results>/accuracy/extremes.csv",
@@ -23,6 +20,7 @@ rule measure_errors:
         "../envs/thirdbody.yaml"
     params:
         rtol=ACCURACY["rtol"],
+        sources=MEASURED,
     message:
         "Measuring errors and judging every extreme"
     script:
@@ -32,7 +30,6 @@ rule measure_errors:
 rule compare_oracle:
     input:
         oracle=project_file("tests/oracle/contact.c"),
-        modules=MEASURED,
     output:
         table="<results>/accuracy/oracle.csv",
     log:
@@ -43,6 +40,7 @@ rule compare_oracle:
         runtime=60,
     params:
         settings=ACCURACY["oracle"],
+        sources=MEASURED,
     message:
         "Comparing all interpretations with extended precision"
     script:
@@ -53,7 +51,6 @@ rule compare_oracle:
 rule time_library:
     input:
         plain=project_file("verification/plain_model.py"),
-        modules=MEASURED,
     output:
         times="<results>/accuracy/times.csv",
         uses="<results>/accuracy/uses.csv",
@@ -67,6 +64,7 @@ rule time_library:
     params:
         budget=ACCURACY,
         parameters=settings["parameters"],
+        sources=MEASURED,
     message:
         "Timing points, grids and typical uses"
     script:
@@ -83,7 +81,6 @@ rule render_accuracy:
     input:
         **ACCURACY_TABLES,
         style=STYLE,
-        modules=MEASURED,
     output:
         multiext("<results>/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -94,6 +91,8 @@ rule render_accuracy:
         "<logs>/render_accuracy.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=MEASURED,
     message:
         "Drawing errors against times; comparing with targets"
     script:

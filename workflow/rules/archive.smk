@@ -23,7 +23,6 @@ rule release:
 rule list_jobs:
     input:
         products=PRODUCTS,
-        modules=modules_of("list_jobs.py"),
     output:
         jobs="<results>/release/jobs.json",
     log:
@@ -34,6 +33,7 @@ rule list_jobs:
     params:
         config=settings["config"],
         run=settings["run"],
+        sources=sources_of("list_jobs.py"),
     message:
         "Listing which job made which product"
     script:
@@ -46,7 +46,6 @@ rule stage_release:
         sums="<results>/SHA256SUMS",
         jobs="<results>/release/jobs.json",
         sources=lambda wildcards: source_files(),
-        modules=modules_of("stage_release.py"),
     output:
         sealed=f"<results>/release/{RELEASE.full_name}/tagmanifest-sha512.txt",
     log:
@@ -58,6 +57,7 @@ rule stage_release:
         settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
         is_changed=not settings["is_paper"],
+        sources=sources_of("stage_release.py"),
     message:
         "Filling the folder of the release"
     script:
@@ -67,7 +67,6 @@ rule stage_release:
 rule pack_release:
     input:
         sealed=rules.stage_release.output.sealed,
-        modules=modules_of("pack_release.py"),
     output:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
     log:
@@ -77,6 +76,7 @@ rule pack_release:
         "../envs/thirdbody.yaml"
     params:
         date=RELEASE.date,
+        sources=sources_of("pack_release.py"),
     message:
         "Packing the release"
     script:
@@ -86,7 +86,6 @@ rule pack_release:
 rule record_provenance:
     input:
         archive=rules.pack_release.output.archive,
-        modules=modules_of("record_provenance.py"),
     output:
         provenance="<results>/release/provenance.json",
     log:
@@ -94,6 +93,8 @@ rule record_provenance:
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("record_provenance.py"),
     message:
         "Recording when and where the release was made"
     script:

@@ -10,8 +10,6 @@ scattergather:
 
 
 rule solve_chunk:
-    input:
-        modules=modules_of("solve_chunk.py"),
     output:
         chunk="<results>/atlas/chunks/{scatteritem}.nc",
         cost="<results>/atlas/cost/{scatteritem}.csv",
@@ -27,6 +25,7 @@ rule solve_chunk:
         rtol=ATLAS["rtol"],
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+        sources=sources_of("solve_chunk.py"),
     message:
         "Solving chunk {wildcards.scatteritem} of the atlas"
     script:
@@ -37,7 +36,6 @@ rule catalogue_atlas:
     input:
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
         cost=gather.atlas("<results>/atlas/cost/{scatteritem}.csv"),
-        modules=modules_of("catalogue_atlas.py"),
     output:
         catalogue="<results>/atlas/catalogue.json",
         cost="<results>/atlas/cost.csv",
@@ -45,6 +43,8 @@ rule catalogue_atlas:
         "<logs>/catalogue_atlas.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("catalogue_atlas.py"),
     message:
         "Cataloguing the atlas"
     script:
@@ -55,7 +55,6 @@ rule extract_chart:
     input:
         catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-        modules=modules_of("extract_chart.py"),
     output:
         rows="<results>/extracted/{chart}/all.csv",
     log:
@@ -66,6 +65,7 @@ rule extract_chart:
         "../envs/thirdbody.yaml"
     params:
         charts=ATLAS["charts"],
+        sources=sources_of("extract_chart.py"),
     message:
         "Reading {wildcards.chart} off the atlas"
     script:
@@ -77,7 +77,6 @@ rule render_chart:
         catalogue="<results>/atlas/catalogue.json",
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
         style=STYLE,
-        modules=modules_of("render_chart.py"),
     output:
         multiext("<results>/figures/{chart}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report("<results>/figures/{chart}.png", category="Atlas", labels={"figure": "{chart}"}),
@@ -89,6 +88,7 @@ rule render_chart:
         "../envs/thirdbody.yaml"
     params:
         charts=ATLAS["charts"],
+        sources=sources_of("render_chart.py"),
     message:
         "Drawing {wildcards.chart}"
     script:
@@ -99,7 +99,6 @@ use rule write_table as write_chart_table with:
     input:
         parts=["<results>/extracted/{table}/all.csv"],
         printed=[],
-        modules=modules_of("write_table.py"),
     log:
         "<logs>/write_chart_table/{table}.log",
     wildcard_constraints:

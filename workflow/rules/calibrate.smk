@@ -9,7 +9,6 @@ CALIBRATION = settings["calibration"]
 rule search_reading:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        modules=modules_of("search_reading.py"),
     output:
         evaluations="<results>/calibration/{reading}/seed{seed}.csv",
         fronts="<results>/calibration/{reading}/seed{seed}_fronts.json",
@@ -26,6 +25,7 @@ rule search_reading:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
+        sources=sources_of("search_reading.py"),
     message:
         "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
     script:
@@ -38,7 +38,6 @@ rule sample_reading:
             "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
         ),
         claims=f"{CONFIG}/claims.yaml",
-        modules=modules_of("sample_reading.py"),
     output:
         samples="<results>/calibration/{reading}/seed{seed}_samples.csv",
     log:
@@ -54,6 +53,7 @@ rule sample_reading:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
+        sources=sources_of("sample_reading.py"),
     message:
         "Sampling the inputs of {wildcards.reading} from seed {wildcards.seed}"
     script:
@@ -72,7 +72,6 @@ rule summarise_reading:
             "<results>/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
         ),
         claims=f"{CONFIG}/claims.yaml",
-        modules=modules_of("summarise_reading.py"),
     output:
         calibrated="<results>/calibration/{reading}.yaml",
     log:
@@ -86,6 +85,7 @@ rule summarise_reading:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
+        sources=sources_of("summarise_reading.py"),
     message:
         "Summarising the calibration of {wildcards.reading}"
     script:
@@ -95,7 +95,6 @@ rule summarise_reading:
 rule calibrate:
     input:
         calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
-        modules=modules_of("adopt_calibration.py"),
     output:
         adopted="<results>/calibration/adopted.txt",
     log:
@@ -105,6 +104,8 @@ rule calibrate:
     localrule: True
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("adopt_calibration.py"),
     message:
         "Copying the calibrated inputs to config/calibrated"
     script:

@@ -9,7 +9,6 @@ rule judge_claims:
         inputs=f"{CONFIG}/inputs.yaml",
         default=settings["calibrated"],
         calibrated=CALIBRATED,
-        modules=modules_of("judge_claims.py"),
     output:
         table="<results>/claims/claims.csv",
         text="<results>/claims/claims.md",
@@ -28,6 +27,7 @@ rule judge_claims:
         settings=settings["calibration"],
         parameters=settings["uncalibrated"],
         laid_over=settings["inputs"],
+        sources=sources_of("judge_claims.py"),
     message:
         "Judging every statement of the paper"
     script:
@@ -38,7 +38,6 @@ rule render_claims:
     input:
         claims="<results>/claims/claims.csv",
         style=STYLE,
-        modules=modules_of("render_claims.py"),
     output:
         multiext("<results>/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -51,6 +50,8 @@ rule render_claims:
         "<logs>/render_claims.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("render_claims.py"),
     message:
         "Drawing the verdicts"
     script:
@@ -61,7 +62,6 @@ rule render_fronts:
     input:
         calibrated=CALIBRATED,
         style=STYLE,
-        modules=modules_of("render_fronts.py"),
     output:
         multiext("<results>/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -76,6 +76,7 @@ rule render_fronts:
         "../envs/thirdbody.yaml"
     params:
         default=Path(settings["calibrated"]).stem,
+        sources=sources_of("render_fronts.py"),
     message:
         "Drawing what each chief statement costs the others"
     script:

@@ -1,5 +1,7 @@
 # What the rules share: where the project's files lie, and which modules a script imports.
 import ast
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
 
 import grimp
@@ -11,10 +13,10 @@ IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cac
 STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
 
 
-def modules_of(script):
-    """Files of all modules of the library that a script imports, directly or not.
+def sources_of(script):
+    """SHA-256 of the modules of the library that a script imports, directly or not.
 
-    They are inputs of the rule that runs it, so that an edit reruns what depends on it.
+    As a parameter of a rule it makes an edit of any of them rerun the rule.
     """
     statements = ast.walk(ast.parse((HOME / "workflow/scripts" / script).read_bytes()))
     named = {
@@ -31,7 +33,17 @@ def modules_of(script):
     for name in list(modules):
         modules |= IMPORTS.find_upstream_modules(name)
     packages = {name.rpartition(".")[0] for name in modules}
-    return sorted(project_file(f"src/{path}") for path in map(module_file, modules | packages))
+    return digest(project_file(f"src/{module_file(name)}") for name in modules | packages)
+
+
+def digest(files):
+    """SHA-256 of the content of all ``files`` together."""
+    return sha256("".join(sorted(map(file_sum, files))).encode()).hexdigest()
+
+
+@cache
+def file_sum(file):
+    return sha256(Path(file).read_bytes()).hexdigest()
 
 
 def module_file(name):

@@ -2,8 +2,6 @@
 
 
 rule solve_scene:
-    input:
-        modules=modules_of("solve_scene.py"),
     output:
         dataset="<results>/datasets/{figure}.nc",
     log:
@@ -18,6 +16,7 @@ rule solve_scene:
         scene=lookup(dpath="scenes/{figure}", within=settings),
         parameters=settings["parameters"],
         software=settings["software"],
+        sources=sources_of("solve_scene.py"),
     message:
         "Solving {wildcards.figure}"
     script:
@@ -27,7 +26,6 @@ rule solve_scene:
 rule solve_ensemble:
     input:
         dataset="<results>/datasets/{figure}.nc",
-        modules=modules_of("solve_ensemble.py"),
     output:
         band="<results>/bands/{figure}.nc",
     log:
@@ -41,6 +39,7 @@ rule solve_ensemble:
     params:
         parameters=settings["parameters"],
         ensemble=settings["ensemble"],
+        sources=sources_of("solve_ensemble.py"),
     message:
         "Solving {wildcards.figure} for each member of the ensemble"
     script:
@@ -48,8 +47,6 @@ rule solve_ensemble:
 
 
 rule compute_schematic:
-    input:
-        modules=modules_of("compute_schematic.py"),
     output:
         sections="<results>/schematics/{figure}.nc",
     log:
@@ -61,6 +58,7 @@ rule compute_schematic:
     params:
         panels=lookup(dpath="schematics/{figure}", within=settings),
         parameters=settings["parameters"],
+        sources=sources_of("compute_schematic.py"),
     message:
         "Solving the sections of {wildcards.figure}"
     script:

@@ -15,7 +15,6 @@ rule build_explorer:
             for folder in ("page", "vendor")
             for path in sorted(PACKAGE.glob(f"explorer/{folder}/*.*"))
         ],
-        modules=modules_of("build_explorer.py"),
     output:
         page=report(
             "<results>/explorer/index.html",
@@ -30,6 +29,7 @@ rule build_explorer:
     params:
         parameters=settings["parameters"],
         calibration=settings["calibration"],
+        sources=sources_of("build_explorer.py"),
     message:
         "Building the explorer"
     script:

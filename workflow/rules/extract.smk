@@ -4,7 +4,6 @@
 rule extract_curves:
     input:
         dataset="<results>/datasets/{figure}.nc",
-        modules=modules_of("extract_curves.py"),
     output:
         tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
         transitions="<results>/extracted/transitions/{figure}.csv",
@@ -16,6 +15,7 @@ rule extract_curves:
         "../envs/thirdbody.yaml"
     params:
         parameters=settings["parameters"],
+        sources=sources_of("extract_curves.py"),
     message:
         "Extracting turning points and transitions of {wildcards.figure}"
     script:
@@ -23,8 +23,6 @@ rule extract_curves:
 
 
 rule find_windows:
-    input:
-        modules=modules_of("find_windows.py"),
     output:
         windows="<results>/extracted/tpca_windows/all.csv",
     log:
@@ -35,6 +33,7 @@ rule find_windows:
         windows=settings["windows"],
         load_axis=settings["load_axis"],
         parameters=settings["parameters"],
+        sources=sources_of("find_windows.py"),
     message:
         "Searching the x_a/sigma windows of the turning point"
     script:
@@ -44,13 +43,14 @@ rule find_windows:
 rule gather_printed:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        modules=modules_of("gather_printed.py"),
     output:
         table="<results>/extracted/printed/all.csv",
     log:
         "<logs>/gather_printed.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("gather_printed.py"),
     message:
         "Gathering the numbers that the paper prints"
     script:
@@ -60,7 +60,6 @@ rule gather_printed:
 rule recompute_paper_table:
     input:
         printed=f"{CONFIG}/paper_tables.yaml",
-        modules=modules_of("recompute_paper_table.py"),
     output:
         rows="<results>/extracted/{table}/all.csv",
     log:
@@ -71,6 +70,7 @@ rule recompute_paper_table:
         "../envs/thirdbody.yaml"
     params:
         parameters=settings["parameters"],
+        sources=sources_of("recompute_paper_table.py"),
     message:
         "Recomputing {wildcards.table} of the paper"
     script:

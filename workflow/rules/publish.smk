@@ -22,13 +22,14 @@ rule write_index:
         explorer="<results>/explorer/index.html",
         datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
         template=project_file("workflow/templates/index.html"),
-        modules=modules_of("write_index.py"),
     output:
         page="<results>/index.html",
     log:
         "<logs>/write_index.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("write_index.py"),
     message:
         "Writing the page that leads to all products"
     script:

@@ -18,7 +18,6 @@ rule render_figure:
         windows=lambda wildcards: WINDOWS if wildcards.figure in ("fig09", "fig10") else [],
         band=branch(settings["bands"], then="<results>/bands/{figure}.nc", otherwise=[]),
         style=STYLE,
-        modules=modules_of("render_figure.py"),
     output:
         multiext("<results>/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -33,6 +32,8 @@ rule render_figure:
         figure="|".join(settings["scenes"]),
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("render_figure.py"),
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -43,7 +44,6 @@ rule render_schematic:
     input:
         sections="<results>/schematics/{figure}.nc",
         style=STYLE,
-        modules=modules_of("render_schematic.py"),
     output:
         multiext("<results>/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -58,6 +58,8 @@ rule render_schematic:
         figure="|".join(SCHEMATICS),
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("render_schematic.py"),
     message:
         "Drawing {wildcards.figure}"
     script:
@@ -72,7 +74,6 @@ rule write_table:
             part=TABLE_PARTS.get(wildcards.table, "all"),
         ),
         printed=lambda wildcards: PRINTED if wildcards.table in BESIDE_PRINTED else [],
-        modules=modules_of("write_table.py"),
     output:
         multiext("<results>/tables/{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
         html=report(
@@ -89,6 +90,7 @@ rule write_table:
         "../envs/thirdbody.yaml"
     params:
         parameters=settings["parameters"],
+        sources=sources_of("write_table.py"),
     message:
         "Writing table {wildcards.table}"
     script:
@@ -100,7 +102,6 @@ use rule write_table as write_scene_table with:
     input:
         parts=["<results>/extracted/{table}/{figure}.csv"],
         printed=[],
-        modules=modules_of("write_table.py"),
     output:
         multiext(
             "<results>/tables/{figure}_{table}", csv=".csv", json=".json", md=".md", tex=".tex"

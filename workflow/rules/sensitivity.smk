@@ -4,8 +4,6 @@ SENSITIVITY = settings["sensitivity"]
 
 
 rule compute_sensitivities:
-    input:
-        modules=modules_of("compute_sensitivities.py"),
     output:
         elasticities="<results>/extracted/sensitivity/elasticities.csv",
         indices="<results>/extracted/sensitivity/sobol_indices.csv",
@@ -17,6 +15,7 @@ rule compute_sensitivities:
         settings=SENSITIVITY,
         unpublished=[*settings["calibration"]["unknowns"], *SENSITIVITY["also"]],
         parameters=settings["parameters"],
+        sources=sources_of("compute_sensitivities.py"),
     message:
         "Computing how results respond to each unpublished input"
     script:
@@ -27,7 +26,6 @@ rule render_sensitivity:
     input:
         table="<results>/tables/sensitivity.csv",
         style=STYLE,
-        modules=modules_of("render_sensitivity.py"),
     output:
         multiext("<results>/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
         png=report(
@@ -40,6 +38,8 @@ rule render_sensitivity:
         "<logs>/render_sensitivity.log",
     conda:
         "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("render_sensitivity.py"),
     message:
         "Drawing the sensitivities"
     script:
