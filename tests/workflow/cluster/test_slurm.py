@@ -134,8 +134,9 @@ def test_a_job_may_be_cancelled_its_node_go_down_and_the_controller_be_away(
     wait_until((fresh.root / TABLE).exists)
     cluster.start_controller()
     said = complete(run)
-    assert f"SLURM-job '{first}' failed, SLURM status is: 'CANCELLED'" in said
-    assert second in cluster.jobs("completed")
+    assert f"JOB {first} ON node CANCELLED" in said
+    assert "DUE TO NODE FAILURE" in said
+    assert said.count("Trying to restart job") == 2
     assert made_as(finished, fresh)
 
 
