@@ -7,11 +7,7 @@ from collections.abc import Collection, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.arguments import (
+from thirdbody.conditions.checks import (
     check_named_points,
     check_parameters,
     check_points,
@@ -19,10 +15,14 @@ from thirdbody.solver.arguments import (
     check_variables,
     checked_axis,
 )
-from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
+from thirdbody.conditions.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
+from thirdbody.conditions.usual import warn_beyond_usual
+from thirdbody.model.contact import greatest_single_load
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.points import Conditions
 from thirdbody.solver.solution import VARIABLES, Solution, solved, type_of
-from thirdbody.solver.usual import warn_beyond_usual
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
@@ -117,7 +117,7 @@ def solve(
     """
     check_parameters(parameters)
     check_rtol(rtol)
-    check_variables(variables)
+    check_variables(variables, VARIABLES)
     check_progress(progress)
     given = {
         "load": load,
@@ -135,7 +135,7 @@ def solve(
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    return labelled_as(pattern, solution, named)
+    return Solution(**labelled_as(pattern, solution.known), conditions=named)
 
 
 def solve_arrays(
