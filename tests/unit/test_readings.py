@@ -111,8 +111,8 @@ def test_the_sizes_that_are_drawn_are_those_that_are_solved(sizes):
 
 def test_the_load_in_the_film_is_that_of_the_fluid_or_all():
     fluid, total = FilmLoad.known["fluid"], FilmLoad.known["total"]
-    assert fluid.log_share(-3.0) == -3.0
-    assert total.log_share(-3.0) == 0.0
+    assert fluid.log_fraction(-3.0) == -3.0
+    assert total.log_fraction(-3.0) == 0.0
     assert fluid.total_load(2.0, 3.0) == 5.0
     assert total.total_load(2.0, 3.0) == 3.0
     assert fluid.depends_on_shares

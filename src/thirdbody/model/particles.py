@@ -268,7 +268,7 @@ def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     return diameter * diameter * density > TINY
 
 
-def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
+def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
     A first guess: the larger of the separations at which the sizes above d and those above the

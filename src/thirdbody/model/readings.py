@@ -312,7 +312,7 @@ class FilmLoad(Reading):
 
     depends_on_shares: ClassVar[bool]
 
-    def log_share(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
+    def log_fraction(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
         """ln(F/F_t) of the load F in W, where the film bears the share L_f of F_t.
 
         ``log_fluid_fraction`` is ln L_f [1].
@@ -333,7 +333,7 @@ class LoadOfTheFluid(FilmLoad, word="fluid"):
 
     depends_on_shares = True
 
-    def log_share(self, log_fluid_fraction):
+    def log_fraction(self, log_fluid_fraction):
         return log_fluid_fraction
 
     def total_load(self, solid_load, film_load):
@@ -346,7 +346,7 @@ class TotalLoad(FilmLoad, word="total"):
 
     depends_on_shares = False
 
-    def log_share(self, log_fluid_fraction):
+    def log_fraction(self, log_fluid_fraction):
         return 0.0
 
     def total_load(self, solid_load, film_load):

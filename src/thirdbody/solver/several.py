@@ -81,7 +81,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     every = np.arange(start.size)
     # two bodies together may bear more, farther out, than either of them alone
     end = np.maximum(np.maximum(end, start), points.contact.particles.reach)
-    end = end + points.surfaces.deviation
+    end = end + points.contact.summits.deviation
     while (bears := excess(end, every)[0] > -ROUNDED).any():
         end = np.where(bears, 1.25 * end, end)
     places = _places(points, start, end)
@@ -149,7 +149,7 @@ def _excess(separation, points):
 
 def _places(points, start, end):
     """Where loads are sampled, increasing from ``start`` to ``end``: a row for each point."""
-    surfaces, particles = points.surfaces, points.contact.particles
+    surfaces, particles = points.contact.summits, points.contact.particles
     alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_PLACES]
     shift = points.parameters.readings.elastic_limits.side * particles.depth
     kinks = [alpha + np.zeros_like(shift) for alpha in alphas]
