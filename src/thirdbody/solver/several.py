@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.particles import EPSILON
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import Points
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
@@ -61,7 +60,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     start : array
         The least separation d [m] to look at.
     end : array
-        A separation [m] at which all that is there may still bear the load, or not.
+        A separation [m] at which all that is there may still carry the load, or not.
 
     Returns
     -------
@@ -79,11 +78,11 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
         return _excess(separation, points.take(which))
 
     every = np.arange(start.size)
-    # two bodies together may bear more, farther out, than either of them alone
+    # two bodies together may carry more, farther out, than either of them alone
     end = np.maximum(np.maximum(end, start), points.contact.particles.reach)
     end = end + points.contact.summits.deviation
-    while (bears := excess(end, every)[0] > -ROUNDED).any():
-        end = np.where(bears, 1.25 * end, end)
+    while (carries := excess(end, every)[0] > -ROUNDED).any():
+        end = np.where(carries, 1.25 * end, end)
     places = _places(points, start, end)
     which = np.repeat(every, places.shape[1])
     values, noise = (each.reshape(places.shape) for each in excess(places.ravel(), which))
@@ -97,7 +96,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     # a single place next to the separation may be as good as on it
     undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
-    values = _where_room_is_left(points.contact.particles, excess, places, values)
+    values = _where_room_is_left(points, places, values)
     count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
     np.add.at(count, pairs.point[pairs.certain], 2)
@@ -110,23 +109,13 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     return Enclosures(low, high, count, undecided)
 
 
-def _where_room_is_left(particles, excess, places, values):
-    """The ``values``, of which those where particles cover everything, which mean nothing, become that
-    where they begin to leave room."""
-
-    def room(separation, which):
-        return 1.0 - particles.take(which).contact(separation)[2] - EPSILON
-
+def _where_room_is_left(points, places, values):
+    """The ``values`` where particles cover everything, which mean nothing, become the next that do."""
     rows, columns = places.shape
-    left = room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
-    covered = (left <= 0.0).sum(axis=1)  # the first ones, as coverage falls with d
-    some = np.flatnonzero((covered > 0) & (covered < columns))
-    low, high = places[some, covered[some] - 1], places[some, covered[some]]
-    edge, _ = bracketed_roots(lambda separation: room(separation, some), low, high, 0.0)
-    there, _ = excess(edge, some)
-    values = values.copy()
-    values[some] = np.where(np.arange(columns) < covered[some, None], there[:, None], values[some])
-    return values
+    particles = points.contact.particles.take(np.repeat(np.arange(rows), columns))
+    room = 1.0 - particles.contact(places.ravel())[2] > EPSILON
+    first = room.reshape(places.shape).argmax(axis=1)[:, np.newaxis]  # coverage falls with d
+    return np.where(np.arange(columns) < first, np.take_along_axis(values, first, axis=1), values)
 
 
 def _last(holds):
@@ -157,9 +146,9 @@ def _places(points, start, end):
     places = [particles.mean + alpha * particles.spread for alpha in kinks]
     places += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_PLACES]
     edges = np.sort(np.clip(np.stack([start, *places, end], axis=1), start[:, None], end[:, None]))
-    share = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
-    share = share**2 * (3.0 - 2.0 * share)  # from 0 to 1, closest next to the kinks
-    between = edges[:, :-1, None] + np.diff(edges)[..., None] * share
+    part = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
+    part = part**2 * (3.0 - 2.0 * part)  # from 0 to 1, closest next to the kinks
+    between = edges[:, :-1, None] + np.diff(edges)[..., None] * part
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
 

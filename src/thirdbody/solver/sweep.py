@@ -33,6 +33,7 @@ LOWEST = -6.0  # (size - mean)/spread below which particles do not matter
 BESIDE = 1e-12  # relative distance of the separations on both sides of a kink
 SAFETY = 2.0  # times the error in the middle between two separations
 SUMMIT_RTOL = 1e-7  # error of the summits' load and area
+SOLIDS = 500  # pairs of particle size and density whose tables are made together
 GUESSES = 200  # separations at which films are known where Newton's method begins
 NEWTON_STEPS = 2
 ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load"  # in memory
@@ -80,26 +81,23 @@ def sweep(
     dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
     sizes, densities = np.meshgrid(*(axes[name] for name in ORDER[:3:2]), indexing="ij")
     three_body = has_particles(sizes, densities)
-    # where each solid stands: two-body contacts are all the same
-    groups = (
-        [place[:, np.newaxis] for place in np.argwhere(three_body)],
-        [np.argwhere(~three_body).T],
-    )
+    groups = [
+        some[start : start + SOLIDS]
+        for some in (np.argwhere(three_body), np.argwhere(~three_body))
+        for start in range(0, len(some), SOLIDS)
+    ]
     with np.errstate(all="ignore"), Progress(unsure.size, "points", progress) as shown:
         for number, roughness in enumerate(axes["roughness"]):
             surface = _Surface(axes, roughness, parameters)
             for places in groups:
-                firsts = tuple(np.array([place[:, 0] for place in places if place.size]).T)
-                if not firsts:
-                    continue
-                found = surface.solved(sizes[firsts], densities[firsts], rtol, values)
-                for place, states in zip(places, found, strict=True):
-                    for size, density in place.T:
-                        at = size, number, density
-                        for name, array in values.items():
-                            array[at][:dry], array[at][dry:] = states[name]
-                        unsure[at][dry:] = states["unsure"]
-                        shown.add(unsure[at].size)
+                chosen = tuple(places.T)
+                found = surface.solved(sizes[chosen], densities[chosen], rtol, values)
+                for (size, density), states in zip(places, found, strict=True):
+                    at = size, number, density
+                    for name, array in values.items():
+                        array[at][:dry], array[at][dry:] = states[name]
+                    unsure[at][dry:] = states["unsure"]
+                    shown.add(unsure[at].size)
         index = np.nonzero(unsure)
         if index[0].size:
             given = {name: axes[name][place] for name, place in zip(ORDER, index, strict=True)}
