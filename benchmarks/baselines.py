@@ -22,6 +22,7 @@ from scipy.special import erfc, expit, log_expit
 import thirdbody as tb
 from benchmarks.points import VARIABLES
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.model_attribute import model_attribute
 
 CHUNK = 4096  # points solved together
 NODES = 8, 22, 16  # for elastic, elastoplastic, plastic summits: 1e-10 for d/sigma_s from -1 to 6
@@ -39,7 +40,7 @@ def load_plain_model(path: str | PathLike) -> ModuleType:
 
 def _model(parameters, roughness):
     """Inputs of the model by their keys in datasets, for a surface of this roughness."""
-    model = json.loads(parameters.as_attribute([roughness]))
+    model = json.loads(model_attribute(parameters, [roughness]))
     return {name: value[0] if isinstance(value, list) else value for name, value in model.items()}
 
 

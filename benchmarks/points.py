@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.model_attribute import parameters_on_one_surface
 from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
 CLASS = ("medium", "bodies", "span")
@@ -56,7 +57,7 @@ def _columns(rows, names):
 
 def parameters_of(row: Mapping[str, str]) -> tb.Parameters:
     """Inputs of the model in a row; ``ValueError`` if they are not physical."""
-    return tb.Parameters.on_one_surface(row, float(row["roughness"]))
+    return parameters_on_one_surface(row, float(row["roughness"]))
 
 
 def relative_error(value: NDArray, expected: NDArray) -> NDArray[np.float64]:

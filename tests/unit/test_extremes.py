@@ -11,6 +11,7 @@ import pytest
 import thirdbody as tb
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values, is_as_asked
 
@@ -278,7 +279,7 @@ def test_the_equations_hold_over_the_whole_domain(parameters, equations, rtol, s
         solved += known.sum()
         load, viscosity, diameter, density = (values[known] for values in points.values())
         value = {name: getattr(solution, name)[known] for name in VARIABLES}
-        model = inputs.as_attribute(np.array([roughness]))
+        model = model_attribute(inputs, np.array([roughness]))
         again = equations(model, 0, roughness, diameter, density)
         fluid, solid = value["fluid_load_fraction"], value["solid_load_fraction"]
         areas = [value[name] for name in VARIABLES[:3]]

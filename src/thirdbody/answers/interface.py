@@ -21,10 +21,10 @@ from thirdbody.conditions.checks import NEVER_ZERO, check_names, check_parameter
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
-from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import solve
 
 SHOWN_IN = {"separation": AXES["roughness"]}  # variables that are told in the unit of an axis

@@ -22,7 +22,7 @@ import numpy as np
 import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.interpolation import HermiteTable
+from thirdbody.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps

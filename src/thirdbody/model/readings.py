@@ -17,7 +17,6 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar, get_type_hints
 
 import numpy as np
-import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.bounds import LEAST_SPREAD
@@ -155,31 +154,6 @@ class SizeDistribution(Reading):
     def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
         """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
         return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
-
-    def quantiles(
-        self, share: ArrayLike, smallest: ArrayLike, diameter: ArrayLike, parameters: Parameters
-    ) -> NDArray:
-        """Sizes of particles, for drawings of them.
-
-        Parameters
-        ----------
-        share : array_like
-            Which quantile to take of the particles larger than ``smallest`` and not beyond X_max,
-            from 0 to 1.
-        smallest, diameter : array_like
-            Smallest size to consider and x_a [m].
-        parameters : Parameters
-            All inputs of the model.
-
-        Returns
-        -------
-        array
-            Sizes [m], of the shape that the arguments broadcast to.
-        """
-        mean, spread = self.sizes(diameter, parameters)
-        above = scipy.special.ndtr(parameters.truncation)
-        below = np.minimum(scipy.special.ndtr((smallest - mean) / spread), above)
-        return mean + spread * scipy.special.ndtri(below + (above - below) * share)
 
 
 class Uncentred(SizeDistribution, word="uncentred"):

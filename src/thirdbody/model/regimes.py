@@ -12,27 +12,16 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-# What each status says of a point, in the order of the codes that stand for them in data files.
-STATUS_MEANINGS = {
-    "converged": "the equations hold to the error asked for",
-    "outside_film_formula": (
-        "the film bears more than a thousandth of the load where Eq. 7 has no meaning: it would "
-        "grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses "
-        "harder on the interface than the softer surface is"
-    ),
-    "coverage_exceeded": "particles would cover the whole interface, in Eq. 4 or in Eq. 5",
-    "not_converged": (
-        "float64 does not promise the error asked for, and error_bound says what the values are "
-        "good for"
-    ),
-    "several_separations": (
-        "the forces balance at several separations, of which the largest is given: closing "
-        "surfaces meet it first"
-    ),
-    "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
-    "load_exceeded": "the load is more than what is borne at any separation of zero or more",
-}
-SOLUTION_STATUSES = tuple(STATUS_MEANINGS)
+# in the order of the codes that stand for them in data files
+SOLUTION_STATUSES = (
+    "converged",
+    "outside_film_formula",
+    "coverage_exceeded",
+    "not_converged",
+    "several_separations",
+    "area_exceeded",
+    "load_exceeded",
+)
 FLAG_MEANINGS = {  # what the values 0, 1, ... of each flag stand for
     "lubrication_regime": LUBRICATION_REGIMES,
     "contact_mode": CONTACT_MODES,

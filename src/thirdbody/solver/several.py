@@ -24,18 +24,9 @@ ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sampl
 
 
 class Enclosures(NamedTuple):
-    """Where the largest separations lie, each array 1-D.
-
-    Attributes
-    ----------
-    low, high : array
-        Separations [m] on either side of the largest that balances the forces.
-    count : array of int
-        How many there are.
-    undecided : array of bool
-        Whether rounding leaves open which is the largest, or whether there is any: loads stay so
-        near F_t along a plateau, or at a crest.
-    """
+    """Separations [m] on either side of the largest that balances the forces, the ``count`` of all, and
+    whether rounding leaves it ``undecided`` which is the largest, or whether there is any: loads stay
+    near F_t along a plateau, or at a crest."""
 
     low: NDArray
     high: NDArray
@@ -51,27 +42,12 @@ def may_be_several(points: Points) -> NDArray:
 
 
 def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
-    """Find all separations that balance the forces, and enclose the largest.
+    """Find all separations that balance the forces from ``start`` [m] on, and enclose the largest.
 
-    Parameters
-    ----------
-    points : Points
-        Points with particles.
-    start : array
-        The least separation d [m] to look at.
-    end : array
-        A separation [m] at which all that is there may still carry the load, or not.
-
-    Returns
-    -------
-    Enclosures
-        ``count`` is 0, and ``low`` and ``high`` are nan, where nothing balances from ``start`` on.
-
-    Notes
-    -----
-    The sum of loads is sampled between all places at which its parts change their ways, and again
-    about each extremum that may reach F_t.  Two separations so close together that rounding hides
-    what lies between pass for none in the ``count``.
+    The sum of loads is sampled between all places at which its parts change their ways, to beyond
+    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.  Two
+    separations so close together that rounding hides what lies between pass for none in the
+    ``count``, which is 0 where nothing balances; ``low`` and ``high`` are nan there.
     """
 
     def excess(separation, which):
@@ -99,7 +75,8 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     values = _where_room_is_left(points, places, values)
     count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
-    np.add.at(count, pairs.point[pairs.certain], 2)
+    point, *_, certain = pairs
+    np.add.at(count, point[certain], 2)
     count = np.maximum(count, found)  # where it balances under full cover alone, or along a plateau
     for index, crest, foot, certain in zip(*pairs, strict=True):
         if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
@@ -152,23 +129,14 @@ def _places(points, start, end):
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
 
-class _Pairs(NamedTuple):
-    """Pairs of separations between two samples, at which a crest just reaches F_t or a trough just
-    falls below.
-
-    ``crest`` is a place [m] above F_t and ``foot`` one farther out and below; for a trough, whose
-    separations are not the largest, ``crest`` is 0.  Where it is not ``certain``, F_t is reached to
-    within rounding.
-    """
-
-    point: NDArray
-    crest: NDArray
-    foot: NDArray
-    certain: NDArray
-
-
 def _hidden_pairs(excess, places, values, noise):
-    """The ``_Pairs`` between samples that all are on one side of F_t; a turn within the ``noise`` is none."""
+    """Pairs of separations between samples that all are on one side of F_t, where a crest just reaches
+    F_t or a trough just falls below; a turn within the ``noise`` is none.
+
+    Returns for each pair its point, a place [m] on its crest and one farther out and below, and
+    whether F_t is reached by more than rounding.  The crest is 0 for a trough, whose separations are
+    not the largest.
+    """
     near = np.abs(values)
     rises = np.abs(np.diff(values))
     same = (values[:, :-2] > 0.0) == (values[:, 2:] > 0.0)
@@ -179,7 +147,7 @@ def _hidden_pairs(excess, places, values, noise):
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
-    found = [_Pairs(*np.zeros((4, 0)))]
+    found = [np.zeros((4, 0))]
     for zoom in range(ZOOMS):
         if not point.size:
             break
@@ -196,9 +164,8 @@ def _hidden_pairs(excess, places, values, noise):
         furthest = _last(np.where(certain[:, None], closer < -noise, nearly))
         crest = np.where(sign < 0.0, fine[rows, furthest], 0.0)
         foot = fine[rows, np.minimum(furthest + 1, CLOSER - 1)]
-        pairs = _Pairs(point, crest, foot, certain)
-        found.append(_Pairs(*(column[reached] for column in pairs)))
+        found.append([column[reached] for column in (point, crest, foot, certain)])
         low, high = fine[rows, best - 1], fine[rows, best + 1]
         point, low, high, sign = (column[~reached] for column in (point, low, high, sign))
     point, crest, foot, certain = map(np.concatenate, zip(*found, strict=True))
-    return _Pairs(point.astype(np.intp), crest, foot, certain.astype(bool))
+    return point.astype(np.intp), crest, foot, certain.astype(bool)

@@ -208,22 +208,17 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
-    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
-    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
     void = np.isnan(found["separation"])
     no_room = np.zeros(void.shape, bool)
     if has_particles:
         no_room = points.contact.particles.leave_no_room(ends.coverage[1])
-    outside = np.zeros(void.shape, bool)
-    if points.film is not None:
-        conditions = points.film, points.log_load, points.parameters
-        outside = outside_film_formula(
-            *conditions, found["fluid_load_fraction"], found["film_thickness"]
-        )
-    found["solution_status"] = gravest_status(
+    add_flags(
+        found,
+        points.film,
+        points.log_load,
+        points.parameters,
+        has_particles,
         several_separations=balance.count > 1,
-        outside_film_formula=outside,
-        area_exceeded=found["total_contact_area"] > 1.0,
         not_converged=~(error <= rtol),
         coverage_exceeded=no_room,
         load_exceeded=void & (balance.count == 0),
@@ -237,17 +232,28 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     return found
 
 
-def outside_film_formula(
-    film: Film,
+def add_flags(
+    found: dict[str, NDArray],
+    film: Film | None,
     log_load: NDArray,
     parameters: Parameters,
-    fluid_fraction: NDArray,
-    thickness: NDArray,
-) -> NDArray:
-    """Whether a film counts where Eq. 7 has no meaning, for ln F_t* [1], L_f [1] and H_c [1]."""
-    fraction = parameters.readings.film_load.log_fraction(np.log(fluid_fraction))
-    meaningful = film.is_meaningful(log_load_parameter(log_load + fraction, parameters))
-    return ~(meaningful & (thickness <= THICKEST)) & (fluid_fraction > FILM_COUNTS)
+    has_particles: bool,
+    **statuses: NDArray,
+) -> None:
+    """Add regime, mode and status to the variables ``found`` under loads ln F_t* [1].
+
+    ``statuses`` says by name which of them apply beside those that follow from the variables.
+    """
+    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
+    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
+    statuses["area_exceeded"] = found["total_contact_area"] > 1.0
+    if film is not None:
+        fluid = found["fluid_load_fraction"]
+        log_fluid = parameters.readings.film_load.log_fraction(np.log(fluid))
+        meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
+        meaningful &= found["film_thickness"] <= THICKEST
+        statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
+    found["solution_status"] = gravest_status(**statuses)
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):

@@ -18,10 +18,9 @@ from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import TINY, has_particles, log_bare_share
-from thirdbody.model.regimes import contact_mode, gravest_status, lubrication_regime
 from thirdbody.progress import Progress
 from thirdbody.solver.points import make_contact
-from thirdbody.solver.solution import Solution, outside_film_formula, type_of
+from thirdbody.solver.solution import Solution, add_flags, type_of
 from thirdbody.solver.solve import solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
@@ -138,7 +137,7 @@ class _Surface:
         for number, table in enumerate(self._tables(diameter, density, low, high)):
             with_particles = bool(has_particles(diameter[number], density[number]))
             found = (self._by_newton if films_share else self._explicit)(table, *film)
-            self._add_flags(found, variables, with_particles)
+            add_flags(found, self.film, self.log_load, self.parameters, with_particles)
             unsure = ~(found["error_bound"] <= rtol)
             unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
             unsure |= beyond & with_particles
@@ -268,20 +267,6 @@ class _Surface:
             "separation_count": np.ones(d.shape, np.int8),
             "error_bound": error,
         }
-
-    def _add_flags(self, found, variables, has_particles):
-        """Add regime, mode and status to variables ``found`` under films."""
-        solid, ratio = found["solid_load_fraction"], found["particle_contact_area_ratio"]
-        found["lubrication_regime"] = lubrication_regime(solid)
-        found["contact_mode"] = contact_mode(ratio, has_particles)
-        if "solution_status" in variables:
-            film = found["fluid_load_fraction"], found["film_thickness"]
-            found["solution_status"] = gravest_status(
-                area_exceeded=found["total_contact_area"] > 1.0,
-                outside_film_formula=outside_film_formula(
-                    self.film, self.log_load, self.parameters, *film
-                ),
-            )
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], with an error that Newton's method removes."""
