@@ -1,9 +1,8 @@
 """Two simpler solvers of the model, beside which the library is measured.
 
-They are how such models are usually written, with care.  ``NestedRoots`` takes point by point: integrals by
-``scipy.integrate.quad``, roots by ``scipy.optimize.brentq``.  ``ElementwiseRoots`` takes arrays: integrals by
-Gauss-Legendre nodes, roots by ``scipy.optimize.elementwise.find_root``.  Both give ``points.VARIABLES``, nan where
-they find no solution, and share no code with the library.
+``NestedRoots`` takes point by point: integrals by ``scipy.integrate.quad``, roots by ``brentq``.  ``ElementwiseRoots``
+takes arrays: integrals by Gauss-Legendre nodes, roots by ``scipy.optimize.elementwise.find_root``.  Both give
+``points.VARIABLES``, nan where they find no solution, and share no code with the library.
 """
 
 from __future__ import annotations

@@ -159,6 +159,20 @@ def test_the_given_arrays_are_left_alone(parameters, mixture):
         assert np.array_equal(values, before[name])
 
 
+@pytest.mark.parametrize("many", [3, 600])
+def test_points_of_many_surfaces_are_the_same_bits_in_any_order(parameters, many):
+    random = np.random.default_rng(2)
+    spans = (1e-8, 1e-3), (1e-6, 2e-4), (1e-7, 1e-6), (1e-7, 5e-7), (1e9, 1e13)
+    columns = [np.exp(random.uniform(*np.log(ends), 1800)) for ends in spans]
+    columns[3] = np.geomspace(1e-7, 5e-7, many)[random.integers(many, size=1800)]
+    given = dict(zip(POINT, columns, strict=True))
+    order = random.permutation(1800)
+    first = solve(parameters, **given)
+    shuffled = solve(parameters, **{name: values[order] for name, values in given.items()})
+    for name in VARIABLES:
+        assert np.array_equal(getattr(shuffled, name), getattr(first, name)[order], equal_nan=True)
+
+
 def test_points_do_not_depend_on_their_order_or_company(parameters, mixture):
     given = {name: np.asarray(values) for name, values in mixture.items()}
     order = np.random.default_rng(1).permutation(given["load"].size)

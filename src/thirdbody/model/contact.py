@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import EPSILON, TINY, VANISHED, ParticleLayer, log_bare_share
+from thirdbody.model.particles import EPSILON, TINY, VANISHED, ParticleLayer, log_bare_fraction
 
 FARTHEST = 1e60  # t beyond which nothing changes, and float64 would not hold its square
 NOTHING = VANISHED - 50.0  # ln of a load F_ss* that has no area either
@@ -27,7 +27,8 @@ class SolidLoad(NamedTuple):
     [m-1] of each part v of loads and areas that is not zero in float64.  Rounding, except that of d
     itself, may change ``value`` by ``noise`` [1] and any such v by ``rounding`` [1], relative.
     ``area`` is A_sa/A_n [1], ``area_slope`` its derivative [m-1], and ``coverage`` [1] that of the
-    particles larger than d; ``log_beside`` is ln(A_ss-sa/A_n) [1], None if it was not asked for.
+    particles larger than d.  Of the summits beside the particles, ``log_load_beside`` is ln F_ss-sa*
+    [1] and ``log_beside`` ln(A_ss-sa/A_n) [1], with their slopes [m-1]; None if not asked for.
     """
 
     value: NDArray
@@ -39,6 +40,9 @@ class SolidLoad(NamedTuple):
     area_slope: NDArray
     coverage: NDArray
     log_beside: NDArray | None
+    beside_slope: NDArray | None
+    log_load_beside: NDArray
+    load_beside_slope: NDArray
 
 
 @dataclass(frozen=True)
@@ -78,9 +82,10 @@ class Contact:
     def log_solid_load(self, separation: NDArray, with_areas: bool = False) -> SolidLoad:
         """Loads of summits and particles (Eqs. 2 and 4), and their areas (Eq. 5) if asked for."""
         t = self.summit_separation(separation)
-        log_area = None
+        log_area = area_fall = None
         if with_areas:
-            (log_summits, slope), (log_area, _) = self.summits.log_load_and_area(t)
+            (log_summits, slope), (log_area, area_fall) = self.summits.log_load_and_area(t)
+            area_fall = area_fall / self.summits.deviation
         else:
             log_summits, slope = self.summits.log_load(t)
         slope = np.where(t < FARTHEST, slope / self.summits.deviation, 0.0)
@@ -89,14 +94,15 @@ class Contact:
         if self.particles is None:
             counts, nothing = log_summits > NOTHING, np.zeros_like(slope)
             limits = np.where(counts, -slope, 0.0), rounded, np.where(counts, rounded, 0.0)
-            return SolidLoad(log_summits, slope, *limits, nothing, nothing, nothing, log_area)
+            beside = log_area, area_fall, log_summits, slope
+            return SolidLoad(log_summits, slope, *limits, nothing, nothing, nothing, *beside)
         area, area_slope, *coverage = self.particles.contact(separation)
         log_bare, bare_slope = self.particles.log_bare_load(*coverage)
         log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
         log_particles = np.log(area) + np.log(self.parameters.particle_pressure)  # Eqs. 4 and 5
         particle_slope = np.where(area > TINY, area_slope / area, 0.0)
         value, fraction = _log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        log_room, room_slope = log_bare_share(*coverage)  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+        log_room, room_slope = log_bare_fraction(*coverage)  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
         rounded = rounded + 8.0 * EPSILON * np.exp(-np.minimum(log_room, log_bare))
         rounded_area = self.particles.rounding(separation, area, area_slope)
         noise = fraction * rounded + (1.0 - fraction) * rounded_area
@@ -111,6 +117,9 @@ class Contact:
             area_slope,
             coverage[0],
             log_area + log_room if with_areas else None,
+            area_fall + room_slope if with_areas else None,
+            log_beside,
+            slope + bare_slope,
         )
 
     def areas(self, separation: NDArray) -> tuple[NDArray, NDArray]:
@@ -119,7 +128,7 @@ class Contact:
         if self.particles is None:
             return np.zeros_like(log_summits), log_summits
         area, _, *coverage = self.particles.contact(separation)
-        return area, log_summits + log_bare_share(*coverage)[0]
+        return area, log_summits + log_bare_fraction(*coverage)[0]
 
     def odds_slope(self, separation: NDArray) -> NDArray:
         """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
@@ -128,7 +137,7 @@ class Contact:
         """
         _, summit_slope = self.summits.log_area(self.summit_separation(separation))
         area, area_slope, *coverage = self.particles.contact(separation)
-        _, bare_slope = log_bare_share(*coverage)
+        _, bare_slope = log_bare_fraction(*coverage)
         summit_slope = summit_slope / self.summits.deviation + bare_slope
         return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
 

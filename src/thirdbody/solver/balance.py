@@ -81,7 +81,9 @@ def bracket(points: Points) -> Brackets:
         found = enclose_largest(some, low[several], guess[several])
         beyond = found.count > 0
         # a film so thin that particles cover everything is no balance
-        count[several] = (held[several] & ~_are_covered(some, low[several])) + found.count
+        particles = some.contact.particles
+        covered = particles.leave_no_room(particles.contact(low[several])[2])
+        count[several] = (held[several] & ~covered) + found.count
         if points.film is not None and not points.shares_load:
             # along a plateau as high as the load nothing may be found beyond the film
             held[several] = ~beyond & (held[several] | found.undecided)
@@ -116,12 +118,6 @@ def _too_high(points, guess):
     if points.contact.particles is not None:
         far = np.maximum(far, points.contact.particles.reach)
     return 2.0 * far + 10.0 * points.contact.summits.deviation
-
-
-def _are_covered(points, separation):
-    """Whether particles leave no room between them at a ``separation`` [m]."""
-    particles = points.contact.particles
-    return particles.leave_no_room(particles.contact(separation)[2])
 
 
 def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:

@@ -117,7 +117,7 @@ class Points:
         noise = solids.noise + self.contact.summits.error + 2.0 * EPSILON * np.abs(self.log_load)
         steepest = np.maximum(solids.steepest, 1.0 / separation)
         rounding = solids.rounding + self.contact.summits.error
-        others = noise, solids.slope, *solids[-4:]
+        others = noise, solids.slope, *solids[5:9]  # to log_beside
         if not self.shares_load:
             nothing = np.full(separation.shape, -np.inf)
             excess = log_solid, solids.slope, noise

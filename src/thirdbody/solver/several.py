@@ -51,7 +51,8 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     """
 
     def excess(separation, which):
-        return _excess(separation, points.take(which))
+        forces = points.take(which).forces(separation)
+        return forces.excess, ROUNDED + forces.noise
 
     every = np.arange(start.size)
     # two bodies together may carry more, farther out, than either of them alone
@@ -105,12 +106,6 @@ def _changes(signs, known):
     latest = np.maximum.accumulate(np.where(known, np.arange(signs.shape[1]), 0), axis=1)
     signs = np.take_along_axis(signs, latest, axis=1)
     return (signs[:, 1:] != signs[:, :-1]).sum(axis=1)
-
-
-def _excess(separation, points):
-    """ln of the load that is carried at ``separation`` [m] over F_t, and what it may be wrong by."""
-    forces = points.forces(separation)
-    return forces.excess, ROUNDED + forces.noise
 
 
 def _places(points, start, end):

@@ -183,9 +183,7 @@ def solve_arrays(
 
 def _repay_a_table(roughness, counted):
     """Whether so many ``counted`` points have the roughness of a point that a table is worth it."""
-    if roughness.size < TABLE_WORTH:
-        return np.zeros(roughness.size, bool)
-    if (roughness == roughness[0]).all():
+    if (roughness == roughness[:1]).all():
         return np.full(roughness.size, np.count_nonzero(counted) >= TABLE_WORTH)
     _, which = np.unique(roughness, return_inverse=True)
     return np.bincount(which, counted)[which] >= TABLE_WORTH

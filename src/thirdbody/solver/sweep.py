@@ -17,11 +17,11 @@ from scipy.interpolate import PPoly, make_interp_spline
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY, has_particles, log_bare_share
+from thirdbody.model.particles import TINY, has_particles
 from thirdbody.progress import Progress
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solution import Solution, add_flags, type_of
-from thirdbody.solver.solve import solve_arrays
+from thirdbody.solver.solve import CONDITIONS, solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
 FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved one by one
@@ -151,13 +151,9 @@ class _Surface:
     def _dry(self, diameter, density, rtol, variables):
         """Variables of dry contact by name, at half of the least load and at all loads: shape
         (loads + 1, solids)."""
-        given = {
-            "load": np.append(0.5 * self.load[0], self.load)[:, np.newaxis],
-            "viscosity": np.zeros(1),
-            "particle_diameter": diameter,
-            "roughness": np.full(1, self.roughness),
-            "particle_density": density,
-        }
+        load = np.append(0.5 * self.load[0], self.load)[:, np.newaxis]
+        columns = load, np.zeros(1), diameter, np.full(1, self.roughness), density
+        given = dict(zip(CONDITIONS, columns, strict=True))
         names = dict.fromkeys([*variables, "separation"])
         found = solve_arrays(given, self.parameters, rtol, names)
         return {name: getattr(found, name) for name in names}
@@ -309,42 +305,22 @@ def _parts(contact, d):
 
     nan where particles cover everything.
     """
-    t = contact.summit_separation(d)
-    log_load, load_slope = contact.summits.log_load(t)
-    log_area, area_slope = contact.summits.log_area(t)
-    deviation = contact.summits.deviation
-    load_slope, area_slope = load_slope / deviation, area_slope / deviation
-    if contact.particles is None:
-        nothing = np.zeros_like(d)
-        parts = log_load, nothing, log_area, load_slope, nothing, area_slope
-        return np.stack(parts, axis=1)
-    area, slope, *coverage = contact.particles.contact(d)
-    bare_load, bare_load_slope = contact.particles.log_bare_load(*coverage)  # Eq. 4
-    bare_area, bare_area_slope = log_bare_share(*coverage)  # Eq. 5
-    parts = np.stack(
-        [
-            log_load + bare_load,
-            area,
-            log_area + bare_area,
-            load_slope + bare_load_slope,
-            slope,
-            area_slope + bare_area_slope,
-        ],
-        axis=1,
-    )
-    parts[contact.particles.leave_no_room(coverage[0])] = np.nan
+    solids = contact.log_solid_load(d, with_areas=True)
+    values = solids.log_load_beside, solids.area, solids.log_beside
+    slopes = solids.load_beside_slope, solids.area_slope, solids.beside_slope
+    parts = np.stack([*values, *slopes], axis=1)
+    if contact.particles is not None:
+        parts[contact.particles.leave_no_room(solids.coverage)] = np.nan
     return parts
 
 
 def _errors(found, true, pressure):
     """Bounds on the relative error of F_s, and of areas and their ratios, from those in the middle
     between separations: shape (n, 2)."""
-    load = np.exp(found[:, 0] - true[:, 0]) - 1.0
-    area = np.where(true[:, 1] > 0.0, found[:, 1] / true[:, 1] - 1.0, 0.0)
-    odds = np.exp(np.log(pressure * true[:, 1]) - true[:, 0])  # of particles to summits
-    fraction = np.where(odds > 0.0, odds / (1.0 + odds), 0.0)
-    fraction = np.where(np.isinf(odds), 1.0, fraction)
-    load_error = np.abs(load * (1.0 - fraction) + area * fraction)
-    area_error = np.abs(area) + np.abs(found[:, 2] - true[:, 2])
+    summits, area = np.exp(true[:, 0]), pressure * true[:, 1]
+    load = summits * np.expm1(found[:, 0] - true[:, 0]) + pressure * (found[:, 1] - true[:, 1])
+    load_error = np.where(summits + area > 0.0, np.abs(load) / (summits + area), 0.0)
+    area_error = np.where(area > 0.0, np.abs(found[:, 1] / true[:, 1] - 1.0), 0.0)
+    area_error += np.abs(found[:, 2] - true[:, 2])
     errors = SAFETY * np.stack([load_error, area_error], axis=1) + SUMMIT_RTOL
     return np.where(np.isfinite(errors), errors, np.inf)
