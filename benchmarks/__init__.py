@@ -1,8 +1,6 @@
 """What users choose by: time, true error, and behaviour at extremes.
 
-``snakemake -c2 accuracy`` runs it.  True errors come from points known in multiple precision (``points``,
-``accuracy``, ``extremes``) and from the oracle in extended precision (``oracle``).  Times are those of random points
-and grids (``classes``, ``accuracy``) and of typical uses (``uses``).  Two simpler solvers run beside the library
-(``baselines``), and ``targets`` compares the results with what the library should reach.  ``compare_runs`` compares
-two runs of the workflow.  Only the public interface of the library is measured.
+``snakemake -c2 accuracy`` runs it.  ``points``, ``accuracy``, ``extremes`` and ``oracle`` measure true errors, ``classes``
+and ``uses`` times, beside two simpler solvers (``baselines``).  ``targets`` has what the library should reach, and
+``compare_runs`` compares two runs of the workflow.  Only the public interface of the library is measured.
 """

@@ -16,8 +16,15 @@ import numpy as np
 
 import thirdbody as tb
 from benchmarks.baselines import ElementwiseRoots, NestedRoots
-from benchmarks.classes import CLASSES, HEAVIEST, PointClass, grid_axes, random_conditions
-from benchmarks.measuring import MICROSECONDS, least_seconds
+from benchmarks.classes import (
+    CLASSES,
+    HEAVIEST,
+    MICROSECONDS,
+    PointClass,
+    grid_axes,
+    least_seconds,
+    random_conditions,
+)
 from benchmarks.points import CLASS, VARIABLES, grouped, relative_error
 
 CURVE = np.geomspace(0.1, 10.0, 40)  # of its load: the curve on which a grid has a golden point
@@ -26,10 +33,7 @@ CURVE = np.geomspace(0.1, 10.0, 40)  # of its load: the curve on which a grid ha
 def error_rows(
     rows: Iterable[dict[str, str]], rtols: Sequence[float], plain: ModuleType
 ) -> list[dict[str, Any]]:
-    """Errors of every variable at golden points, for each of ``rtols``: rows of the table ``errors``.
-
-    ``rows`` are those of ``points.read_rows``, ``plain`` is the module of ``baselines.load_plain_model``.
-    """
+    """Errors of every variable at golden ``rows``, for each of ``rtols``: rows of the table ``errors``."""
     groups = grouped(rows)
     table = []
     for rtol in rtols:
@@ -39,7 +43,12 @@ def error_rows(
             ("elementwise_roots", _elementwise),
         ):
             table += _error_rows_of(method, rtol, groups, partial(solve, rtol=rtol))
-    return table + _error_rows_of("nested_roots", None, groups, partial(_nested, plain=plain))
+
+    def nested(group):
+        with _quiet():
+            return NestedRoots(plain, group.parameters).solve(**group.conditions)
+
+    return table + _error_rows_of("nested_roots", None, groups, nested)
 
 
 def _library(group, rtol):
@@ -72,11 +81,6 @@ def _claimed(solution, rtol):
 def _elementwise(group, rtol):
     roughness = float(group.conditions["roughness"][0])
     return ElementwiseRoots(group.parameters, roughness, rtol).solve(**group.conditions)
-
-
-def _nested(group, plain):
-    with _quiet():
-        return NestedRoots(plain, group.parameters).solve(**group.conditions)
 
 
 def _quiet():
@@ -114,10 +118,7 @@ def _summary(errors, rtol):
 def time_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], plain: ModuleType
 ) -> list[dict[str, Any]]:
-    """Processor time of a point by class, method and ``rtol``: rows of the table ``times``.
-
-    ``budget`` is the content of ``config/accuracy.yaml``.
-    """
+    """Processor time of a point, as ``config/accuracy.yaml`` asks for it: rows of the table ``times``."""
     return [row for kind in CLASSES for row in _time_rows_of(kind, parameters, budget, plain)]
 
 

@@ -1,9 +1,8 @@
 """Two simpler solvers of the model, beside which the library is measured.
 
-They are how such models are usually written, with care.  ``NestedRoots`` takes point by point: integrals by
-``scipy.integrate.quad``, roots by ``scipy.optimize.brentq``.  ``ElementwiseRoots`` takes arrays: integrals by
-Gauss-Legendre nodes, roots by ``scipy.optimize.elementwise.find_root``.  Both give ``points.VARIABLES``, nan where
-they find no solution, and share no code with the library.
+``NestedRoots`` takes point by point: integrals by ``scipy.integrate.quad``, roots by ``brentq``.  ``ElementwiseRoots``
+takes arrays: integrals by Gauss-Legendre nodes, roots by ``scipy.optimize.elementwise.find_root``.  Both give
+``points.VARIABLES``, nan where they find no solution, and share no code with the library.
 """
 
 from __future__ import annotations
@@ -22,6 +21,7 @@ from scipy.special import erfc, expit, log_expit
 import thirdbody as tb
 from benchmarks.points import VARIABLES
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.model_attribute import model_attribute
 
 CHUNK = 4096  # points solved together
 NODES = 8, 22, 16  # for elastic, elastoplastic, plastic summits: 1e-10 for d/sigma_s from -1 to 6
@@ -39,7 +39,7 @@ def load_plain_model(path: str | PathLike) -> ModuleType:
 
 def _model(parameters, roughness):
     """Inputs of the model by their keys in datasets, for a surface of this roughness."""
-    model = json.loads(parameters.as_attribute([roughness]))
+    model = json.loads(model_attribute(parameters, [roughness]))
     return {name: value[0] if isinstance(value, list) else value for name, value in model.items()}
 
 

@@ -2,9 +2,8 @@
 
     python -m benchmarks.compare_runs OLD_RESULTS NEW_RESULTS [--rtol 1e-8]
 
-Datasets are compared variable by variable, CSV tables (also those of figures) number by number, verdicts one by one,
-other files by their bytes.  Each file that differs gets a line.  The exit code is 1 if a file is missing, a text or a
-status differs, or a number differs by more than ``--rtol``.  Bytes of other files may differ.
+Each file that differs gets a line.  The exit code is 1 if a file is missing, a text, a verdict or a status differs, or
+a number of a dataset or a CSV table differs by more than ``--rtol``.  Bytes of other files may differ.
 """
 
 from __future__ import annotations
@@ -59,24 +58,13 @@ def compare_tables(old: Path, new: Path) -> Iterator[Difference]:
         for column in (name for name in x if x[name] != y[name]):
             if column == "verdict":
                 yield f"{x.get('id', number)}: {x[column]} became {y[column]}", math.inf
-            else:
-                apart = difference_of_cells(x[column], y[column])
-                largest[column] = max(largest.get(column, 0.0), apart)
+                continue
+            try:
+                apart = largest_difference(np.array(float(x[column])), np.array(float(y[column])))
+            except ValueError:
+                apart = math.inf  # of texts
+            largest[column] = max(largest.get(column, 0.0), apart)
     yield from largest.items()
-
-
-def difference_of_cells(old: str, new: str) -> float:
-    """Relative difference of two numbers; infinite for texts."""
-    try:
-        return largest_difference(np.array(float(old)), np.array(float(new)))
-    except ValueError:
-        return math.inf
-
-
-def compare_bytes(old: Path, new: Path) -> Iterator[Difference]:
-    """A difference of size zero if bytes differ."""
-    if old.read_bytes() != new.read_bytes():
-        yield "other bytes", 0.0
 
 
 def compare_runs(old: Path, new: Path) -> Iterator[tuple[str, list[Difference]]]:
@@ -91,8 +79,10 @@ def compare_runs(old: Path, new: Path) -> Iterator[tuple[str, list[Difference]]]
             continue
         if name not in a or name not in b:
             yield name, [(f"only in the {'old' if name in a else 'new'} run", math.inf)]
-        elif found := list(kinds.get(Path(name).suffix, compare_bytes)(a[name], b[name])):
-            yield name, found
+        elif a[name].read_bytes() != b[name].read_bytes():
+            compare = kinds.get(Path(name).suffix)
+            if found := list(compare(a[name], b[name])) if compare else [("other bytes", 0.0)]:
+                yield name, found
 
 
 def main(arguments: list[str] | None = None) -> int:

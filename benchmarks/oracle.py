@@ -14,10 +14,7 @@ from tests.oracle.extended import Oracle, why_not
 
 
 def oracle_rows(settings: Mapping[str, Any], threads: int = 1) -> list[dict[str, Any]]:
-    """Rows of the table ``oracle``; none, and a line that says why, where the oracle cannot run.
-
-    ``settings`` is the entry ``oracle`` of ``config/accuracy.yaml``.
-    """
+    """Rows of the table ``oracle``, as ``config/accuracy.yaml`` asks for; none where the oracle cannot run."""
     if why_not() is not None:
         print(f"nothing is compared in extended precision: {why_not()}")
         return []

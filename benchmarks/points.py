@@ -1,8 +1,4 @@
-"""Points known in multiple precision (*golden* points) and the errors of solutions at them.
-
-A row of such a file in ``tests/golden`` holds the inputs of the model, the conditions of a point and its solution to
-25 digits.
-"""
+"""Points known to 25 digits (*golden* points, in ``tests/golden``) and the errors of solutions at them."""
 
 from __future__ import annotations
 
@@ -16,6 +12,7 @@ from numpy.typing import NDArray
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.model_attribute import parameters_on_one_surface
 from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
 CLASS = ("medium", "bodies", "span")
@@ -56,19 +53,11 @@ def _columns(rows, names):
 
 def parameters_of(row: Mapping[str, str]) -> tb.Parameters:
     """Inputs of the model in a row; ``ValueError`` if they are not physical."""
-    return tb.Parameters.on_one_surface(row, float(row["roughness"]))
+    return parameters_on_one_surface(row, float(row["roughness"]))
 
 
 def relative_error(value: NDArray, expected: NDArray) -> NDArray[np.float64]:
-    """|value/expected - 1| [1], elementwise.
-
-    It is 0 where both numbers are below the least normal float64, and infinite where either is nan.
-
-    Examples
-    --------
-    >>> relative_error(np.array([1.5, 1e-320, np.nan]), np.array([1.0, 0.0, 1.0]))
-    array([0.5, 0. , inf])
-    """
+    """|value/expected - 1| [1]: 0 where both are below the least normal float64, infinite where either is nan."""
     larger = np.maximum(np.abs(expected), SMALLEST)
     nothing = (np.abs(value) < SMALLEST) & (np.abs(expected) < SMALLEST)
     with np.errstate(over="ignore"):

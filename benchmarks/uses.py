@@ -17,8 +17,7 @@ from typing import Any
 import numpy as np
 
 import thirdbody as tb
-from benchmarks.classes import HEAVIEST, grid_axes, random_conditions
-from benchmarks.measuring import MICROSECONDS, least_seconds
+from benchmarks.classes import HEAVIEST, MICROSECONDS, grid_axes, least_seconds, random_conditions
 
 ONE, SURFACES, STREAM, START = (
     "one point a call",
@@ -37,10 +36,7 @@ tb.solve(load=1e-5, viscosity=9e-5, particle_diameter=5e-7, roughness=3e-7, part
 def use_rows(
     parameters: tb.Parameters, budget: Mapping[str, Any], directory: Path
 ) -> Iterator[dict[str, Any]]:
-    """Rows of the table ``uses``, as ``config/accuracy.yaml`` asks for them.
-
-    The streamed file stands in ``directory`` and is removed.
-    """
+    """Rows of the table ``uses``, as ``config/accuracy.yaml`` asks for them; a file in ``directory`` is removed."""
     rtol, sizes = budget["uses"]["rtol"], budget["uses"]
     asked = {"parameters": parameters, "rtol": rtol}
     drawn = random_conditions(HEAVIEST, max(sizes["calls"], sizes["surfaces"]), parameters)

@@ -41,7 +41,7 @@ __all__ = [
 # where each stands, for Python; __init__.pyi says it to editors and type checkers
 _MODULES = {
     "Interface": "answers.interface",
-    "OutOfRangeWarning": "solver.usual",
+    "OutOfRangeWarning": "conditions.usual",
     "Parameters": "model.parameters",
     "Solution": "solver.solution",
     "bearing": "answers.bearing",

@@ -5,6 +5,7 @@ from thirdbody.answers.interface import Interface as Interface
 from thirdbody.answers.turning import turning_point as turning_point
 from thirdbody.answers.turning import turning_window as turning_window
 from thirdbody.atlas.catalogue import open_atlas as open_atlas
+from thirdbody.conditions.usual import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.streaming import stream as stream
@@ -12,6 +13,5 @@ from thirdbody.figures.plot import plot as plot
 from thirdbody.model.parameters import Parameters as Parameters
 from thirdbody.solver.solution import Solution as Solution
 from thirdbody.solver.solve import solve as solve
-from thirdbody.solver.usual import OutOfRangeWarning as OutOfRangeWarning
 
 __version__: str

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 
 from tests.oracle.extended import READINGS, SURFACE
-from thirdbody.model.parameters import Parameters
+from thirdbody.data.model_attribute import parameters_on_one_surface
 
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
     **{"E_ss": 112e9, "E_sa": 112e9, "H_s1": 5e9, "H_s2": 5e9, "k": 0.4, "omega_ratio": 54.0},
@@ -104,10 +104,10 @@ def surface_of_library(first, points, model, roughness):
     given = {name: values[first].item() for name, values in model.items()}
     sigma = float(roughness[first])
     try:
-        inputs = Parameters.on_one_surface(given, sigma)
+        inputs = parameters_on_one_surface(given, sigma)
         surface = inputs.surface(sigma)
     except ValueError:  # no variance is left to summits so far above the surface
-        inputs = Parameters.on_one_surface(given | {"y_s": 0.0}, sigma)
+        inputs = parameters_on_one_surface(given | {"y_s": 0.0}, sigma)
         surface = inputs.surface(sigma)
     summits = surface.summit_density, surface.summit_radius
     summits += surface.summit_deviation, surface.summit_offset

@@ -8,6 +8,7 @@ import pytest
 
 import thirdbody as tb
 from tests.oracle.extended import CONDITIONS, QUANTITIES, SURFACE, Oracle, why_not
+from thirdbody.data.model_attribute import model_attribute
 
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
 
@@ -41,7 +42,7 @@ def drawn(parameters, seed):
 def test_the_library_finds_the_same(oracle, path):
     parameters = tb.load_parameters(path)
     conditions = drawn(parameters, seed=CALIBRATED.index(path))
-    model = json.loads(parameters.as_attribute(ROUGHNESS))
+    model = json.loads(model_attribute(parameters, ROUGHNESS))
     model |= {name: np.repeat(model[name], POINTS) for name in SURFACE}
     expected = oracle.solve(model, **conditions)
     assert (expected.count == 1).mean() > 0.5

@@ -13,6 +13,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.model_attribute import model_attribute
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results
@@ -94,7 +95,7 @@ def test_attributes_hold_no_time_of_day_and_no_folder(stored, path):
 def test_the_dataset_is_that_of_the_default_configuration(stored, scene):
     inputs = tb.load_parameters()
     again = scene_dataset(scene, inputs, float(stored.rtol))
-    assert stored.model_parameters == inputs.as_attribute(scene.axis("roughness"))
+    assert stored.model_parameters == model_attribute(inputs, scene.axis("roughness"))
     assert stored.configuration_sha256 == again.attrs["configuration_sha256"]
 
 

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.data.conditions import Condition
-from thirdbody.model.parameters import Parameters
+from thirdbody.data.model_attribute import parameters_of_attribute
 from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
@@ -159,7 +159,7 @@ def test_the_attributes_alone_give_each_value_again(dataset, curves):
     load = dataset["load"].values[:, None]
     for index, roughness in enumerate(dataset["roughness"].values):
         here = conditions[2] == roughness
-        inputs = Parameters.from_attribute(attribute, roughness, index)
+        inputs = parameters_of_attribute(attribute, roughness, index)
         solution = tb.solve(
             load=load,
             **Condition(*conditions[:, here])._asdict(),

@@ -17,10 +17,10 @@ from benchmarks.classes import (
     ROUGHNESS,
     SPANS,
     grid_axes,
+    least_seconds,
     random_conditions,
 )
 from benchmarks.extremes import judge_extremes, verdict
-from benchmarks.measuring import least_seconds
 from benchmarks.points import VARIABLES, grouped, read_rows, relative_error
 from benchmarks.targets import TARGETS, target_rows
 from benchmarks.uses import ONE, START, STREAM, SURFACES

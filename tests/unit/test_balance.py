@@ -7,6 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = [
@@ -39,7 +40,7 @@ def written_again(equations):
     """Makes the second writing of the equations for ``count`` points of these conditions."""
 
     def make(parameters, count, diameter=DIAMETER):
-        model = parameters.as_attribute(np.array([ROUGHNESS]))
+        model = model_attribute(parameters, np.array([ROUGHNESS]))
         points = np.full(count, diameter), np.full(count, DENSITY)
         return equations(model, 0, ROUGHNESS, *points)
 
@@ -106,7 +107,7 @@ def test_the_share_of_the_fluid_keeps_its_digits_where_it_vanishes(
     )
     assert solution.fluid_load_fraction.max() < 1e-17
     assert solution.fluid_load_fraction.min() > 0.0
-    model = parameters.as_attribute(np.array([roughness]))
+    model = model_attribute(parameters, np.array([roughness]))
     again = equations(model, 0, roughness, diameter, density)
     thickness, _ = again.film(solution.fluid_load_fraction * load, viscosity)
     # both sides in error by RTOL, the load by a power of at most 0.2

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.solver.bracketing import bracketed_roots
+from thirdbody.curves.bracketing import bracketed_roots
 
 pytestmark = pytest.mark.filterwarnings("error")
 

@@ -10,6 +10,7 @@ from scipy.integrate import IntegrationWarning
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
 
@@ -118,7 +119,7 @@ def test_no_jump_where_the_largest_particles_touch(
 ):
     """Areas begin there as steeply as the equations say, and the separation goes on as before."""
     inputs = replace(sizes, truncation=truncation, elastic_limits=elastic_limits)
-    model = inputs.as_attribute(np.array([POINT["roughness"]]))
+    model = model_attribute(inputs, np.array([POINT["roughness"]]))
     again = equations(model, 0, POINT["roughness"], np.full(1, 500e-9), np.full(1, 1e9))
     depth = inputs.elastic_depth_ratio * POINT["particle_diameter"]
     for edge in (again.largest, again.largest + depth, again.largest - depth):

@@ -18,10 +18,11 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, scene_dataset
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.data.netcdf import read_dataset, write_dataset
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS_MEANINGS
 from thirdbody.data.scene import Scene
-from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 UNITS = {
     "load": "1",
@@ -246,7 +247,7 @@ def test_conventions_and_source_are_named(dataset):
 
 
 def test_model_parameters_are_those_of_the_inputs(dataset, parameters):
-    assert dataset.attrs["model_parameters"] == parameters.as_attribute(np.array([1e-7, 3e-7]))
+    assert dataset.attrs["model_parameters"] == model_attribute(parameters, np.array([1e-7, 3e-7]))
     model = json.loads(dataset.attrs["model_parameters"])
     assert all(len(model[name]) == 2 for name in ("eta_s", "R", "sigma_s", "y_s"))
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.film import Film
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -50,7 +51,7 @@ def test_film_thickness_is_eq_7(parameters, equations, kappa):
     inputs = replace(parameters, ellipticity=kappa)
     load = np.geomspace(1e-12, 1e-2, 20)
     viscosity = np.geomspace(1e-3, 1e4, 20) * CENTISTOKES
-    model = inputs.as_attribute(np.array([ROUGHNESS]))
+    model = model_attribute(inputs, np.array([ROUGHNESS]))
     zero = np.zeros(20)
     expected, _ = equations(model, 0, ROUGHNESS, zero, zero).film(load, viscosity)
     log_parameter = np.log(load * inputs.apparent_area / inputs.ball_radius**2)
@@ -124,7 +125,7 @@ def test_the_thickness_turns_exactly_where_the_flag_does(parameters):
 
 def test_at_the_turning_point_the_roughness_term_is_three(parameters, equations):
     zero = np.zeros(1)
-    model = parameters.as_attribute(np.array([ROUGHNESS]))
+    model = model_attribute(parameters, np.array([ROUGHNESS]))
     load = 1e-7 * parameters.ball_radius**2 / parameters.apparent_area
     viscosity = np.geomspace(0.01, 100.0, 20001) * CENTISTOKES
     meaningful = film(parameters, viscosity).is_meaningful(np.log(1e-7))

@@ -7,7 +7,7 @@ import numpy as np
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.model.parameters import Parameters
+from thirdbody.data.model_attribute import parameters_on_one_surface
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 GOLDEN = Path(__file__).parents[1] / "golden" / "solutions.csv"
@@ -29,7 +29,7 @@ def golden_rows():
 
 
 def solve_row(row, rtol):
-    inputs = Parameters.on_one_surface(row, float(row["roughness"]))
+    inputs = parameters_on_one_surface(row, float(row["roughness"]))
     return tb.solve(
         **{name: float(row[name]) for name in DIMENSIONS},
         parameters=inputs,

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.data.model_attribute import model_attribute, parameters_of_attribute
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
@@ -38,7 +39,7 @@ NAMES = ["phi_a", "particle_plane", "elastic_limits", "coverage_limits", "film_l
 
 
 def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
-    return json.loads(parameters.as_attribute(np.array(roughness)))
+    return json.loads(model_attribute(parameters, np.array(roughness)))
 
 
 def test_the_elastic_factor_to_the_printed_digits(parameters):
@@ -208,9 +209,12 @@ def test_numbers_survive_the_attribute_to_the_last_digit(parameters):
 @pytest.mark.parametrize("index", [0, 1, 2])
 def test_the_attribute_is_read_back_as_it_was_written(reading, index):
     roughness = [1e-7, 3e-7, 5e-7]
-    text = reading.as_attribute(roughness)
-    again = Parameters.from_attribute(text, roughness[index], index)
-    model, found = json.loads(text), json.loads(again.as_attribute(roughness[index : index + 1]))
+    text = model_attribute(reading, roughness)
+    again = parameters_of_attribute(text, roughness[index], index)
+    model, found = (
+        json.loads(text),
+        json.loads(model_attribute(again, roughness[index : index + 1])),
+    )
     for key in LISTS:
         assert_allclose(found.pop(key), [model.pop(key)[index]], rtol=1e-15)
     assert found == model
@@ -219,7 +223,7 @@ def test_the_attribute_is_read_back_as_it_was_written(reading, index):
 def test_what_is_read_back_holds_at_its_own_roughness(parameters):
     inputs = replace(parameters, summit_parameter_exponent=0.0, summit_radius_exponent=0.0)
     here = replace(inputs, reference_roughness=5e-7)
-    again = Parameters.from_attribute(here.as_attribute([5e-7]), 5e-7)
+    again = parameters_of_attribute(model_attribute(here, [5e-7]), 5e-7)
     assert replace(again, summit_parameter=here.summit_parameter) == here
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.particles import Moment, ParticleLayer
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -24,7 +25,7 @@ def plain(equations):
     """Makes the plain equations of ``count`` equal points of these particles."""
 
     def make(inputs, count=1):
-        attribute = inputs.as_attribute([ROUGHNESS])
+        attribute = model_attribute(inputs, [ROUGHNESS])
         points = np.full(count, DIAMETER), np.full(count, DENSITY)
         return equations(attribute, 0, ROUGHNESS, *points)
 

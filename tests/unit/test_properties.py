@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.regimes import (
     FILM_COUNTS,
     SOLUTION_STATUSES,
@@ -123,7 +124,7 @@ class Solved:
             parameters=self.inputs,
             rtol=RTOL,
         )
-        model = self.inputs.as_attribute(np.array([roughness]))
+        model = model_attribute(self.inputs, np.array([roughness]))
         self.status = self.solution.solution_status
         self.known = np.isfinite(self.solution.error_bound)
         self.again = equations(model, 0, roughness, diameter[self.known], density[self.known])
@@ -222,7 +223,7 @@ def test_every_nan_has_a_status_and_every_status_a_reason(
         assert (values[points.known] >= 0.0).all(), name
     _, _, diameter, density = conditions(unit)
     unsolved = ~points.known
-    model = points.inputs.as_attribute(np.array([roughness]))
+    model = model_attribute(points.inputs, np.array([roughness]))
     again = equations(model, 0, roughness, diameter[unsolved], density[unsolved])
     closed = np.zeros(unsolved.sum())
     covered = np.broadcast_to(again.load_coverage(closed), closed.shape) >= 1.0 - 1e-9

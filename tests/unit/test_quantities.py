@@ -5,8 +5,15 @@ import runpy
 from pathlib import Path
 
 from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import CONTRACT, FLAGS, NORMAL_LOAD, QUANTITIES, VARIABLES
-from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
+from thirdbody.data.quantities import (
+    CONTRACT,
+    FLAGS,
+    NORMAL_LOAD,
+    QUANTITIES,
+    STATUS_MEANINGS,
+    VARIABLES,
+)
+from thirdbody.model.regimes import WITHOUT_VALUES
 from thirdbody.solver import solution
 
 DOCS = Path(__file__).parents[2] / "docs"

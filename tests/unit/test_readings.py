@@ -12,6 +12,7 @@ import benchmarks
 import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
+from thirdbody.data.section import size_quantiles
 from thirdbody.model.readings import KINDS, Centred, FilmLoad, SizeDistribution
 
 SOURCES = Path(tb.__file__).parent, Path(benchmarks.__file__).parent
@@ -95,7 +96,7 @@ def test_quantiles_go_from_the_smallest_size_to_the_largest(sizes):
     mean, spread = distribution.sizes(diameter, sizes)
     largest = mean + sizes.truncation * spread
     shares = np.linspace(0.0, 1.0, 11)
-    drawn = distribution.quantiles(shares, 300e-9, diameter, sizes)
+    drawn = size_quantiles(shares, 300e-9, diameter, sizes)
     assert (np.diff(drawn) > 0.0).all()
     assert_allclose(drawn[[0, -1]], [300e-9, largest], rtol=1e-12)
 
@@ -111,8 +112,8 @@ def test_the_sizes_that_are_drawn_are_those_that_are_solved(sizes):
 
 def test_the_load_in_the_film_is_that_of_the_fluid_or_all():
     fluid, total = FilmLoad.known["fluid"], FilmLoad.known["total"]
-    assert fluid.log_share(-3.0) == -3.0
-    assert total.log_share(-3.0) == 0.0
+    assert fluid.log_fraction(-3.0) == -3.0
+    assert total.log_fraction(-3.0) == 0.0
     assert fluid.total_load(2.0, 3.0) == 5.0
     assert total.total_load(2.0, 3.0) == 3.0
     assert fluid.depends_on_shares

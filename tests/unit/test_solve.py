@@ -12,6 +12,7 @@ from methods import solved_by
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.film import Film
 from thirdbody.model.particles import ParticleLayer
 from thirdbody.model.regimes import (
@@ -156,6 +157,20 @@ def test_the_given_arrays_are_left_alone(parameters, mixture):
     solve(parameters, **given)
     for name, values in given.items():
         assert np.array_equal(values, before[name])
+
+
+@pytest.mark.parametrize("many", [3, 600])
+def test_points_of_many_surfaces_are_the_same_bits_in_any_order(parameters, many):
+    random = np.random.default_rng(2)
+    spans = (1e-8, 1e-3), (1e-6, 2e-4), (1e-7, 1e-6), (1e-7, 5e-7), (1e9, 1e13)
+    columns = [np.exp(random.uniform(*np.log(ends), 1800)) for ends in spans]
+    columns[3] = np.geomspace(1e-7, 5e-7, many)[random.integers(many, size=1800)]
+    given = dict(zip(POINT, columns, strict=True))
+    order = random.permutation(1800)
+    first = solve(parameters, **given)
+    shuffled = solve(parameters, **{name: values[order] for name, values in given.items()})
+    for name in VARIABLES:
+        assert np.array_equal(getattr(shuffled, name), getattr(first, name)[order], equal_nan=True)
 
 
 def test_points_do_not_depend_on_their_order_or_company(parameters, mixture):
@@ -324,7 +339,7 @@ def test_an_unsolved_point_passes_for_no_regime_and_no_mode(parameters):
 
 def coverage_of_one_particle(parameters, equations, diameter):
     """Largest coverage of Eqs. 4-5 for one particle in a square metre [m2]."""
-    model = parameters.as_attribute(np.array([POINT["roughness"]]))
+    model = model_attribute(parameters, np.array([POINT["roughness"]]))
     one = equations(model, 0, POINT["roughness"], np.array([diameter]), np.ones(1))
     return one.load_coverage(np.zeros(1))[0]
 
@@ -358,7 +373,7 @@ def test_the_status_says_where_the_film_formula_has_lost_its_meaning(
     viscosity = np.geomspace(1e-9, 1.0, 90)[:, None]
     loads = np.concatenate([np.geomspace(1e-12, 1e-8, 20), loads])
     solution = solve(inputs, rtol=1e-8, load=loads, viscosity=viscosity, particle_diameter=0.0)
-    model = inputs.as_attribute(np.array([POINT["roughness"]]))
+    model = model_attribute(inputs, np.array([POINT["roughness"]]))
     zero = np.zeros(1)
     share = solution.fluid_load_fraction
     again = equations(model, 0, POINT["roughness"], zero, zero)
@@ -413,7 +428,7 @@ def test_of_several_separations_the_largest_is_given(parameters, equations, elas
     several = solution.solution_status == SEVERAL
     assert several.sum() > 10
     assert np.array_equal(several, solution.separation_count > 1)
-    model = inputs.as_attribute(np.array([roughness]))
+    model = model_attribute(inputs, np.array([roughness]))
     again = equations(model, 0, roughness, np.array([500e-9]), np.array([1e11]))
     d = np.linspace(0.0, 3e-6, 1500)
     borne = np.array([again.solid_load(gap[None])[0] for gap in d])

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditions.checks import check_points
+from thirdbody.conditions.labelled import is_labelled
+from thirdbody.conditions.units import is_quantity
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
-from thirdbody.solver.arguments import check_points
-from thirdbody.solver.labelled import is_labelled
-from thirdbody.solver.units import is_quantity
 
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 

@@ -12,11 +12,11 @@ from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.arguments import check_number
+from thirdbody.conditions.checks import check_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_parameters
 
 
 @dataclass(frozen=True)

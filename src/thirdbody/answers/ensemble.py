@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from thirdbody.conditions.checks import check_parameters
 from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_parameters
 
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:

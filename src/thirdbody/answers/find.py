@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.answers.arguments import check_count, check_ends, checked_levels
 from thirdbody.answers.units import Unit, in_si
+from thirdbody.conditions.checks import check_points, check_rtol
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.arguments import check_points, check_rtol
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 32  # values along the axis

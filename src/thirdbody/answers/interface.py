@@ -17,14 +17,14 @@ from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.answers.units import ENGINEERING, SEARCHED, in_si, unit_text
+from thirdbody.conditions.checks import NEVER_ZERO, check_names, check_parameters
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
-from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES, STATUS_MEANINGS
-from thirdbody.solver.arguments import NEVER_ZERO, check_names, check_parameters
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import solve
 
 SHOWN_IN = {"separation": AXES["roughness"]}  # variables that are told in the unit of an axis

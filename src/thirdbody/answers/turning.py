@@ -9,11 +9,11 @@ from numpy.typing import ArrayLike
 
 from thirdbody.answers.arguments import check_count, check_ends
 from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, in_si
+from thirdbody.conditions.checks import check_rtol
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_rtol
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
 SWEEP = 60  # loads between which maxima are looked for

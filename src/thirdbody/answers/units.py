@@ -12,13 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditions.checks import check_parameters, check_points, checked_axis
+from thirdbody.conditions.labelled import is_labelled
+from thirdbody.conditions.units import is_quantity
 from thirdbody.data.conditions import AXES, Axis
 from thirdbody.data.quantities import NORMAL_LOAD
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import check_parameters, check_points, checked_axis
-from thirdbody.solver.labelled import is_labelled
-from thirdbody.solver.units import is_quantity
 
 LOAD_IN_NEWTONS = "load_N"
 ENGINEERING = {name: axis.key if name != "load" else LOAD_IN_NEWTONS for name, axis in AXES.items()}

@@ -6,7 +6,7 @@ they are in memory: the regime and mode of each, the limits of design, and the t
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from time import process_time
 
@@ -16,11 +16,12 @@ from scipy.special import logit
 
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.atlas.spread import quantiles
-from thirdbody.curves.crossings import level_roots
+from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import FLAGS
+from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,
@@ -28,6 +29,7 @@ from thirdbody.model.regimes import (
     LUBRICATION_REGIMES,
     PARTICLE_LIMIT,
 )
+from thirdbody.solver.points import make_contact
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
@@ -48,7 +50,7 @@ LIMITED = {  # axis of a limit, the variable that passes a level along it, the l
 LIMITS = tuple(LIMITED)
 TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
-LEAP_RTOL = 10.0  # what a leap is solved with, which leaves its place as close as rtol
+PLACES = 600  # separations between which the diameter that a limit belongs to is interpolated
 
 
 @dataclass
@@ -132,10 +134,17 @@ def _timed(clock, what, function, *given):
 def _limits(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
     on lubrication is no longer boundary lubrication."""
-    return {
-        name: first_passed(along, variable, level, direction, axes, solution, parameters, rtol)
-        for name, (along, variable, level, direction) in LIMITED.items()
+    ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
+    diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
+    leaps = {
+        "largest_particle_diameter": lambda ends, load, film, surface, density: np.clip(
+            diameter[film, density, load], *ends
+        ),
+        "least_viscosity": lambda ends, *place: passed_viscosity(
+            BOUNDARY_LIMIT, ends, place, axes, parameters, rtol
+        ),
     }
+    return {name: first_passed(*LIMITED[name], axes, solution, leaps[name]) for name in LIMITED}
 
 
 def first_passed(
@@ -145,13 +154,11 @@ def first_passed(
     direction: float,
     axes: Axes,
     solution: Solution,
-    parameters: Parameters,
-    rtol: float,
+    leap: Callable[..., NDArray],
 ) -> NDArray:
     """Where a variable first passes a level along one axis of a solved grid.
 
-    Between neighbours ln of the odds is interpolated over ln of the axis; where it leaps, as it does
-    where the first particle touches, points between them are solved.
+    Between neighbours ln of the odds is interpolated over ln of the axis.
 
     Parameters
     ----------
@@ -165,8 +172,10 @@ def first_passed(
         The five axes.
     solution : Solution
         That of the grid.
-    parameters, rtol
-        Of the solution; the place of a leap is found as closely.
+    leap : callable
+        Maps neighbours on the axis [SI], and places on the other four, to where between them the level
+        is passed [SI].  It is asked where the variable leaps, as it does where the first particle
+        touches.
 
     Returns
     -------
@@ -184,27 +193,100 @@ def first_passed(
     found = np.where(passed, 0.0, never)
     others = np.nonzero(passed & (last > 0))
     high = last[others]
-    ends = [np.log(nodes[place]) for place in (high - 1, high)]
-    shares = [values[(place, *others)] for place in (high - 1, high)]
+    ends = nodes[high - 1], nodes[high]
+    at_ends = [values[(place, *others)] for place in (high - 1, high)]
     with np.errstate(divide="ignore", invalid="ignore"):
-        below, above = (logit(share) - logit(level) for share in shares)
-        root = ends[0] + below / (below - above) * (ends[1] - ends[0])
-    leap = np.flatnonzero(np.isfinite(shares[0]) & ~(np.abs(above - below) < EVEN))
-    root[leap], _ = level_roots(
-        along,
-        tuple(end[leap] for end in ends),
-        [variable],
-        np.zeros(leap.size, int),
-        np.full(leap.size, level),
-        {
-            name: axes[name][places[leap]]
-            for name, places in zip((name for name in axes if name != along), others, strict=True)
-        },
-        parameters,
-        min(LEAP_RTOL * rtol, 1e-2),
-    )
-    found[others] = np.exp(root)
+        below, above = (logit(value) - logit(level) for value in at_ends)
+        crossing = ends[0] * (ends[1] / ends[0]) ** (below / (below - above))
+    leaps = np.flatnonzero(np.isfinite(at_ends[0]) & ~(np.abs(above - below) < EVEN))
+    if leaps.size:
+        some = tuple(end[leaps] for end in ends)
+        crossing[leaps] = leap(some, *(places[leaps] for places in others))
+    found[others] = crossing
     return found
+
+
+@np.errstate(all="ignore")  # no particle may touch
+def passed_diameter(
+    level: float, axes: Axes, ends: tuple[float, float], parameters: Parameters, rtol: float
+) -> NDArray:
+    """Mean diameter x_a [m] at which A_sa,t* is ``level``: shape (films, densities, loads).
+
+    At a separation d the ratio depends on the particles alone, so that x_a(d) is sought there; the
+    load that belongs to it is F_s + F_f (Eq. 1).  Of several the largest d counts.  ``ends`` are those
+    of d [m]; beyond those of the axis x_a is the end.
+    """
+    sizes, densities, loads = (
+        axes[name] for name in ("particle_diameter", "particle_density", "load")
+    )
+    separation = np.geomspace(*ends[::-1], PLACES)
+    d, density = (each.ravel() for each in np.meshgrid(separation, densities))
+    roughness = np.full(d.size, axes["roughness"][0])
+
+    def excess(log_diameter, some):
+        columns = np.exp(log_diameter), roughness[some], density[some]
+        area, log_summits = make_contact(*columns, parameters, rtol).areas(d[some])
+        return np.log(area) - log_summits - logit(level)
+
+    every = np.arange(d.size)
+    low, high = (np.full(d.size, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))
+    log_diameter = np.where(excess(low, every) > 0.0, low, high)
+    passed = np.flatnonzero((log_diameter == high) & (excess(high, every) > 0.0))
+    log_diameter[passed], _ = bracketed_roots(
+        lambda log_size: excess(log_size, passed), low[passed], high[passed], 0.1 * rtol
+    )
+    contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
+    solid = np.exp(contact.log_solid_load(d).value).reshape(densities.size, -1)
+    film = film_loads(separation, axes["viscosity"], axes["roughness"][0], parameters)
+    total = parameters.readings.film_load.total_load(solid, film[:, np.newaxis])
+    total = np.maximum.accumulate(np.log(total), axis=-1)
+    log_diameter = log_diameter.reshape(densities.size, -1)
+    found = np.empty((*total.shape[:2], loads.size))
+    for place in np.ndindex(total.shape[:2]):
+        found[place] = np.interp(np.log(loads), total[place], log_diameter[place[1]])
+    return np.exp(found)
+
+
+def film_loads(
+    separation: NDArray, viscosity: NDArray, roughness: float, parameters: Parameters
+) -> NDArray:
+    """F* [1] in W at which films are as thick as a ``separation`` [m] (Eqs. 7 and 8), 0 where dry:
+    shape (viscosities, separations)."""
+    loads = np.zeros((viscosity.size, separation.size))
+    wet = viscosity > 0.0
+    film = Film.of(viscosity[wet, np.newaxis], roughness, parameters)
+    log_parameter = film.load_parameter(separation / parameters.ball_radius)
+    loads[wet] = np.exp(log_parameter - log_load_parameter(0.0, parameters))
+    return loads
+
+
+def passed_viscosity(
+    level: float,
+    ends: tuple[NDArray, NDArray],
+    place: Sequence[NDArray],
+    axes: Axes,
+    parameters: Parameters,
+    rtol: float,
+) -> NDArray:
+    """Viscosity [m2/s] between two ``ends`` at which L_s is ``level``, at places on the other four axes.
+
+    The solids carry that fraction of the load at one separation, dry or not; the film is as thick
+    (Eqs. 7 and 8).
+    """
+    names = "load", "particle_diameter", "roughness", "particle_density"
+    given = {name: axes[name][each] for name, each in zip(names, place, strict=True)}
+    log_fluid = parameters.readings.film_load.log_fraction(np.log1p(-level))
+    log_parameter = log_load_parameter(np.log(given["load"]) + log_fluid, parameters)  # ln W
+    dry = given | {"load": level * given["load"], "viscosity": np.zeros(1)}
+    separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
+    wanted = separation / parameters.ball_radius
+
+    def excess(log_viscosity):
+        film = Film.of(np.exp(log_viscosity), given["roughness"], parameters)
+        return np.log(film.thickness(log_parameter)[0] / wanted)
+
+    root, _ = bracketed_roots(excess, *np.log(ends), 0.1 * rtol)
+    return np.exp(root)
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:

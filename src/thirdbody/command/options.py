@@ -8,10 +8,10 @@ from collections.abc import Callable, Collection
 from thirdbody.answers.bearing import MATERIALS, Material
 from thirdbody.answers.interface import Interface
 from thirdbody.answers.units import ENGINEERING, SEARCHED, unit_text
+from thirdbody.conditions.checks import NEVER_ZERO
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.data.conditions import AXES
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.arguments import NEVER_ZERO
 
 OTHER = "other_"  # before the names of the conditions of a second interface
 

@@ -7,8 +7,8 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.solve import solve
 
 

@@ -19,11 +19,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit
 
+from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 

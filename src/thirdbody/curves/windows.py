@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import PROMINENCE, share_maxima
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
+from thirdbody.data.model_attribute import model_attribute
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
@@ -159,5 +160,5 @@ def global_attributes(
         **DISCOVERY,
         "id": own["id"],
         "product_version": software_version(),
-        "model_parameters": parameters.as_attribute(roughness),
+        "model_parameters": model_attribute(parameters, roughness),
     }

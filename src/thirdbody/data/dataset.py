@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditions.checks import check_parameters, check_rtol, check_variables, checked_axis
+from thirdbody.conditions.usual import warn_beyond_usual
 from thirdbody.data.attributes import (
     coordinate_attributes,
     global_attributes,
@@ -30,10 +32,8 @@ from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
-from thirdbody.solver.arguments import check_parameters, check_rtol, check_variables, checked_axis
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
-from thirdbody.solver.usual import warn_beyond_usual
 
 if TYPE_CHECKING:
     import xarray as xr

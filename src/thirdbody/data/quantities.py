@@ -13,11 +13,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
-from thirdbody.model.regimes import FLAG_MEANINGS, STATUS_MEANINGS
+from thirdbody.model.regimes import FLAG_MEANINGS
 
 if TYPE_CHECKING:
     from thirdbody.data.plain import PlainDataset
 
+# what each status says of a point
+STATUS_MEANINGS = {
+    "converged": "the equations hold to the error asked for",
+    "outside_film_formula": (
+        "the film carries more than a thousandth of the load where Eq. 7 has no meaning: it would "
+        "grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses "
+        "harder on the interface than the softer surface is"
+    ),
+    "coverage_exceeded": "particles would cover the whole interface, in Eq. 4 or in Eq. 5",
+    "not_converged": (
+        "float64 does not promise the error asked for, and error_bound says what the values are "
+        "good for"
+    ),
+    "several_separations": (
+        "the forces balance at several separations, of which the largest is given: closing "
+        "surfaces meet it first"
+    ),
+    "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
+    "load_exceeded": "the load is more than what is carried at any separation of zero or more",
+}
 STATUS = "solution_status"  # the flag that says how to take all other variables
 # What stands where a dataset holds no point, which is another thing than a point without solution:
 # the fill values of NetCDF.  Of a flag it is a value with a meaning, not_shown, and not declared as

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr, ndtri
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.schematic import Particle, Section, State
@@ -180,13 +182,24 @@ def _particles(state, parameters, position, lower, upper, reach, random):
         gap = np.where(right, upper - lower, np.inf)
         places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
     # up to X_max, from the size distribution of the model
-    diameters = parameters.readings.size_distribution.quantiles(
+    diameters = size_quantiles(
         random.uniform(size=count), smallest, state.condition.particle_diameter, parameters
     )
     return tuple(
         _settled(place, diameter, position, lower, upper, reach or 0.0)
         for place, diameter in zip(places, diameters, strict=True)
     )
+
+
+def size_quantiles(
+    fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
+) -> NDArray:
+    """Sizes [m] below which a ``fraction`` of the particles from ``smallest`` [m] to X_max lies, for a
+    mean ``diameter`` x_a [m]."""
+    mean, spread = parameters.readings.size_distribution.sizes(diameter, parameters)
+    above = ndtr(parameters.truncation)
+    below = np.minimum(ndtr((smallest - mean) / spread), above)
+    return mean + spread * ndtri(below + (above - below) * fraction)
 
 
 def _settled(place, diameter, position, lower, upper, reach) -> Particle:

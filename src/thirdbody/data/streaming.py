@@ -15,6 +15,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike
 
+from thirdbody.conditions.checks import check_parameters, check_rtol
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import Axes, crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import whole
@@ -24,7 +25,6 @@ from thirdbody.data.quantities import CONTRACT
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.arguments import check_parameters, check_rtol
 from thirdbody.solver.solution import Solution, type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 

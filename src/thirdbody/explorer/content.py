@@ -16,10 +16,9 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.data.places import part_of_paper
-from thirdbody.data.quantities import QUANTITIES
+from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.regimes import STATUS_MEANINGS
 
 SEEN = 1.0 / 1500.0  # of the extent of an outline: less is not seen
 DIGITS = 5  # of places in panels

@@ -47,23 +47,9 @@ def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
 
-    The first two fields are scalars, or arrays with a population for each point.
-    ``SummitPopulation.of`` makes the population of a surface.
-
-    Attributes
-    ----------
-    summit_parameter : float or array
-        eta_s R sigma_s [1].
-    sharpness : float or array
-        sigma_s/R [1].
-    hardness_ratio : float
-        H/E_ss [1].
-    yield_ratio, plastic_ratio : float
-        k and omega_2/omega_1 [1].
-
-    Notes
-    -----
-    Elastic, elastoplastic and plastic summits are each summed by Gauss-Legendre quadrature.
+    The fields are eta_s R sigma_s and sigma_s/R, scalars or arrays with a population for each point,
+    H/E_ss, k and omega_2/omega_1 [1].  Elastic, elastoplastic and plastic summits are each summed by
+    Gauss-Legendre quadrature.
 
     Examples
     --------
@@ -126,12 +112,11 @@ class SummitPopulation:
         return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)
 
     def _summits(self, t, with_load):
-        """Elastic, elastoplastic and plastic summits at the nodes of a quadrature.
+        """max(t, 0), and at the nodes of a quadrature, in arrays of shape (..., 3, nodes): v = w + min(t, 0);
+        A/(pi R sigma_s) times the weights of the summit and of the node; and F/(A H).
 
-        Returns max(t, 0), and at the nodes, in arrays of shape (..., 3, nodes): v = w + min(t, 0);
-        A/(pi R sigma_s) times the weights of the summit and of the node; and F/(A H).  The largest
-        weight of a summit, exp(-max(t, 0)^2/2), is left out: so a tail far beyond float64 keeps its
-        digits.
+        The largest weight of a summit, exp(-max(t, 0)^2/2), is left out: so a tail far beyond float64
+        keeps its digits.
         """
         t = np.asarray(t, dtype=float)
         above, below = np.maximum(t, 0.0), np.minimum(t, 0.0)

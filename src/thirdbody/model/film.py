@@ -22,7 +22,7 @@ import numpy as np
 import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.interpolation import HermiteTable
+from thirdbody.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps
@@ -40,10 +40,8 @@ def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
 
 
 def greatest_film_load(parameters: Parameters) -> float:
-    """F_f* [1] under which a film presses on all of the interface as hard as the softer surface is.
-
-    Eq. 7 is of bodies that yield to a film as elastic ones do: they carry no more than this of it.
-    """
+    """F_f* [1] under which a film presses on all of the interface as hard as the softer surface is:
+    the bodies of Eq. 7 are elastic."""
     return parameters.softer_hardness / parameters.elastic_modulus_surfaces
 
 
@@ -56,22 +54,11 @@ def has_film(viscosity: ArrayLike) -> NDArray:
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    The first term is the smooth film, the second what roughness adds to it.  ``Film.of`` makes a
-    film from viscosity and roughness.
-
-    Attributes
-    ----------
-    smooth, rough : array
-        s and r [1], of the shape of the points.
-    smooth_size, rough_size : array
-        The sum of the sizes of all logarithms in s, and of those that r adds [1]: rounding grows
-        with it.
-    exponents : pair of float
-        a and b [1].
-    turning_ratio : float
-        Ratio of the second term to the first where H_c is least over the speed U [1].
-    greatest : float
-        ln W [1] under ``greatest_film_load``.
+    The first term is the smooth film, the second what roughness adds to it.  ``smooth`` and ``rough``
+    are s and r, of the shape of the points, ``smooth_size`` the sum of the sizes of all logarithms in
+    s and ``rough_size`` of those that r adds, with which rounding grows; ``exponents`` are a and b.
+    ``turning_ratio`` is that of the second term to the first where H_c is least over the speed U, and
+    ``greatest`` is ln W under ``greatest_film_load``.  All are dimensionless.
     """
 
     smooth: NDArray
@@ -84,16 +71,8 @@ class Film:
 
     @classmethod
     def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
-        """Make the film of an oil between rough surfaces.
-
-        Parameters
-        ----------
-        viscosity : array
-            Kinematic viscosity nu [m2/s], positive.
-        roughness : array_like
-            sigma [m], a scalar or of the same shape.
-        parameters : Parameters
-            All inputs of the model.
+        """The film of an oil of kinematic viscosity nu [m2/s], positive, between surfaces of sigma [m],
+        a scalar or of the same shape.
 
         Examples
         --------
@@ -136,56 +115,22 @@ class Film:
         return Film(*picked, self.exponents, self.turning_ratio, self.greatest)
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
-        """Film thickness under a load (Eq. 7).
-
-        Parameters
-        ----------
-        log_load_parameter : array_like
-            ln W [1], W = F/(E_ss R_x^2) (Eq. 8); a scalar or of the shape of the points.
-
-        Returns
-        -------
-        thickness, slope : array
-            H_c [1] and dH_c/d ln W [1].
-        """
+        """H_c [1] (Eq. 7) and dH_c/d ln W [1] under ln W [1], a scalar or of the shape of the points."""
         a, b = self.exponents
         smooth = np.exp(self.smooth + a * log_load_parameter)
         rough = np.exp(self.rough + b * log_load_parameter)
         return smooth + rough, a * smooth + b * rough  # Eq. 7
 
     def rounding(self, log_load_parameter: ArrayLike, fall: ArrayLike) -> NDArray:
-        """Relative error [1] that rounding leaves in H_c: the more, the larger logarithms of which it
-        is the exponential.
-
-        ``fall`` is d ln H_c/d ln W [1] at ``log_load_parameter`` ln W [1].
-        """
+        """Relative error [1] that rounding leaves in H_c, the exponential of logarithms, at ln W [1]
+        and for a ``fall`` d ln H_c/d ln W [1]."""
         a, b = self.exponents
         rough = (fall - a) / (b - a)  # the fraction of the second term
         size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
-    def crossing(self) -> tuple[NDArray, NDArray]:
-        """Where both terms of Eq. 7 are equal: ln W there, and ln of each term [1].
-
-        Seen from there, all films of one ellipticity are the same curve.
-        """
-        a, b = self.exponents
-        log_parameter = (self.smooth - self.rough) / (b - a)
-        return log_parameter, self.smooth + a * log_parameter
-
     def load_parameter(self, thickness: ArrayLike) -> NDArray:
-        """Load under which the film has a given thickness: the inverse of ``thickness``.
-
-        Parameters
-        ----------
-        thickness : array_like
-            H_c [1], positive; a scalar or of the shape of the points.
-
-        Returns
-        -------
-        array
-            ln W [1].
-        """
+        """ln W [1] under which the film has a ``thickness`` H_c [1], positive: the inverse of Eq. 7."""
         return self.load_parameter_and_slope(thickness)[0]
 
     def load_parameter_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
@@ -194,7 +139,9 @@ class Film:
         Seen from where both terms of Eq. 7 are equal, all films of one ellipticity are the same
         curve: it is read off a table.
         """
-        log_parameter, log_thickness = self.crossing()
+        a, b = self.exponents
+        log_parameter = (self.smooth - self.rough) / (b - a)  # where both terms are equal
+        log_thickness = self.smooth + a * log_parameter
         table = _inverse_table(*self.exponents)
         x = np.log(thickness) - log_thickness
         inside = table.covers(x)
@@ -206,8 +153,7 @@ class Film:
         return value + log_parameter, slope
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Whether H_c rises with viscosity under the load ln W [1], as that of any oil does, and the
-        surfaces are hard enough to bear it (``greatest_film_load``).
+        """Whether H_c rises with viscosity under ln W [1], and surfaces are hard enough to carry it.
 
         Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
         meaning.  At kappa = 1 that is where the roughness term exceeds 3.
@@ -218,11 +164,8 @@ class Film:
 
 
 def _inverse(x, a, b):
-    """y of e^x = e^(a y) + e^(b y), and its first two derivatives.
-
-    Newton's method on the logarithm, which is convex; it starts where one term is e^x by itself, so
-    that it cannot overshoot.
-    """
+    """y of e^x = e^(a y) + e^(b y), and its first two derivatives, by Newton's method on the logarithm:
+    it starts where one term is e^x by itself, so that it cannot overshoot."""
     y = np.maximum(x / a, x / b)
     for _ in range(INVERSE_STEPS):
         y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))

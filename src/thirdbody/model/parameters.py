@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 
@@ -16,41 +14,6 @@ from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.load_unit import newtons_per_load
 from thirdbody.model.readings import Readings
 
-# The keys that inputs, and fields of a surface, have in the attribute ``model_parameters`` of
-# datasets, in the order in which they stand there.
-BODY_KEYS = {
-    "elastic_modulus_surfaces": "E_ss",
-    "elastic_modulus_particle": "E_sa",
-    "hardness_surface_1": "H_s1",
-    "hardness_surface_2": "H_s2",
-    "yield_pressure_ratio": "k",
-    "plastic_interference_ratio": "omega_ratio",
-    "ball_radius": "R_x",
-    "material_parameter": "G",
-    "hardness_parameter": "V",
-    "ellipticity": "kappa",
-    "speed_per_viscosity": "U_per_viscosity",
-    "apparent_area": "A_n",
-}
-SURFACE_KEYS = {
-    "summit_density": "eta_s",
-    "summit_radius": "R",
-    "summit_deviation": "sigma_s",
-    "summit_offset": "y_s",
-}
-PARTICLE_KEYS = {
-    "size_distribution": "phi_a",
-    "mean_ratio": "mean_ratio",
-    "spread_ratio": "sigma_a_ratio",
-    "gap_ratio": "gap_ratio",
-    "truncation": "truncation",
-    "participation": "participation",
-    "elastic_depth_ratio": "h_e_ratio",
-    "particle_plane": "particle_plane",
-    "elastic_limits": "elastic_limits",
-    "coverage_limits": "coverage_limits",
-    "film_load": "film_load",
-}
 # sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 
@@ -232,94 +195,6 @@ class Parameters:
         plane = self.readings.summit_offset
         return Surface(
             roughness, density, radius, *plane.deviation_and_offset(roughness, density, radius)
-        )
-
-    def as_attribute(self, roughness: Iterable[float]) -> str:
-        """The text of a dataset's attribute ``model_parameters``.
-
-        Parameters
-        ----------
-        roughness : iterable of float
-            The dataset's coordinate sigma [m], 1-D.
-
-        Returns
-        -------
-        str
-            A flat JSON object, in SI; what depends on the roughness is a list along it.
-        """
-        surfaces = [self.surface(float(sigma)) for sigma in roughness]
-        model = {key: getattr(self, name) for name, key in BODY_KEYS.items()}
-        for name, key in SURFACE_KEYS.items():
-            model[key] = [getattr(surface, name) for surface in surfaces]
-        model |= {key: getattr(self, name) for name, key in PARTICLE_KEYS.items()}
-        return json.dumps(model)
-
-    @classmethod
-    def from_attribute(cls, text: str, roughness: float, index: int = 0) -> Parameters:
-        """The inputs that an attribute ``model_parameters`` describes, for one of its surfaces.
-
-        The attribute holds the surfaces of some roughnesses, and not the power laws between them:
-        the result has these surfaces' own summits at ``roughness`` alone.
-
-        Parameters
-        ----------
-        text : str
-            The attribute, as ``as_attribute`` makes it.
-        roughness : float
-            sigma [m], the dataset's coordinate at ``index``.
-        index : int
-            Place of the surface in the lists of the attribute.
-
-        Returns
-        -------
-        Parameters
-
-        Examples
-        --------
-        >>> import thirdbody
-        >>> inputs = thirdbody.load_parameters()
-        >>> again = Parameters.from_attribute(inputs.as_attribute([1e-7, 5e-7]), 5e-7, index=1)
-        >>> again.participation == inputs.participation
-        True
-        """
-        model = json.loads(text)
-        lists = {key: model[key][index] for key in SURFACE_KEYS.values()}
-        return cls.on_one_surface(model | lists, roughness)
-
-    @classmethod
-    def on_one_surface(cls, model: Mapping, roughness: float) -> Parameters:
-        """The inputs that ``model`` describes, with one surface.
-
-        Parameters
-        ----------
-        model : mapping
-            Values by the keys of ``model_parameters``; numbers may be text, and those of the
-            surface are no lists.  Other keys are ignored; older datasets have no ``particle_plane``,
-            which was that of the surface.
-        roughness : float
-            sigma [m] of the surface.
-
-        Returns
-        -------
-        Parameters
-        """
-        model = {"particle_plane": "surface", **model}
-        keys = BODY_KEYS | PARTICLE_KEYS
-        kinds = {name: cls.__annotations__[name] for name in keys}
-        given = {
-            name: float(model[key]) if kinds[name] == "float" else model[key]
-            for name, key in keys.items()
-        }
-        density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
-        raised = "as_rough" if deviation == roughness else True
-        return cls(
-            **given,
-            reference_roughness=roughness,
-            summit_parameter=density * radius * roughness,
-            summit_parameter_exponent=0.0,
-            summit_radius=radius,
-            summit_radius_exponent=0.0,
-            summit_offset=raised if offset != 0.0 else False,
         )
 
     def as_dict(self) -> dict:

@@ -36,7 +36,7 @@ from thirdbody.model.readings import SizeLaw
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
 LARGEST_DIAMETER = 1e100  # x_a [m] whose powers float64 holds; larger ones are taken for it
-FULL = -700.0  # logarithm of a share that is none
+FULL = -700.0  # logarithm of a fraction that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
 LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
 FARTHEST = -40.0  # alpha below which phi is zero in float64
@@ -50,26 +50,12 @@ SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 class ParticleLayer:
     """Particles on a surface: one mean diameter and density for each point.
 
-    Array fields have the shape of the points.  ``ParticleLayer.of`` makes a layer from diameters
-    and densities.
-
-    Attributes
-    ----------
-    mean, spread : array
-        m and S [m] of the size distribution; m is counted from the plane between the surfaces, as d
-        is: where particles meet the separation of the summits' planes, y_s is added.
-    depth : array
-        h_e/S [1].
-    factor : array
-        pi eta_a p c_1/(H_s1 + H_s2) [Pa-1]: times the hardness of a surface and the moment it is the
-        fraction of the interface that particles take (Eqs. 4 and 5).
-    log_bare : array
-        ln of the fraction of the interface that the particles of Eq. 4 leave bare, where they are the
-        same at every separation; else 0.
-    moment : Moment
-        The moment of the sizes above any other.
-    parameters : Parameters
-        All inputs of the model.
+    ``mean`` and ``spread`` are m and S [m] of the size distribution; m is counted from the plane between
+    the surfaces, as d is: where particles meet the separation of the summits' planes, y_s is added.
+    ``depth`` is h_e/S [1].  ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a
+    surface and the ``moment`` is the fraction of the interface that particles take (Eqs. 4 and 5).
+    ``log_bare`` is ln of the fraction that the particles of Eq. 4 leave bare, where they are the same
+    at every separation; else 0.
     """
 
     mean: NDArray
@@ -84,16 +70,8 @@ class ParticleLayer:
     def of(
         cls, diameter: NDArray, roughness: ArrayLike, density: NDArray, parameters: Parameters
     ) -> ParticleLayer:
-        """Make the layer of particles of given mean diameters and densities.
-
-        Parameters
-        ----------
-        diameter, density : array
-            x_a [m] and eta_a [m-2], positive and of one shape.
-        roughness : array_like
-            sigma [m], a scalar or of the same shape.
-        parameters : Parameters
-            All inputs of the model.
+        """The layer for x_a [m] and eta_a [m-2], positive and of one shape, and sigma [m], a scalar or of
+        the same shape.
 
         Examples
         --------
@@ -117,7 +95,7 @@ class ParticleLayer:
             log_bare = np.zeros(factor.shape)
         else:
             every = moment.of_all * factor  # I(X_min, X_max)
-            log_bare = np.log(_bare_share(parameters.hardness_surface_1 * every))
+            log_bare = np.log(_bare_fraction(parameters.hardness_surface_1 * every))
         height = parameters.readings.particle_plane.height(roughness, parameters)
         return cls(sizes.mean + height, sizes.spread, depth, factor, log_bare, moment, parameters)
 
@@ -134,19 +112,10 @@ class ParticleLayer:
         return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
 
     def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-        """Area and coverage of the particles that touch (Eq. 5).
+        """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-        Parameters
-        ----------
-        separation : array
-            d [m], of the shape of the points.
-
-        Returns
-        -------
-        area, area_slope : array
-            A_sa/A_n [1] and its derivative by d [m-1].
-        coverage, coverage_slope : array
-            Share of the interface under particles larger than d [1] and its derivative [m-1].
+        Returns A_sa/A_n [1] and its derivative by d [m-1], then the fraction of the interface under
+        particles larger than d [1] and its derivative [m-1].
         """
         limits = self.parameters.readings.elastic_limits
         alpha = (separation - self.mean) / self.spread
@@ -175,17 +144,14 @@ class ParticleLayer:
 
     def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
         """ln of the fraction of the summits' load that particles leave, the bracket of Eq. 4, and its
-        derivative by d [m-1]; for what ``contact`` returns of the coverage."""
+        derivative by d [m-1], for a coverage and its slope."""
         if self.parameters.readings.coverage_limits.contacting:
-            return log_bare_share(coverage, slope)
+            return log_bare_fraction(coverage, slope)
         return self.log_bare, 0.0
 
     def leave_no_room(self, coverage: NDArray) -> NDArray:
-        """Whether particles cover the whole interface, in Eq. 4 or in Eq. 5.
-
-        ``coverage`` [1] is that of ``contact``, of the particles larger than d; Eq. 4 counts at
-        least those.
-        """
+        """Whether particles cover the whole interface, in Eq. 4 or in Eq. 5, for the ``coverage`` [1] of
+        those larger than d; Eq. 4 counts at least those."""
         if self.parameters.readings.coverage_limits.contacting:
             return 1.0 - coverage <= EPSILON
         return self.log_bare < FULL
@@ -249,15 +215,15 @@ def _moment(constant, linear, smallest, largest):
     return Moment(constant, linear, smallest, largest)
 
 
-def log_bare_share(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
+def log_bare_fraction(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
     """ln of the fraction that a ``coverage`` leaves bare, and its ``slope`` by d [m-1]; below ``FULL``
     and 0 where particles cover everything."""
-    bare = _bare_share(coverage)
+    bare = _bare_fraction(coverage)
     covers = bare == TINY
     return np.log(bare), np.where(covers, 0.0, -slope) / bare
 
 
-def _bare_share(coverage):
+def _bare_fraction(coverage):
     """1 - coverage, or next to nothing where particles cover everything."""
     bare = 1.0 - coverage
     return np.where(bare <= EPSILON, TINY, bare)
@@ -268,12 +234,11 @@ def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
     return diameter * diameter * density > TINY
 
 
-def separation_bearing(area: ArrayLike, layer: ParticleLayer) -> NDArray:
+def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
-    A first guess: the larger of the separations at which the sizes above d and those above the
-    other limit of the elastic integral have the area by themselves.  Minus infinity where all
-    particles together have less than the area.
+    It is the larger of those at which the sizes above d, or above the other limit of the elastic
+    integral, have the area by themselves; minus infinity where all particles have less.
     """
     parameters = layer.parameters
     wanted = area / (layer.factor * parameters.hardness_surface_2)

@@ -17,7 +17,6 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar, get_type_hints
 
 import numpy as np
-import scipy  # of which special is loaded when it is first used: many jobs never do
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.bounds import LEAST_SPREAD
@@ -56,22 +55,9 @@ class SummitOffset(Reading):
     def deviation_and_offset(
         self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
     ) -> tuple[ArrayLike, ArrayLike]:
-        """Place the summits.
+        """sigma_s and y_s [m] for sigma [m], eta_s [m-2] and R [m], scalars or of one shape.
 
-        Parameters
-        ----------
-        roughness, density, radius : array_like
-            sigma [m], eta_s [m-2] and R [m] of the surfaces, scalars or of one shape.
-
-        Returns
-        -------
-        deviation, offset : array_like
-            sigma_s and y_s [m], of that shape.
-
-        Raises
-        ------
-        ValueError
-            If the reading leaves no variance to such summits.
+        Raises ``ValueError`` if this leaves no variance to such summits.
         """
         raise NotImplementedError
 
@@ -129,57 +115,19 @@ class SizeDistribution(Reading):
     """How the sizes of particles are distributed: phi_a of Eqs. 4-6."""
 
     def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
-        """Say which sizes count in the integrals of Eqs. 4 and 5, and with what weight.
+        """Which sizes count in the integrals of Eqs. 4 and 5, and with what weight.
 
-        Parameters
-        ----------
-        diameter : array
-            x_a [m].
-        roughness : array_like
-            sigma [m], a scalar or of the shape of ``diameter``.
-        parameters : Parameters
-            All inputs of the model.
-
-        Returns
-        -------
-        SizeLaw
-            Its fields have the shape of ``diameter``.
+        For x_a [m] and sigma [m], a scalar or of its shape; fields of the law have that of x_a.
         """
         raise NotImplementedError
 
     def can_be_equal(self, parameters: Parameters) -> bool:
-        """Whether the particles may all have one size: whether something else spreads the gaps that
-        they meet."""
+        """Whether particles may all have one size, as something else spreads the gaps they meet."""
         return False
 
     def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
         """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
         return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
-
-    def quantiles(
-        self, share: ArrayLike, smallest: ArrayLike, diameter: ArrayLike, parameters: Parameters
-    ) -> NDArray:
-        """Sizes of particles, for drawings of them.
-
-        Parameters
-        ----------
-        share : array_like
-            Which quantile to take of the particles larger than ``smallest`` and not beyond X_max,
-            from 0 to 1.
-        smallest, diameter : array_like
-            Smallest size to consider and x_a [m].
-        parameters : Parameters
-            All inputs of the model.
-
-        Returns
-        -------
-        array
-            Sizes [m], of the shape that the arguments broadcast to.
-        """
-        mean, spread = self.sizes(diameter, parameters)
-        above = scipy.special.ndtr(parameters.truncation)
-        below = np.minimum(scipy.special.ndtr((smallest - mean) / spread), above)
-        return mean + spread * scipy.special.ndtri(below + (above - below) * share)
 
 
 class Uncentred(SizeDistribution, word="uncentred"):
@@ -252,12 +200,12 @@ class ElasticLimits(Reading):
 
     @property
     def beyond(self) -> float:
-        """How much farther apart than their size particles bear load, in h_e [1]."""
+        """How much farther apart than their size particles carry load, in h_e [1]."""
         return max(-self.side, 0.0)
 
     def weights(self, elastic_factor: float) -> tuple[float, float]:
-        """How much the sizes above d count in A_sa, and those above d + ``side`` h_e [1], for the
-        factor of elastic particles [1]: see the head of ``thirdbody.model.particles``."""
+        """How much sizes above d count in A_sa, and those above d + ``side`` h_e, for an elastic factor
+        [1]: see the head of ``thirdbody.model.particles``."""
         raise NotImplementedError
 
 
@@ -280,11 +228,8 @@ class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
 
 
 class CoverageLimits(Reading):
-    """Which particles take room from the summits' load in Eq. 4.
-
-    ``contacting`` says whether they are those that touch at the separation d, as in Eq. 5; if not,
-    they are the same at every separation.
-    """
+    """Which particles take room from the summits' load in Eq. 4: if ``contacting``, those that touch at
+    the separation d, as in Eq. 5; if not, the same at every separation."""
 
     contacting: ClassVar[bool]
 
@@ -307,33 +252,27 @@ class CoverageOfContacting(CoverageLimits, word="contacting"):
 class FilmLoad(Reading):
     """Which load F stands in the film's load parameter W = F/(E_ss R_x^2) (Eq. 8).
 
-    ``depends_on_shares`` says whether W is known only when the shares of the load are.
+    ``depends_on_shares`` says whether W is known only when L_f is.
     """
 
     depends_on_shares: ClassVar[bool]
 
-    def log_share(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
-        """ln(F/F_t) of the load F in W, where the film bears the share L_f of F_t.
-
-        ``log_fluid_fraction`` is ln L_f [1].
-        """
+    def log_fraction(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
+        """ln(F/F_t) [1] of the load F in W, where ln L_f [1] is ``log_fluid_fraction``."""
         raise NotImplementedError
 
     def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
-        """F_t* [1] that holds the surfaces at a separation.
-
-        The solids bear ``solid_load`` there [1], and ``film_load`` is the load F* in W [1] at which
-        the film is as thick.
-        """
+        """F_t* [1] that holds the surfaces at a separation where solids carry ``solid_load`` [1] and
+        ``film_load`` is the load F* [1] in W under which the film is as thick."""
         raise NotImplementedError
 
 
 class LoadOfTheFluid(FilmLoad, word="fluid"):
-    """The load that the fluid bears, F_f: solids and film share the load."""
+    """The load that the fluid carries, F_f: solids and film share the load."""
 
     depends_on_shares = True
 
-    def log_share(self, log_fluid_fraction):
+    def log_fraction(self, log_fluid_fraction):
         return log_fluid_fraction
 
     def total_load(self, solid_load, film_load):
@@ -342,11 +281,11 @@ class LoadOfTheFluid(FilmLoad, word="fluid"):
 
 class TotalLoad(FilmLoad, word="total"):
     """The total load F_t, as Eq. 8 is printed: the film's thickness is known beforehand, and the
-    solids bear everything where it is below their dry separation."""
+    solids carry everything where it is below their dry separation."""
 
     depends_on_shares = False
 
-    def log_share(self, log_fluid_fraction):
+    def log_fraction(self, log_fluid_fraction):
         return 0.0
 
     def total_load(self, solid_load, film_load):

@@ -12,27 +12,16 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-# What each status says of a point, in the order of the codes that stand for them in data files.
-STATUS_MEANINGS = {
-    "converged": "the equations hold to the error asked for",
-    "outside_film_formula": (
-        "the film bears more than a thousandth of the load where Eq. 7 has no meaning: it would "
-        "grow with falling viscosity, is thicker than a hundredth of the ball's radius, or presses "
-        "harder on the interface than the softer surface is"
-    ),
-    "coverage_exceeded": "particles would cover the whole interface, in Eq. 4 or in Eq. 5",
-    "not_converged": (
-        "float64 does not promise the error asked for, and error_bound says what the values are "
-        "good for"
-    ),
-    "several_separations": (
-        "the forces balance at several separations, of which the largest is given: closing "
-        "surfaces meet it first"
-    ),
-    "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
-    "load_exceeded": "the load is more than what is borne at any separation of zero or more",
-}
-SOLUTION_STATUSES = tuple(STATUS_MEANINGS)
+# in the order of the codes that stand for them in data files
+SOLUTION_STATUSES = (
+    "converged",
+    "outside_film_formula",
+    "coverage_exceeded",
+    "not_converged",
+    "several_separations",
+    "area_exceeded",
+    "load_exceeded",
+)
 FLAG_MEANINGS = {  # what the values 0, 1, ... of each flag stand for
     "lubrication_regime": LUBRICATION_REGIMES,
     "contact_mode": CONTACT_MODES,
@@ -49,23 +38,13 @@ MILDEST_FIRST = (
     "coverage_exceeded",
     "load_exceeded",
 )
-FILM_COUNTS = 1e-3  # of L_f: a film that bears less leaves the other quantities as they are
+FILM_COUNTS = 1e-3  # of L_f: a film that carries less leaves the other quantities as they are
 
 
 def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
-    """Lubrication regime from the solids' share of the load.
+    """Index into ``LUBRICATION_REGIMES`` for a fraction L_s [1] of the load, of the same shape.
 
     Boundary above 0.90, full film below 0.03, else mixed (section 3.1 of the paper).
-
-    Parameters
-    ----------
-    solid_load_fraction : array_like
-        L_s [1], of any shape.
-
-    Returns
-    -------
-    array of int8
-        Index into ``LUBRICATION_REGIMES``, of the same shape.
 
     Examples
     --------
@@ -79,22 +58,11 @@ def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
 def contact_mode(
     particle_contact_area_ratio: ArrayLike, has_particles: ArrayLike
 ) -> NDArray[np.int8]:
-    """Contact mode from the particles' share of the contact area.
+    """Index into ``CONTACT_MODES`` for a ratio A_sa,t* [1] and whether there are particles; both
+    broadcast.
 
     Particle-surface above 0.95, surface-surface below 0.05, else hybrid (section 3.2 of the paper);
     an interface without particles is two-body.
-
-    Parameters
-    ----------
-    particle_contact_area_ratio : array_like
-        A_sa,t* [1], of any shape.
-    has_particles : array_like of bool
-        Whether there are particles; broadcasts with the ratio.
-
-    Returns
-    -------
-    array of int8
-        Index into ``CONTACT_MODES``, of the shape that both broadcast to.
 
     Examples
     --------
@@ -107,17 +75,7 @@ def contact_mode(
 
 
 def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
-    """Whether points have values: a separation, loads and areas.
-
-    Parameters
-    ----------
-    solution_status : array_like of int
-        Indices into ``SOLUTION_STATUSES``, of any shape.
-
-    Returns
-    -------
-    array of bool
-        Of the same shape.
+    """Whether points have values, a separation, loads and areas, for indices into ``SOLUTION_STATUSES``.
 
     Examples
     --------
@@ -133,17 +91,8 @@ def is_as_asked(solution_status: ArrayLike) -> NDArray[np.bool_]:
 
 
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
-    """The status of points, of all that apply.
-
-    Parameters
-    ----------
-    **applies : array of bool
-        By the name of a status, whether it applies, at each point; all of one shape.
-
-    Returns
-    -------
-    array of int8
-        Index into ``SOLUTION_STATUSES``, of the same shape.
+    """Index into ``SOLUTION_STATUSES`` of the gravest of all that apply at each point: arrays of bool, of
+    one shape, by the names of statuses.
 
     Examples
     --------

@@ -11,8 +11,9 @@ import netCDF4
 import numpy as np
 from jinja2 import Environment, StrictUndefined
 
+from thirdbody.data.quantities import STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS
-from thirdbody.model.regimes import STATUS_MEANINGS, WITHOUT_VALUES
+from thirdbody.model.regimes import WITHOUT_VALUES
 from thirdbody.release.citation import DATA_LICENCE
 from thirdbody.release.datapackage import table_schema
 from thirdbody.release.files import files_in

@@ -12,8 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.particles import EPSILON, separation_bearing
-from thirdbody.solver.points import Points
+from thirdbody.model.particles import EPSILON, separation_carrying
+from thirdbody.solver.points import Forces, Points
 from thirdbody.solver.several import enclose_largest, may_be_several
 
 MAX_ITERATIONS = 200
@@ -23,119 +23,79 @@ NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
 WIDER = 4.0  # by which an interval grows in which no change of sign is seen
 
 
-class Ends(NamedTuple):
-    """The interface at both ends of the intervals in which forces balance, each of shape (2, points).
+class Brackets(NamedTuple):
+    """Between which separations [m] the forces balance, at each of some points.
 
-    Attributes
-    ----------
-    separation : array
-        d [m].
-    log_solid, log_fluid : array
-        ln(F_s/F_t) and ln(F_f/F_t) [1].
-    noise, rounding : array
-        What rounding and tables may change in ``log_solid``, and in any part of loads and areas [1].
-    area, log_beside : array
-        A_sa/A_n and ln(A_ss-sa/A_n) [1].
-    coverage : array
-        That of the particles larger than d [1].
-    solid_slope, area_slope : array
-        d ln F_s/dd [m-1] and d(A_sa/A_n)/dd [m-1].
+    They do so between ``low`` and ``high``, near ``guess``; ``low`` is nan where they do nowhere.  They are
+    too large at ``low`` for certain where this is ``sure``.  Where a film whose thickness F_t sets
+    (Eq. 8 as printed) is ``held``, any separation between both is right.  ``count`` says at how many
+    separations the forces balance, of which the largest is meant, and ``certain`` whether rounding
+    leaves no doubt of that.
     """
 
-    separation: NDArray
-    log_solid: NDArray
-    log_fluid: NDArray
-    noise: NDArray
-    rounding: NDArray
-    area: NDArray
-    log_beside: NDArray
-    coverage: NDArray
-    solid_slope: NDArray
-    area_slope: NDArray
+    guess: NDArray
+    low: NDArray
+    high: NDArray
+    sure: NDArray
+    held: NDArray
+    count: NDArray
+    certain: NDArray
 
 
 class Balance(NamedTuple):
-    """Where the forces balance, at each of some points.
+    """The ``forces`` at two separations between which they balance, of shape (2, points), and whether
+    their change of sign is ``certain``; ``count`` is that of ``Brackets``."""
 
-    Attributes
-    ----------
-    ends : Ends
-        Two separations between which they do; nan where they do nowhere.
-    certain : array of bool
-        Whether the change of sign between them is beyond rounding.
-    count : array of int
-        At how many separations they balance, of which this is the largest.
-    held : array of bool
-        Whether the separation is that of a film whose thickness the load F_t sets (Eq. 8 as printed).
-    """
-
-    ends: Ends
+    forces: Forces
     certain: NDArray
     count: NDArray
-    held: NDArray
 
 
-def balance_forces(points: Points, tolerance: float) -> Balance:
-    """The largest separation d >= 0 at which solids and film carry the load.
+def bracket(points: Points) -> Brackets:
+    """Enclose the largest separation d >= 0 at which solids and film carry the load.
 
-    Parameters
-    ----------
-    points : Points
-        Any points; those that ``may_be_several`` not by tables, whose errors may hide a separation.
-    tolerance : float
-        Relative error that is small enough in any variable.
-
-    Returns
-    -------
-    Balance
-
-    Notes
-    -----
     A film of F_f carries the load by itself at d = R_x H_c(F_t), so the root is there or beyond.  A film
     of F_t keeps the surfaces at that separation, unless the solids need a larger one to carry F_t.
+    Points that ``may_be_several`` must not have tables, whose errors may hide a separation.
     """
     guess = first_separation(points)
-    least, held = np.zeros(guess.shape), np.zeros(guess.shape, bool)
+    alone, rounded = np.zeros((2, guess.size))
     if points.film is not None:
         alone, rounded = points.film_separation()
         guess = np.maximum(guess, alone)
-        least = alone * (1.0 - THINNER if points.shares_load else 1.0 + rounded)
-    if points.shares_load:
-        exists = sure = ~held
-    else:
-        forces = points.forces(least)
-        sure, exists = forces.excess > forces.noise, forces.excess >= -forces.noise
-        if points.film is not None:
-            held = forces.excess < 0.0
-            exists = ~held
-    certain, count = np.ones(guess.shape, bool), (exists | held).astype(int)
     high = _too_high(points, guess)
-    brackets = np.stack([guess, least, high])
+    if points.shares_load:
+        low = alone * (1.0 - THINNER)
+        exists, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
+        sure = exists.copy()
+    else:
+        low = alone * (1.0 + rounded)
+        forces = points.forces(low)
+        sure, exists = forces.excess > forces.noise, forces.excess >= -forces.noise
+        held = (forces.excess < 0.0) & (points.film is not None)
+        exists &= ~held
+    count, certain = (exists | held).astype(int), np.ones(guess.shape, bool)
     several = np.flatnonzero(may_be_several(points))
     if several.size:
         some = points.take(several)
-        found = enclose_largest(some, least[several], guess[several])
+        found = enclose_largest(some, low[several], guess[several])
         beyond = found.count > 0
         # a film so thin that particles cover everything is no balance
-        count[several] = (held[several] & ~_are_covered(some, least[several])) + found.count
+        particles = some.contact.particles
+        covered = particles.leave_no_room(particles.contact(low[several])[2])
+        count[several] = (held[several] & ~covered) + found.count
         if points.film is not None and not points.shares_load:
             # along a plateau as high as the load nothing may be found beyond the film
             held[several] = ~beyond & (held[several] | found.undecided)
             count[several] = np.maximum(count[several], found.undecided)
         exists[several], sure[several] = beyond, True
         certain[several] = ~found.undecided
-        middle = 0.5 * (found.low + found.high)
-        brackets[:, several[beyond]] = np.stack([middle, found.low, found.high])[:, beyond]
-    ends = np.full((len(Ends._fields), 2, guess.size), np.nan)
-    seek = np.flatnonzero(exists)
-    if seek.size:
-        some = points if seek.size == exists.size else points.take(seek)
-        ends[..., seek], enclosed = _enclose(some, *brackets[:, seek], sure[seek], tolerance)
-        certain[seek] &= enclosed
-    if held.any():
-        thin, thick = alone[held] * (1.0 - rounded[held]), least[held]
-        ends[..., held] = _held_ends(points.take(held), thin, thick)
-    return Balance(Ends(*ends), certain, count, held)
+        there = several[beyond]
+        low[there], high[there] = found.low[beyond], found.high[beyond]
+        guess[there] = 0.5 * (found.low + found.high)[beyond]
+    low = np.where(held, alone * (1.0 - rounded), np.where(exists, low, np.nan))
+    high = np.where(held, alone * (1.0 + rounded), high)
+    return Brackets(guess, low, high, sure, held, count, certain)
 
 
 def first_separation(points: Points) -> NDArray:
@@ -144,39 +104,43 @@ def first_separation(points: Points) -> NDArray:
     It is the larger of those that summits alone and particles alone would have, where the solids
     carry between one and two times the load.
     """
-    surfaces, particles = points.surfaces, points.contact.particles
+    surfaces, particles = points.contact.summits, points.contact.particles
     guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
     if particles is not None:
         area = np.exp(points.log_load) / points.parameters.particle_pressure
-        guess = np.maximum(guess, separation_bearing(area, particles))
+        guess = np.maximum(guess, separation_carrying(area, particles))
     return np.maximum(guess, 0.0)
 
 
 def _too_high(points, guess):
     """Separations [m] at which summits, particles and film each carry far less than the load."""
-    far = np.maximum(guess, points.surfaces.offset)
+    far = np.maximum(guess, points.contact.summits.offset)
     if points.contact.particles is not None:
         far = np.maximum(far, points.contact.particles.reach)
-    return 2.0 * far + 10.0 * points.surfaces.deviation
+    return 2.0 * far + 10.0 * points.contact.summits.deviation
 
 
-def _are_covered(points, separation):
-    """Whether particles leave no room between them at a ``separation`` [m]."""
-    particles = points.contact.particles
-    return particles.leave_no_room(particles.contact(separation)[2])
+def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
+    """Narrow the brackets by Newton's method until no variable differs by more than ``tolerance``.
 
-
-def _enclose(points, guess, low, high, sure, tolerance):
-    """Ends of intervals in which the forces balance, and whether that is certain.
-
-    Newton's method within a bracket.  Forces are too small at ``high``; at ``low`` they are too large if
-    that is ``sure``.  Once a step should leave no error that counts, signs are looked at on either
-    side; where rounding could hide them the interval is widened.
+    Once a step should leave no error that counts, signs are looked at on either side; where rounding
+    could hide them the interval is widened.
     """
-    ends, certain = np.full((len(Ends._fields), 2, guess.size), np.nan), np.zeros(guess.shape, bool)
-    active, last, doubt = np.arange(guess.size), high - low, np.ones(guess.shape)
-    d = guess
+    guess, low, high, sure, held, count, certain = brackets
+    ends = np.full((len(Forces._fields), 2, guess.size), np.nan)
+    fixed = np.flatnonzero(held)
+    if fixed.size:
+        film = points.take(fixed)
+        ends[:, 0, fixed] = _beside_a_film(film.forces(low[fixed], with_areas=True))
+        ends[:, 1, fixed] = _beside_a_film(film.forces(high[fixed], with_areas=True))
+    certain = certain.copy()
+    active = np.flatnonzero(~held & ~np.isnan(low))
+    points = points.take(active)
+    d, low, high, sure = guess[active], low[active], high[active], sure[active]
+    last, doubt = high - low, np.ones(d.shape)
     for iteration in range(MAX_ITERATIONS):
+        if not active.size:
+            break
         forces = points.forces(d)
         size, steepness = np.abs(forces.excess), np.abs(forces.slope)
         more, less = forces.excess > forces.noise, forces.excess < -forces.noise
@@ -187,12 +151,9 @@ def _enclose(points, guess, low, high, sure, tolerance):
         change = step * forces.steepest
         left = change * change * (1.0 + forces.steepest / steepness)
         close = newton & ((left <= CURVED * tolerance) | (size <= 2.0 * forces.noise))
-        narrow = high - low <= NARROW * d
-        d, last = (
-            np.where(newton, new, 0.5 * (low + high)),
-            np.where(newton, step, 0.5 * (high - low)),
-        )
-        final = narrow | (iteration == MAX_ITERATIONS - 1)
+        final = (high - low <= NARROW * d) | (iteration == MAX_ITERATIONS - 1)
+        d = np.where(newton, new, 0.5 * (low + high))
+        last = np.where(newton, step, 0.5 * (high - low))
         (close,) = np.nonzero(close | final)
         if not close.size:
             continue
@@ -200,62 +161,31 @@ def _enclose(points, guess, low, high, sure, tolerance):
         width = doubt * np.maximum(width, NARROW * d)
         a = np.where(final, low, np.fmax(d - width, low))[close]
         b = np.where(final, high, np.fmin(d + width, high))[close]
-        some = points if close.size == d.size else points.take(close)
-        above, below = some.forces(a, True), some.forces(b, True)
+        some = points.take(close)
+        above, below = some.forces(a, with_areas=True), some.forces(b, with_areas=True)
         holds = (above.excess > above.noise) | (sure[close] & (a == low[close]))
         holds &= (below.excess < -below.noise) | (b == high[close])
         done = holds | final[close]
         finished = active[close[done]]
-        ends[:, 0, finished] = _ends_at(some, a, above)[:, done]
-        ends[:, 1, finished] = _ends_at(some, b, below)[:, done]
-        certain[finished] = holds[done]
-        kept = np.ones(d.size, bool)
-        kept[close[done]] = False
-        if not kept.any():
-            break
+        ends[:, 0, finished] = np.stack(above)[:, done]
+        ends[:, 1, finished] = np.stack(below)[:, done]
+        certain[finished] &= holds[done]
         # where a sign is wrong, the search goes on from there
         doubt[close] *= WIDER
         lower, higher = ~done & (above.excess < -above.noise), ~done & (below.excess > below.noise)
         high[close[lower]], low[close[higher]], sure[close[higher]] = a[lower], b[higher], True
         d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
         d[close[higher]] = np.fmin(2.0 * b - a, high[close])[higher]
-        points = points.take(kept)
-        active, d, low, high, sure, last, doubt = (
-            each[kept] for each in (active, d, low, high, sure, last, doubt)
-        )
-    return ends, certain
+        kept = np.ones(d.size, bool)
+        kept[close[done]] = False
+        points, active = points.take(kept), active[kept]
+        d, low, high, sure, last, doubt = (x[kept] for x in (d, low, high, sure, last, doubt))
+    return Balance(Forces(*ends), certain, count)
 
 
-def _ends_at(points, separation, forces):
-    """Rows of ``Ends`` at one separation each."""
-    area, log_beside = points.contact.areas(separation, forces.solids)
-    touching = forces.solids.touching
-    _, area_slope, coverage, _ = np.zeros((4, area.size)) if touching is None else touching
-    return np.stack(
-        [
-            separation,
-            forces.log_solid,
-            forces.log_fluid,
-            forces.solid_noise,
-            forces.rounding,
-            area,
-            log_beside,
-            coverage,
-            forces.solids.slope,
-            area_slope,
-        ]
-    )
-
-
-def _held_ends(points, thin, thick):
-    """Rows of ``Ends`` where a film of known thickness, within rounding, takes what solids leave."""
-    both = []
-    for separation in (thin, thick):
-        forces = points.forces(separation, True)
-        fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
-        less = np.exp(forces.log_solid) / fluid  # F_s/F_f, by which rounding of F_s is magnified
-        forces = forces._replace(
-            log_fluid=np.log(fluid), rounding=forces.rounding + forces.solid_noise * less
-        )
-        both.append(_ends_at(points, separation, forces))
-    return np.stack(both, axis=1)
+def _beside_a_film(forces):
+    """The forces where a film of known thickness, within rounding, takes what solids leave."""
+    fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
+    less = np.exp(forces.log_solid) / fluid  # F_s/F_f, by which rounding of F_s is magnified
+    rounding = forces.rounding + forces.solid_noise * less
+    return np.stack(forces._replace(log_fluid=np.log(fluid), rounding=rounding))

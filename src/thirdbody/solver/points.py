@@ -1,4 +1,4 @@
-"""The points to be solved: what is given of them, and the interface that it describes."""
+"""The points to be solved, and the forces on each at a given separation (Eq. 1)."""
 
 from __future__ import annotations
 
@@ -8,70 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact, SolidLoad
+from thirdbody.model.contact import Contact
 from thirdbody.model.film import EPSILON, INVERSE_ERROR, Film, has_film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
 from thirdbody.solver.summits import RoughSurfaces
-
-
-@dataclass(frozen=True)
-class Conditions:
-    """The five conditions of each point, 1-D arrays of one length.
-
-    Parameters
-    ----------
-    load : array
-        F_t* [1], positive.
-    viscosity : array
-        Kinematic viscosity [m2/s]; 0 where the interface is dry.
-    particle_diameter : array
-        x_a [m]; 0 where there are no particles.
-    roughness : array
-        sigma [m], positive.
-    particle_density : array
-        eta_a [m-2]; 0 where there are no particles.
-    """
-
-    load: NDArray
-    viscosity: NDArray
-    particle_diameter: NDArray
-    roughness: NDArray
-    particle_density: NDArray
-
-    @property
-    def size(self) -> int:
-        """Number of points."""
-        return self.load.size
-
-    @property
-    def are_lubricated(self) -> NDArray:
-        """Whether there is a film, at each point."""
-        return has_film(self.viscosity)
-
-    @property
-    def have_particles(self) -> NDArray:
-        """Whether there are particles, at each point."""
-        return has_particles(self.particle_diameter, self.particle_density)
-
-    @property
-    def kinds(self) -> NDArray:
-        """The kind of each point: 2 if there is a film, and 1 more if there are particles."""
-        return 2 * self.are_lubricated + self.have_particles
-
-    def take(self, chosen) -> Conditions:
-        """Those of the points that a slice, an index or a mask ``chosen`` picks."""
-        return Conditions(*(column[chosen] for column in vars(self).values()))
-
-    def points(self, parameters: Parameters, table_rtol: float | None) -> Points:
-        """The interface at points that all have particles or all have none, and all have a film
-        or all have none; ``table_rtol`` is as in ``make_contact``."""
-        given = self.particle_diameter, self.roughness, self.particle_density
-        contact = make_contact(*given, parameters, table_rtol)
-        film = None
-        if self.are_lubricated[0]:
-            film = Film.of(self.viscosity, self.roughness, parameters)
-        return Points(contact, film, np.log(self.load))
 
 
 def make_contact(
@@ -90,8 +31,7 @@ def make_contact(
     parameters : Parameters
         Inputs of the model.
     table_rtol : float, optional
-        Relative error for which a table of the summits is good, of one roughness that all points
-        share; by default they are integrated.
+        Relative error for which tables of the summits are good; by default they are integrated.
     """
     particles = None
     if has_particles(particle_diameter[0], particle_density[0]):
@@ -101,28 +41,16 @@ def make_contact(
 
 
 class Forces(NamedTuple):
-    """What solids and film carry together at separations d, each of their shape.
+    """What solids and film carry together at separations d: arrays of their shape.
 
-    Attributes
-    ----------
-    excess : array
-        ln((F_s + F_f)/F_t) [1].
-    slope : array
-        d excess/dd [m-1].
-    noise : array
-        What rounding and the tables may change in ``excess`` [1].
-    steepest : array
-        A bound on |d ln v/dd| [m-1] for d and each part v of loads and areas.
-    rounding : array
-        Relative error that rounding and the tables leave in any such part [1].
-    log_solid, log_fluid : array
-        ln(F_s/F_t) and ln(F_f/F_t) [1].
-    solid_noise : array
-        What rounding and the tables may change in ``log_solid`` [1].
-    solids : SolidLoad
-        That of the contact.
+    ``excess`` is ln((F_s + F_f)/F_t) [1], ``slope`` its derivative by d [m-1], and ``noise`` what rounding
+    and tables may change in it.  ``steepest`` bounds |d ln v/dd| [m-1] of d and of each part v of loads
+    and areas, and ``rounding`` is the relative error that rounding and tables leave in any of them.
+    ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1], and ``solid_noise`` is the
+    noise of the first.  The others are those of ``SolidLoad``.
     """
 
+    separation: NDArray
     excess: NDArray
     slope: NDArray
     noise: NDArray
@@ -131,19 +59,40 @@ class Forces(NamedTuple):
     log_solid: NDArray
     log_fluid: NDArray
     solid_noise: NDArray
-    solids: SolidLoad
+    solid_slope: NDArray
+    area: NDArray
+    area_slope: NDArray
+    coverage: NDArray
+    log_beside: NDArray | None
 
 
 @dataclass(frozen=True)
 class Points:
     """Points to be solved, all with or without particles and all with or without a film.
 
-    ``log_load`` is ln F_t* [1], 1-D; ``film`` is None where the interface is dry.
+    ``film`` is None where the interface is dry; ``log_load`` is ln F_t* [1], 1-D.
     """
 
     contact: Contact
     film: Film | None
     log_load: NDArray
+
+    @classmethod
+    def of(
+        cls,
+        load: NDArray,
+        viscosity: NDArray,
+        particle_diameter: NDArray,
+        roughness: NDArray,
+        particle_density: NDArray,
+        parameters: Parameters,
+        table_rtol: float | None,
+    ) -> Points:
+        """The points at five conditions, 1-D and SI; ``table_rtol`` is as in ``make_contact``."""
+        solids = particle_diameter, roughness, particle_density
+        contact = make_contact(*solids, parameters, table_rtol)
+        film = Film.of(viscosity, roughness, parameters) if has_film(viscosity[0]) else None
+        return cls(contact, film, np.log(load))
 
     @property
     def parameters(self) -> Parameters:
@@ -151,15 +100,9 @@ class Points:
         return self.contact.parameters
 
     @property
-    def surfaces(self) -> RoughSurfaces:
-        """The rough surfaces of the points."""
-        return self.contact.summits
-
-    @property
     def shares_load(self) -> bool:
         """Whether the film takes part in the balance: whether W of Eq. 8 holds F_f, not F_t."""
-        film_load = self.parameters.readings.film_load
-        return self.film is not None and film_load.depends_on_shares
+        return self.film is not None and self.parameters.readings.film_load.depends_on_shares
 
     def take(self, chosen) -> Points:
         """The points that an index or mask ``chosen`` picks."""
@@ -168,35 +111,35 @@ class Points:
 
     def forces(self, separation: NDArray, with_areas: bool = False) -> Forces:
         """Eq. 1 at ``separation`` d [m]: F_s (Eqs. 2 and 4) and, where films share the load, F_f of a
-        film of thickness d (Eqs. 7 and 8); ``with_areas`` if those of ``solids`` are wanted too."""
+        film of thickness d (Eqs. 7 and 8)."""
         solids = self.contact.log_solid_load(separation, with_areas)
         log_solid = solids.value - self.log_load
-        noise = solids.noise + self.surfaces.error + 2.0 * EPSILON * np.abs(self.log_load)
+        noise = solids.noise + self.contact.summits.error + 2.0 * EPSILON * np.abs(self.log_load)
         steepest = np.maximum(solids.steepest, 1.0 / separation)
-        rounding = solids.rounding + self.surfaces.error
+        rounding = solids.rounding + self.contact.summits.error
+        others = noise, solids.slope, *solids[5:9]  # to log_beside
         if not self.shares_load:
             nothing = np.full(separation.shape, -np.inf)
-            found = log_solid, solids.slope, noise, steepest, rounding, log_solid, nothing
-            return Forces(*found, noise, solids)
+            excess = log_solid, solids.slope, noise
+            return Forces(separation, *excess, steepest, rounding, log_solid, nothing, *others)
         log_fluid, film_slope, film_noise = self.log_film_load(separation)
         odds = np.exp(-np.abs(log_solid - log_fluid))
         larger = 1.0 / (1.0 + odds)
-        share = np.where(log_solid > log_fluid, larger, odds * larger)  # of the solids
+        fraction = np.where(log_solid > log_fluid, larger, odds * larger)  # of the solids
         return Forces(
+            separation,
             np.maximum(log_solid, log_fluid) + np.log1p(odds),
-            share * solids.slope + (1.0 - share) * film_slope,
-            share * noise + (1.0 - share) * film_noise + 4.0 * EPSILON,
+            fraction * solids.slope + (1.0 - fraction) * film_slope,
+            fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON,
             np.maximum(steepest, np.abs(film_slope)),
             np.maximum(rounding, film_noise),
             log_solid,
             log_fluid,
-            noise,
-            solids,
+            *others,
         )
 
     def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope by d [m-1], and what rounding
-        may change in it."""
+        """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope by d [m-1], and its noise."""
         thickness = separation / self.parameters.ball_radius
         log_parameter, slope = self.film.load_parameter_and_slope(thickness)
         noise = self.film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)
@@ -204,8 +147,7 @@ class Points:
         return log_load, slope / separation, noise + INVERSE_ERROR
 
     def film_separation(self) -> tuple[NDArray, NDArray]:
-        """d = R_x H_c [m] of films that carry the whole load (Eqs. 7 and 8), and the relative error
-        that rounding leaves in it."""
+        """d = R_x H_c [m] of films that carry all of F_t (Eqs. 7 and 8), and its relative rounding."""
         log_parameter = log_load_parameter(self.log_load, self.parameters)
         thickness, slope = self.film.thickness(log_parameter)
         rounding = self.film.rounding(log_parameter, slope / thickness)

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.particles import EPSILON
-from thirdbody.solver.bracketing import bracketed_roots
 from thirdbody.solver.points import Points
 
 SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
@@ -25,18 +24,9 @@ ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sampl
 
 
 class Enclosures(NamedTuple):
-    """Where the largest separations lie, each array 1-D.
-
-    Attributes
-    ----------
-    low, high : array
-        Separations [m] on either side of the largest that balances the forces.
-    count : array of int
-        How many there are.
-    undecided : array of bool
-        Whether rounding leaves open which is the largest, or whether there is any: loads stay so
-        near F_t along a plateau, or at a crest.
-    """
+    """Separations [m] on either side of the largest that balances the forces, the ``count`` of all, and
+    whether rounding leaves it ``undecided`` which is the largest, or whether there is any: loads stay
+    near F_t along a plateau, or at a crest."""
 
     low: NDArray
     high: NDArray
@@ -52,38 +42,24 @@ def may_be_several(points: Points) -> NDArray:
 
 
 def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
-    """Find all separations that balance the forces, and enclose the largest.
+    """Find all separations that balance the forces from ``start`` [m] on, and enclose the largest.
 
-    Parameters
-    ----------
-    points : Points
-        Points with particles.
-    start : array
-        The least separation d [m] to look at.
-    end : array
-        A separation [m] at which all that is there may still bear the load, or not.
-
-    Returns
-    -------
-    Enclosures
-        ``count`` is 0, and ``low`` and ``high`` are nan, where nothing balances from ``start`` on.
-
-    Notes
-    -----
-    The sum of loads is sampled between all places at which its parts change their ways, and again
-    about each extremum that may reach F_t.  Two separations so close together that rounding hides
-    what lies between pass for none in the ``count``.
+    The sum of loads is sampled between all places at which its parts change their ways, to beyond
+    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.  Two
+    separations so close together that rounding hides what lies between pass for none in the
+    ``count``, which is 0 where nothing balances; ``low`` and ``high`` are nan there.
     """
 
     def excess(separation, which):
-        return _excess(separation, points.take(which))
+        forces = points.take(which).forces(separation)
+        return forces.excess, ROUNDED + forces.noise
 
     every = np.arange(start.size)
-    # two bodies together may bear more, farther out, than either of them alone
+    # two bodies together may carry more, farther out, than either of them alone
     end = np.maximum(np.maximum(end, start), points.contact.particles.reach)
-    end = end + points.surfaces.deviation
-    while (bears := excess(end, every)[0] > -ROUNDED).any():
-        end = np.where(bears, 1.25 * end, end)
+    end = end + points.contact.summits.deviation
+    while (carries := excess(end, every)[0] > -ROUNDED).any():
+        end = np.where(carries, 1.25 * end, end)
     places = _places(points, start, end)
     which = np.repeat(every, places.shape[1])
     values, noise = (each.reshape(places.shape) for each in excess(places.ravel(), which))
@@ -97,10 +73,11 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     # a single place next to the separation may be as good as on it
     undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
-    values = _where_room_is_left(points.contact.particles, excess, places, values)
+    values = _where_room_is_left(points, places, values)
     count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
-    np.add.at(count, pairs.point[pairs.certain], 2)
+    point, *_, certain = pairs
+    np.add.at(count, point[certain], 2)
     count = np.maximum(count, found)  # where it balances under full cover alone, or along a plateau
     for index, crest, foot, certain in zip(*pairs, strict=True):
         if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
@@ -110,23 +87,13 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     return Enclosures(low, high, count, undecided)
 
 
-def _where_room_is_left(particles, excess, places, values):
-    """The ``values``, of which those where particles cover everything, which mean nothing, become that
-    where they begin to leave room."""
-
-    def room(separation, which):
-        return 1.0 - particles.take(which).contact(separation)[2] - EPSILON
-
+def _where_room_is_left(points, places, values):
+    """The ``values`` where particles cover everything, which mean nothing, become the next that do."""
     rows, columns = places.shape
-    left = room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
-    covered = (left <= 0.0).sum(axis=1)  # the first ones, as coverage falls with d
-    some = np.flatnonzero((covered > 0) & (covered < columns))
-    low, high = places[some, covered[some] - 1], places[some, covered[some]]
-    edge, _ = bracketed_roots(lambda separation: room(separation, some), low, high, 0.0)
-    there, _ = excess(edge, some)
-    values = values.copy()
-    values[some] = np.where(np.arange(columns) < covered[some, None], there[:, None], values[some])
-    return values
+    particles = points.contact.particles.take(np.repeat(np.arange(rows), columns))
+    room = 1.0 - particles.contact(places.ravel())[2] > EPSILON
+    first = room.reshape(places.shape).argmax(axis=1)[:, np.newaxis]  # coverage falls with d
+    return np.where(np.arange(columns) < first, np.take_along_axis(values, first, axis=1), values)
 
 
 def _last(holds):
@@ -141,15 +108,9 @@ def _changes(signs, known):
     return (signs[:, 1:] != signs[:, :-1]).sum(axis=1)
 
 
-def _excess(separation, points):
-    """ln of the load that is carried at ``separation`` [m] over F_t, and what it may be wrong by."""
-    forces = points.forces(separation)
-    return forces.excess, ROUNDED + forces.noise
-
-
 def _places(points, start, end):
     """Where loads are sampled, increasing from ``start`` to ``end``: a row for each point."""
-    surfaces, particles = points.surfaces, points.contact.particles
+    surfaces, particles = points.contact.summits, points.contact.particles
     alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_PLACES]
     shift = points.parameters.readings.elastic_limits.side * particles.depth
     kinks = [alpha + np.zeros_like(shift) for alpha in alphas]
@@ -157,29 +118,20 @@ def _places(points, start, end):
     places = [particles.mean + alpha * particles.spread for alpha in kinks]
     places += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_PLACES]
     edges = np.sort(np.clip(np.stack([start, *places, end], axis=1), start[:, None], end[:, None]))
-    share = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
-    share = share**2 * (3.0 - 2.0 * share)  # from 0 to 1, closest next to the kinks
-    between = edges[:, :-1, None] + np.diff(edges)[..., None] * share
+    part = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
+    part = part**2 * (3.0 - 2.0 * part)  # from 0 to 1, closest next to the kinks
+    between = edges[:, :-1, None] + np.diff(edges)[..., None] * part
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
 
-class _Pairs(NamedTuple):
-    """Pairs of separations between two samples, at which a crest just reaches F_t or a trough just
-    falls below.
-
-    ``crest`` is a place [m] above F_t and ``foot`` one farther out and below; for a trough, whose
-    separations are not the largest, ``crest`` is 0.  Where it is not ``certain``, F_t is reached to
-    within rounding.
-    """
-
-    point: NDArray
-    crest: NDArray
-    foot: NDArray
-    certain: NDArray
-
-
 def _hidden_pairs(excess, places, values, noise):
-    """The ``_Pairs`` between samples that all are on one side of F_t; a turn within the ``noise`` is none."""
+    """Pairs of separations between samples that all are on one side of F_t, where a crest just reaches
+    F_t or a trough just falls below; a turn within the ``noise`` is none.
+
+    Returns for each pair its point, a place [m] on its crest and one farther out and below, and
+    whether F_t is reached by more than rounding.  The crest is 0 for a trough, whose separations are
+    not the largest.
+    """
     near = np.abs(values)
     rises = np.abs(np.diff(values))
     same = (values[:, :-2] > 0.0) == (values[:, 2:] > 0.0)
@@ -190,7 +142,7 @@ def _hidden_pairs(excess, places, values, noise):
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
-    found = [_Pairs(*np.zeros((4, 0)))]
+    found = [np.zeros((4, 0))]
     for zoom in range(ZOOMS):
         if not point.size:
             break
@@ -207,9 +159,8 @@ def _hidden_pairs(excess, places, values, noise):
         furthest = _last(np.where(certain[:, None], closer < -noise, nearly))
         crest = np.where(sign < 0.0, fine[rows, furthest], 0.0)
         foot = fine[rows, np.minimum(furthest + 1, CLOSER - 1)]
-        pairs = _Pairs(point, crest, foot, certain)
-        found.append(_Pairs(*(column[reached] for column in pairs)))
+        found.append([column[reached] for column in (point, crest, foot, certain)])
         low, high = fine[rows, best - 1], fine[rows, best + 1]
         point, low, high, sign = (column[~reached] for column in (point, low, high, sign))
     point, crest, foot, certain = map(np.concatenate, zip(*found, strict=True))
-    return _Pairs(point.astype(np.intp), crest, foot, certain.astype(bool))
+    return point.astype(np.intp), crest, foot, certain.astype(bool)

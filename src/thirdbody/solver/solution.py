@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import expit
 
-from thirdbody.model.film import THICKEST, log_load_parameter
+from thirdbody.model.film import THICKEST, Film, log_load_parameter
+from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import TINY
 from thirdbody.model.regimes import (
     FILM_COUNTS,
@@ -20,7 +21,7 @@ from thirdbody.model.regimes import (
     gravest_status,
     lubrication_regime,
 )
-from thirdbody.solver.balance import balance_forces
+from thirdbody.solver.balance import Balance
 from thirdbody.solver.points import Points
 
 if TYPE_CHECKING:
@@ -186,20 +187,9 @@ def type_of(variable: str) -> type:
     return np.int8 if variable in WHOLE else float
 
 
-def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
-    """The variables of ``Solution`` at points, by name, as 1-D arrays.
-
-    Parameters
-    ----------
-    points : Points
-        All with or without particles, all with or without a film.
-    tolerance : float
-        Relative error that the solver may leave in any variable.
-    rtol : float
-        Relative error asked for: beyond it points are not converged.
-    """
-    balance = balance_forces(points, tolerance)
-    ends = balance.ends
+def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray]:
+    """The variables of ``Solution`` at points, by name, as 1-D arrays; ``rtol`` was asked for."""
+    ends = balance.forces
     has_particles = points.contact.particles is not None
     solid = expit(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
     fluid = expit(ends.log_fluid - ends.log_solid)
@@ -218,21 +208,21 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
     error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
-    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
-    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
     void = np.isnan(found["separation"])
     no_room = np.zeros(void.shape, bool)
     if has_particles:
         no_room = points.contact.particles.leave_no_room(ends.coverage[1])
-    applies = {
-        "several_separations": balance.count > 1,
-        "outside_film_formula": _outside_film_formula(points, found),
-        "area_exceeded": found["total_contact_area"] > 1.0,
-        "not_converged": ~(error <= rtol),
-        "coverage_exceeded": no_room,
-        "load_exceeded": void & (balance.count == 0),
-    }
-    found["solution_status"] = gravest_status(**applies)
+    add_flags(
+        found,
+        points.film,
+        points.log_load,
+        points.parameters,
+        has_particles,
+        several_separations=balance.count > 1,
+        not_converged=~(error <= rtol),
+        coverage_exceeded=no_room,
+        load_exceeded=void & (balance.count == 0),
+    )
     void |= no_room
     if void.any():
         for name, values in found.items():
@@ -240,6 +230,30 @@ def solved(points: Points, tolerance: float, rtol: float) -> dict[str, NDArray]:
                 otherwise = np.nan if type_of(name) is float else NO_FLAG
                 values[void] = 0 if name == "separation_count" else otherwise
     return found
+
+
+def add_flags(
+    found: dict[str, NDArray],
+    film: Film | None,
+    log_load: NDArray,
+    parameters: Parameters,
+    has_particles: bool,
+    **statuses: NDArray,
+) -> None:
+    """Add regime, mode and status to the variables ``found`` under loads ln F_t* [1].
+
+    ``statuses`` says by name which of them apply beside those that follow from the variables.
+    """
+    found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
+    found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
+    statuses["area_exceeded"] = found["total_contact_area"] > 1.0
+    if film is not None:
+        fluid = found["fluid_load_fraction"]
+        log_fluid = parameters.readings.film_load.log_fraction(np.log(fluid))
+        meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
+        meaningful &= found["film_thickness"] <= THICKEST
+        statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)
+    found["solution_status"] = gravest_status(**statuses)
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
@@ -258,7 +272,7 @@ def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
     apart = np.maximum(width / ends.separation[0], np.maximum(areas, loads))
-    rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.noise), 0.0)
+    rounding = np.maximum(*ends.rounding) + np.where(shared, np.maximum(*ends.solid_noise), 0.0)
     return 0.5 * np.expm1(apart) + rounding
 
 
@@ -269,15 +283,3 @@ def _difference(both):
 def _counted(difference, fraction):
     """The ``difference`` of logarithms where float64 holds all digits of the ``fraction``."""
     return np.where(fraction.max(axis=0) > TINY, difference, 0.0)
-
-
-def _outside_film_formula(points, found):
-    """Whether a film counts where Eq. 7 has no meaning."""
-    if points.film is None:
-        return np.zeros(points.log_load.shape, bool)
-    fraction = found["fluid_load_fraction"]
-    film_load = points.parameters.readings.film_load.log_share(np.log(fraction))
-    meaningful = points.film.is_meaningful(
-        log_load_parameter(points.log_load + film_load, points.parameters)
-    )
-    return ~(meaningful & (found["film_thickness"] <= THICKEST)) & (fraction > FILM_COUNTS)

@@ -7,11 +7,7 @@ from collections.abc import Collection, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.arguments import (
+from thirdbody.conditions.checks import (
     check_named_points,
     check_parameters,
     check_points,
@@ -19,16 +15,24 @@ from thirdbody.solver.arguments import (
     check_variables,
     checked_axis,
 )
-from thirdbody.solver.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
-from thirdbody.solver.points import Conditions
-from thirdbody.solver.solution import VARIABLES, Solution, solved, type_of
-from thirdbody.solver.usual import warn_beyond_usual
+from thirdbody.conditions.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
+from thirdbody.conditions.usual import warn_beyond_usual
+from thirdbody.model.contact import greatest_single_load
+from thirdbody.model.film import has_film
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import has_particles
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.progress import Progress, check_progress
+from thirdbody.solver.balance import bracket, enclose
+from thirdbody.solver.points import Points
+from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
 TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
+CONDITIONS = "load", "viscosity", "particle_diameter", "roughness", "particle_density"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
@@ -117,15 +121,10 @@ def solve(
     """
     check_parameters(parameters)
     check_rtol(rtol)
-    check_variables(variables)
+    check_variables(variables, VARIABLES)
     check_progress(progress)
-    given = {
-        "load": load,
-        "viscosity": viscosity,
-        "particle_diameter": particle_diameter,
-        "roughness": roughness,
-        "particle_density": particle_density,
-    }
+    given = load, viscosity, particle_diameter, roughness, particle_density
+    given = dict(zip(CONDITIONS, given, strict=True))
     # copies, which the caller does not change later
     arrays = {name: np.array(checked_axis(name, each, parameters)) for name, each in given.items()}
     warn_beyond_usual({name: each.max(initial=0.0) for name, each in arrays.items()})
@@ -135,7 +134,7 @@ def solve(
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    return labelled_as(pattern, solution, named)
+    return Solution(**labelled_as(pattern, solution.known), conditions=named)
 
 
 def solve_arrays(
@@ -152,52 +151,47 @@ def solve_arrays(
     by quadrature.
     """
     check_points(arrays)
-    columns = np.broadcast_arrays(*arrays.values())
+    columns = np.broadcast_arrays(*(arrays[name] for name in CONDITIONS))
     shape = columns[0].shape
-    conditions = Conditions(*(column.ravel() for column in columns))
-    result = {name: np.empty(conditions.size, type_of(name)) for name in variables}
+    columns = [column.ravel() for column in columns]
+    load, viscosity, diameter, roughness, density = columns
+    result = {name: np.empty(load.size, type_of(name)) for name in variables}
     # what cannot be computed gets a status
-    with np.errstate(all="ignore"), Progress(conditions.size, "points", progress) as shown:
-        tabulated = _tables_pay(conditions, parameters)
-        task = conditions, parameters, rtol, result, shown.add
-        left = _solve_places(np.flatnonzero(tabulated), rtol, *task)
-        _solve_places(np.concatenate([np.flatnonzero(~tabulated), left]), None, *task)
+    with np.errstate(all="ignore"), Progress(load.size, "points", progress) as shown:
+        three_body = has_particles(diameter, density)
+        kinds = 2 * has_film(viscosity) + three_body
+        single = ~three_body | (load <= greatest_single_load(parameters))
+        by_table = single & _repay_a_table(roughness, single)
+        left = ~by_table
+        for table_rtol, size, tolerance in (
+            (rtol, CHUNK, rtol),
+            (None, QUADRATURE_CHUNK, LEAST_RTOL),
+        ):
+            for piece in _pieces(left if table_rtol is None else by_table, kinds, roughness, size):
+                some = (column[piece] for column in columns)
+                points = Points.of(*some, parameters, table_rtol)
+                balance = enclose(points, bracket(points), tolerance)
+                found = describe(points, balance, rtol)
+                for name, values in result.items():
+                    values[piece] = found[name]
+                if table_rtol is not None:
+                    left[piece] = found["solution_status"] == NOT_CONVERGED
+                shown.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
     solved_variables = {name: values.reshape(shape) for name, values in result.items()}
     return Solution(**solved_variables, conditions=dict(arrays))
 
 
-def _tables_pay(conditions, parameters):
-    """Which points are solved by tables: enough on each roughness, and no more than one separation."""
-    roughness = conditions.roughness
-    if roughness.size < TABLE_WORTH:
-        return np.zeros(roughness.size, bool)
-    single = ~conditions.have_particles | (conditions.load <= greatest_single_load(parameters))
-    if (roughness == roughness[0]).all():
-        return single & (np.count_nonzero(single) >= TABLE_WORTH)
+def _repay_a_table(roughness, counted):
+    """Whether so many ``counted`` points have the roughness of a point that a table is worth it."""
+    if (roughness == roughness[:1]).all():
+        return np.full(roughness.size, np.count_nonzero(counted) >= TABLE_WORTH)
     _, which = np.unique(roughness, return_inverse=True)
-    return single & (np.bincount(which, single)[which] >= TABLE_WORTH)
+    return np.bincount(which, counted)[which] >= TABLE_WORTH
 
 
-def _solve_places(places, table_rtol, conditions, parameters, rtol, result, settled):
-    """Solve the points at ``places`` and store their variables in ``result``.
-
-    Returns the places of those that tables leave unconverged; by quadrature none is left.
-    """
-    by_quadrature = table_rtol is None
-    size, tolerance = (QUADRATURE_CHUNK, LEAST_RTOL) if by_quadrature else (CHUNK, rtol)
-    left = [places[:0]]
-    kinds = conditions.kinds[places]
-    for kind in np.unique(kinds):
-        of_kind = places[kinds == kind]
-        of_kind = of_kind[np.argsort(conditions.roughness[of_kind], kind="stable")]
-        for start in range(0, of_kind.size, size):
-            piece = of_kind[start : start + size]
-            points = conditions.take(piece).points(parameters, table_rtol)
-            found = solved(points, tolerance, rtol)
-            for name, values in result.items():
-                values[piece] = found[name]
-            unconverged = piece[found["solution_status"] == NOT_CONVERGED]
-            if not by_quadrature:
-                left.append(unconverged)
-            settled(piece.size if by_quadrature else piece.size - unconverged.size)
-    return np.concatenate(left)
+def _pieces(chosen, kinds, roughness, size):
+    """Yield the places of ``chosen`` points, of one kind and at most ``size`` at a time, by roughness."""
+    for kind in np.unique(kinds[chosen]):
+        places = np.flatnonzero(chosen & (kinds == kind))
+        places = places[np.argsort(roughness[places], kind="stable")]
+        yield from (places[start : start + size] for start in range(0, places.size, size))

@@ -8,8 +8,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.interpolation import HermiteTable
 from thirdbody.model.asperity import SummitPopulation, area_growth
-from thirdbody.model.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
@@ -21,18 +21,11 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 @dataclass(frozen=True, eq=False)
 class RoughSurfaces:
-    """The summits under each of many points: the ``Summits`` of ``thirdbody.model.contact``.
+    """The summits under each of many points, as ``thirdbody.model.contact`` asks for them.
 
-    Attributes
-    ----------
-    surface : Surface
-        Its columns are scalars where all points share one surface, else have an element a point.
-    population : SummitPopulation
-        The same of the summits.
-    table : HermiteTable or None
-        ln F_ss* and ln A_ss* over t, of one surface after the other; None: by quadrature.
-    which : int or array of int
-        Which of the surfaces in the table a point is on.
+    Columns of ``surface`` and ``population`` are scalars where all points share one surface, else they
+    have an element a point.  ``table`` has ln F_ss* and ln A_ss* over t, of one surface after the
+    other, and ``which`` says on which of them a point is; None: by quadrature.
     """
 
     surface: Surface
@@ -44,21 +37,10 @@ class RoughSurfaces:
     def of(
         cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None
     ) -> RoughSurfaces:
-        """The surfaces of points.
+        """The surfaces of points of ``roughness`` sigma [m], 1-D; tables are good for a relative error
+        ``table_rtol``, and None means by quadrature.
 
-        Parameters
-        ----------
-        roughness : array
-            sigma [m], 1-D.
-        parameters : Parameters
-            Inputs of the model.
-        table_rtol : float or None
-            Relative error for which tables are good; None: by quadrature.
-
-        Raises
-        ------
-        ValueError
-            Where the summit parameter leaves no variance to the summits.
+        Raises ``ValueError`` where the summit parameter leaves no variance to the summits.
         """
         values, which = roughness[:1], 0
         if (roughness == roughness[0]).all():
@@ -80,11 +62,6 @@ class RoughSurfaces:
         return RoughSurfaces(
             self.surface.take(chosen), self.population.take(chosen), self.table, which
         )
-
-    @property
-    def roughness(self):
-        """sigma [m]."""
-        return self.surface.roughness
 
     @property
     def offset(self):

@@ -8,22 +8,20 @@ contact, and points at which the interpolation is not as good as ``rtol``, are s
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicHermiteSpline, PPoly
+from scipy.interpolate import PPoly, make_interp_spline
 
 from thirdbody.model.contact import greatest_single_load
-from thirdbody.model.film import THICKEST, Film, log_load_parameter
+from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import TINY, has_particles, log_bare_share
-from thirdbody.model.regimes import FILM_COUNTS, contact_mode, gravest_status, lubrication_regime
+from thirdbody.model.particles import TINY, has_particles
 from thirdbody.progress import Progress
 from thirdbody.solver.points import make_contact
-from thirdbody.solver.solution import Solution, type_of
-from thirdbody.solver.solve import solve_arrays
+from thirdbody.solver.solution import Solution, add_flags, type_of
+from thirdbody.solver.solve import CONDITIONS, solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
 FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved one by one
@@ -34,15 +32,10 @@ LOWEST = -6.0  # (size - mean)/spread below which particles do not matter
 BESIDE = 1e-12  # relative distance of the separations on both sides of a kink
 SAFETY = 2.0  # times the error in the middle between two separations
 SUMMIT_RTOL = 1e-7  # error of the summits' load and area
-# of dry contact
-NEEDED = (
-    *("separation", "solid_load_fraction", "fluid_load_fraction", "total_contact_area"),
-    *("particle_contact_area_ratio", "surface_contact_area_ratio"),
-    *("solution_status", "error_bound"),
-)
-NEWTON_STEPS = 2  # from between two separations
+SOLIDS = 500  # pairs of particle size and density whose tables are made together
+GUESSES = 200  # separations at which films are known where Newton's method begins
+NEWTON_STEPS = 2
 ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load"  # in memory
-LOAD_SLOPE = 3  # column of a table
 
 
 def is_worthwhile(axes: Mapping[str, NDArray], rtol: float) -> bool:
@@ -83,23 +76,33 @@ def sweep(
     """
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
-    left = np.zeros(shape, bool)
-    with np.errstate(all="ignore"), Progress(left.size, "points", progress) as shown:
+    unsure = np.zeros(shape, bool)
+    dry = np.count_nonzero(axes["viscosity"] == 0.0)  # rows before those with a film
+    sizes, densities = np.meshgrid(*(axes[name] for name in ORDER[:3:2]), indexing="ij")
+    three_body = has_particles(sizes, densities)
+    groups = [
+        some[start : start + SOLIDS]
+        for some in (np.argwhere(three_body), np.argwhere(~three_body))
+        for start in range(0, len(some), SOLIDS)
+    ]
+    with np.errstate(all="ignore"), Progress(unsure.size, "points", progress) as shown:
         for number, roughness in enumerate(axes["roughness"]):
-            surface = _Surface(axes, roughness, parameters, rtol, variables)
-            for place, found, unsure in surface.solids():
-                at = place[0], number, place[1]
-                for name, array in values.items():
-                    array[at] = found[name]
-                left[at] = unsure
-                shown.add(unsure.size)
-        index = np.nonzero(left)
+            surface = _Surface(axes, roughness, parameters)
+            for places in groups:
+                chosen = tuple(places.T)
+                found = surface.solved(sizes[chosen], densities[chosen], rtol, values)
+                for (size, density), states in zip(places, found, strict=True):
+                    at = size, number, density
+                    for name, array in values.items():
+                        array[at][:dry], array[at][dry:] = states[name]
+                    unsure[at][dry:] = states["unsure"]
+                    shown.add(unsure[at].size)
+        index = np.nonzero(unsure)
         if index[0].size:
             given = {name: axes[name][place] for name, place in zip(ORDER, index, strict=True)}
-            given = {name: given[name] for name in axes}
-            solved = solve_arrays(given, parameters, rtol, variables)
+            some = solve_arrays(given, parameters, rtol, variables)
             for name, array in values.items():
-                array[index] = getattr(solved, name)
+                array[index] = getattr(some, name)
     back = [ORDER.index(name) for name in axes]
     return Solution(
         **{name: array.transpose(back) for name, array in values.items()},
@@ -107,204 +110,166 @@ def sweep(
     )
 
 
-@dataclass
 class _Surface:
-    """The points of one roughness."""
+    """All loads and films on a surface of one roughness; arrays have the shape (films, loads)."""
 
-    axes: Mapping[str, NDArray]
-    roughness: float
-    parameters: Parameters
-    rtol: float
-    variables: Collection[str]
-
-    def __post_init__(self):
-        self.load, viscosity = self.axes["load"], self.axes["viscosity"]
+    def __init__(self, axes: Mapping[str, NDArray], roughness: float, parameters: Parameters):
+        self.load, self.roughness, self.parameters = axes["load"], roughness, parameters
         self.log_load = np.log(self.load)
-        self.wet = viscosity > 0.0
-        self.film = Film.of(viscosity[self.wet, np.newaxis], self.roughness, self.parameters)
-        self.log_total = log_load_parameter(self.log_load, self.parameters)  # ln W of F_t
-        thickness, _ = self.film.thickness(self.log_total)
-        self.alone = self.parameters.ball_radius * thickness  # of films that carry all
-        self.shares = self.parameters.readings.film_load.depends_on_shares
+        viscosity = axes["viscosity"][axes["viscosity"] > 0.0]
+        self.film = Film.of(viscosity[:, np.newaxis], roughness, parameters)
+        self.log_total = log_load_parameter(self.log_load, parameters)  # ln W of F_t
+        self.alone = parameters.ball_radius * self.film.thickness(self.log_total)[0]
 
-    def solids(self):
-        """Yield the place of each pair of size and density, its values over viscosity and load by
-        name, and which of these are to be solved one by one."""
-        sizes, densities = np.meshgrid(
-            self.axes["particle_diameter"], self.axes["particle_density"], indexing="ij"
-        )
-        three_body = has_particles(sizes, densities)
-        for kind in (False, True):
-            places = np.argwhere(three_body == kind)
-            chosen = places if kind else places[:1]  # all two-body contacts are the same
-            if not places.size:
-                continue
-            solids = sizes[tuple(chosen.T)], densities[tuple(chosen.T)]
-            dry = self._dry(*solids)
-            for number, table in enumerate(self._tables(*solids, dry["separation"])):
-                found, unsure = self._points(
-                    table, {name: each[1:, number] for name, each in dry.items()}, kind
-                )
-                for place in chosen[number : number + 1] if kind else places:
-                    yield place, found, unsure
-
-    def _dry(self, diameter, density):
-        """Variables of dry contact by name, at half of the least load and at all loads: shape
-        (loads + 1, solids)."""
-        given = {
-            "load": np.append(0.5 * self.load[0], self.load)[:, np.newaxis],
-            "viscosity": np.zeros(1),
-            "particle_diameter": diameter,
-            "roughness": np.full(1, self.roughness),
-            "particle_density": density,
-        }
-        names = dict.fromkeys([*self.variables, *NEEDED])
-        found = solve_arrays(given, self.parameters, self.rtol, names)
-        return {name: getattr(found, name) for name in names}
-
-    def _tables(self, diameter, density, dry):
-        """Yield a table for each of some solids: columns over d.
-
-        These are ln F_ss, A_sa and ln A_ss (the summits beside the particles), their slopes, the
-        relative error of F_s, and that of areas and their ratios.
-        """
+    def solved(
+        self, diameter: NDArray, density: NDArray, rtol: float, variables: Collection[str]
+    ) -> Iterator[dict]:
+        """Yield for each of some solids the values of variables by name, dry and with films, and
+        which points with films are ``unsure``: to be solved one by one."""
+        dry = self._dry(diameter, density, rtol, variables)
+        beyond = self.load > greatest_single_load(self.parameters)
+        films_share = self.parameters.readings.film_load.depends_on_shares
         half = log_load_parameter(np.log(0.5 * self.load[0]), self.parameters)
         farthest = self.parameters.ball_radius * self.film.thickness(half)[0].max()
-        low = np.nan_to_num(0.999 * dry[-1])
-        high = 1.001 * np.fmax(farthest, dry[0])
-        one = np.full_like(diameter, self.roughness)
-        contact = make_contact(diameter, one, density, self.parameters, SUMMIT_RTOL)
+        low = np.nan_to_num(0.999 * dry["separation"][-1])
+        high = 1.001 * np.fmax(farthest, dry["separation"][0])
+        film = [self._log_film(low.min(), high.max())] if films_share else []
+        for number, table in enumerate(self._tables(diameter, density, low, high)):
+            with_particles = bool(has_particles(diameter[number], density[number]))
+            found = (self._by_newton if films_share else self._explicit)(table, *film)
+            add_flags(found, self.film, self.log_load, self.parameters, with_particles)
+            unsure = ~(found["error_bound"] <= rtol)
+            unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
+            unsure |= beyond & with_particles
+            alone = {name: each[1:, number] for name, each in dry.items()}
+            carried = found["fluid_load_fraction"] <= 0.0  # by the solids, at their dry separation
+            if carried.any():
+                for name in variables:
+                    found[name] = np.where(carried, alone[name], found[name])
+            yield {name: (alone[name], found[name]) for name in variables} | {"unsure": unsure}
+
+    def _dry(self, diameter, density, rtol, variables):
+        """Variables of dry contact by name, at half of the least load and at all loads: shape
+        (loads + 1, solids)."""
+        load = np.append(0.5 * self.load[0], self.load)[:, np.newaxis]
+        columns = load, np.zeros(1), diameter, np.full(1, self.roughness), density
+        given = dict(zip(CONDITIONS, columns, strict=True))
+        names = dict.fromkeys([*variables, "separation"])
+        found = solve_arrays(given, self.parameters, rtol, names)
+        return {name: getattr(found, name) for name in names}
+
+    def _tables(self, diameter, density, low, high):
+        """Yield a table for each of some solids, cubic Hermite polynomials over d from ``low`` to ``high``.
+
+        Its columns are ln F_ss, A_sa and ln A_ss (the summits beside the particles), their slopes, the
+        relative error of F_s, and that of areas and their ratios.
+        """
+
+        def contact(solid):
+            columns = diameter[solid], np.full(solid.size, self.roughness), density[solid]
+            return make_contact(*columns, self.parameters, SUMMIT_RTOL)
+
+        every = contact(np.arange(diameter.size))
         separations = [
-            _separations(*ends, self.roughness, contact.particles, solid)
+            _separations(*ends, self.roughness, every.particles, solid)
             for solid, ends in enumerate(zip(low, high, strict=True))
         ]
-        middles = [0.5 * (each[:-1] + each[1:]) for each in separations]
-        d = np.concatenate([*separations, *middles])
-        counts = [each.size for each in (*separations, *middles)]
-        solid = np.repeat(np.tile(np.arange(diameter.size), 2), counts)
-        contact = make_contact(
-            diameter[solid], one[solid], density[solid], self.parameters, SUMMIT_RTOL
+        stops = np.cumsum([each.size for each in separations])
+        solid = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
+        d = np.concatenate(separations)
+        value, slope = np.split(_parts(contact(solid), d), 2, axis=1)
+        # each cell, also those from one solid to the next, which nobody uses
+        width, rise = np.diff(d)[:, np.newaxis], np.diff(value, axis=0)
+        middle = 0.5 * (value[:-1] + value[1:]) - 0.125 * width * np.diff(slope, axis=0)
+        between = _parts(contact(solid[:-1]), d[:-1] + 0.5 * width[:, 0])
+        errors = _errors(middle, between, self.parameters.particle_pressure)
+        steepness = slope[:-1] + slope[1:] - 2.0 * rise / width
+        cubic = steepness / width**2
+        square = (rise / width - slope[:-1] - steepness) / width
+        nothing = np.zeros_like(cubic)
+        columns = (
+            [cubic, nothing, nothing[:, :2]],
+            [square, 3.0 * cubic, nothing[:, :2]],
+            [slope[:-1], 2.0 * square, nothing[:, :2]],
+            [value[:-1], slope[:-1], errors],
         )
-        pieces = np.split(_parts(contact, d), np.cumsum(counts)[:-1])
-        pressure = self.parameters.particle_pressure
-        for place, middle, known, between in zip(
-            separations, middles, pieces[: diameter.size], pieces[diameter.size :], strict=True
-        ):
-            unknown = ~np.isfinite(known).all(axis=1)
-            known[unknown] = 0.0
-            curve = CubicHermiteSpline(place, known[:, :3], known[:, 3:6])
-            errors = _errors(curve(middle), between, pressure)
-            errors[unknown[:-1] | unknown[1:]] = np.inf
-            order, cells, _ = curve.c.shape
-            slopes = np.zeros_like(curve.c)
-            slopes[1:] = curve.c[:-1] * np.arange(order - 1, 0, -1)[:, np.newaxis, np.newaxis]
-            constant = np.zeros((order, cells, 2))
-            constant[-1] = errors
-            yield PPoly(np.concatenate([curve.c, slopes, constant], axis=2), place)
+        powers = np.stack([np.concatenate(each, axis=1) for each in columns])
+        for places, stop in zip(separations, stops, strict=True):
+            cells = slice(stop - places.size, stop - 1)
+            yield PPoly.construct_fast(np.ascontiguousarray(powers[:, cells]), places)
 
-    def _points(self, table, dry, has_particles):
-        """Variables over viscosity and load by name, and which points to solve one by one."""
-        found = (self._shared if self.shares else self._total)(table, dry)
-        fluid, d = found["fluid_load_fraction"], found["separation"]
-        share = self.parameters.readings.film_load.log_share(np.log(fluid))
-        outside = ~self.film.is_meaningful(self.log_total + share)
-        found["film_thickness"] = d / self.parameters.ball_radius
-        outside |= found["film_thickness"] > THICKEST
-        own = gravest_status(
-            area_exceeded=found["total_contact_area"] > 1.0,
-            outside_film_formula=outside & (fluid > FILM_COUNTS),
-        )
-        solid = found["solid_load_fraction"]
-        found["solution_status"] = np.where(solid == 1.0, dry["solution_status"], own)
-        found["lubrication_regime"] = lubrication_regime(solid)
-        found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
-        found["separation_count"] = np.ones(d.shape, np.int8)
-        unsure = ~(found["error_bound"] <= self.rtol)
-        unsure |= found["total_contact_area"] < TINY  # where float64 loses digits
-        if has_particles:
-            unsure |= self.load > greatest_single_load(self.parameters)
-        if self.wet.all():
-            return found, unsure
-        places = np.cumsum(self.wet) - 1
-        return (
-            {
-                name: np.where(self.wet[:, np.newaxis], found[name][places], dry[name])
-                for name in self.variables
-            },
-            np.where(self.wet[:, np.newaxis], unsure[places], False),
-        )
-
-    def _total(self, table, dry):
+    def _explicit(self, table):
         """Eq. 1 where the film's thickness follows from the total load: d is known."""
         d = np.clip(self.alone, table.x[0], table.x[-1])
         log_summits, area, log_area, *_, load_error, area_error = np.moveaxis(table(d), -1, 0)
         solid = self._summits(log_summits) + self._particles(area)
         fluid = 1.0 - solid
-        summit_area = np.exp(log_area)
-        total_area = area + summit_area
-        found = {
-            "separation": d,
-            "solid_load_fraction": solid,
-            "fluid_load_fraction": fluid,
-            "total_contact_area": total_area,
-            "particle_contact_area_ratio": area / total_area,
-            "surface_contact_area_ratio": summit_area / total_area,
-            "error_bound": area_error + load_error * np.maximum(1.0, solid / fluid),
-        }
-        carried = fluid <= 0.0  # by the solids alone, at their dry separation
-        for name, values in found.items():
-            found[name] = np.where(carried, dry[name], values)
-        found["error_bound"][np.abs(fluid) <= load_error] = np.inf
-        return found
+        error = area_error + load_error * np.maximum(1.0, solid / fluid)
+        error[np.abs(fluid) <= load_error] = np.inf
+        return self._variables(d, solid, fluid, area, np.exp(log_area), error)
 
-    def _shared(self, table, dry):
+    def _by_newton(self, table, log_film):
         """Eq. 1 where the film's thickness follows from its own load: Newton's method for ln L_f.
 
-        It begins between two separations of the table.
+        What follows from the last change of d is expanded about the place before it.
         """
-        radius = self.parameters.ball_radius
-        log_summits, area = table(table.x)[:, :2].T
+        radius, low, high = self.parameters.ball_radius, table.x[0], table.x[-1]
+        log_summits, area, *_ = table(table.x[::-1]).T
         log_solid = np.logaddexp(log_summits, np.log(area * self.parameters.particle_pressure))
-        log_film = self.film.load_parameter(table.x / radius)
-        log_film = log_film - log_load_parameter(0.0, self.parameters)
+        log_film = log_film(table.x[::-1])
+        held = np.logaddexp(np.nan_to_num(log_solid, nan=np.inf, neginf=-np.inf), log_film)
         log_fluid = np.empty(self.alone.shape)
-        for guess, film in zip(log_fluid, log_film, strict=True):
-            held = np.logaddexp(log_solid, film)[::-1]
-            guess[:] = np.interp(self.log_load, held, film[::-1]) - self.log_load
+        for guess, loads, film in zip(log_fluid, held, log_film, strict=True):
+            guess[:] = np.interp(self.log_load, loads, film) - self.log_load
+        log_fluid = np.minimum(log_fluid, 0.0)
         step = np.inf
         for _ in range(NEWTON_STEPS):
             thickness, widening = self.film.thickness(self.log_total + log_fluid)
             d, widening = radius * thickness, radius * widening
-            columns = np.moveaxis(table(np.clip(d, table.x[0], table.x[-1])), -1, 0)
+            columns = np.moveaxis(table(np.clip(d, low, high)), -1, 0)
             log_summits, area, log_area, slope, area_slope, log_area_slope, *errors = columns
             summits, fluid = self._summits(log_summits), np.exp(log_fluid)
             solid = summits + self._particles(area)
             total = solid + fluid
-            slope = (summits * slope + self._particles(area_slope)) / solid  # d ln F_s/dd
-            gain = (solid * slope * widening + fluid) / total
+            fall = (summits * slope + self._particles(area_slope)) / solid  # d ln F_s/dd
+            gain = (solid * fall * widening + fluid) / total
             last, step = step, -np.log(total) / gain
             log_fluid = log_fluid + step
-        change = widening * step  # of d; what follows from it is expanded about the last place
+        change = widening * step  # of d
         steepest = np.where(area > 0.0, np.abs(area_slope) / area, 0.0)
-        for each in (columns[LOAD_SLOPE], log_area_slope, 1.0 / d):
+        for each in (slope, log_area_slope, 1.0 / d):
             steepest = np.maximum(steepest, np.abs(each))
-        area = np.maximum(area + area_slope * change, 0.0)
-        summit_area = np.exp(log_area + log_area_slope * change)
-        total_area = area + summit_area
         fluid = np.exp(log_fluid)
-        solid = np.where(fluid < 0.5, 1.0 - fluid, solid * np.exp(slope * change))
+        solid = np.where(fluid < 0.5, 1.0 - fluid, solid * np.exp(fall * change))
+        area = np.maximum(area + area_slope * change, 0.0)
         load_error, area_error = errors
-        unknown = 2.0 * step**2 / np.abs(last) + load_error * solid / gain  # of ln L_f
-        magnified = np.maximum(1.0, steepest * np.abs(widening))
+        unknown = 2.0 * step**2 / (np.abs(last) + TINY) + load_error * solid / gain  # of ln L_f
+        error = area_error + load_error + unknown * np.maximum(1.0, steepest * np.abs(widening))
+        error += (steepest * change) ** 2
+        summit_area = np.exp(log_area + log_area_slope * change)
+        return self._variables(d + change, solid, fluid, area, summit_area, error)
+
+    def _variables(self, d, solid, fluid, area, summit_area, error):
+        """Variables by name (Eqs. 3, 9 and 10)."""
+        total_area = area + summit_area
         return {
-            "separation": d + change,
+            "separation": d,
+            "film_thickness": d / self.parameters.ball_radius,
             "solid_load_fraction": solid,
             "fluid_load_fraction": fluid,
             "total_contact_area": total_area,
             "particle_contact_area_ratio": area / total_area,
             "surface_contact_area_ratio": summit_area / total_area,
-            "error_bound": area_error + load_error + unknown * magnified + (steepest * change) ** 2,
+            "separation_count": np.ones(d.shape, np.int8),
+            "error_bound": error,
         }
+
+    def _log_film(self, low, high):
+        """ln F_f* of films over the separation [m], with an error that Newton's method removes."""
+        places = np.geomspace(max(low, 0.5 * self.alone.min()), high, GUESSES)
+        log_film = self.film.load_parameter(places / self.parameters.ball_radius)
+        log_film -= log_load_parameter(0.0, self.parameters)
+        return make_interp_spline(places, log_film, k=1, axis=-1)
 
     def _summits(self, log_load):
         """Fraction of F_t that the summits carry."""
@@ -340,42 +305,22 @@ def _parts(contact, d):
 
     nan where particles cover everything.
     """
-    t = contact.summit_separation(d)
-    log_load, load_slope = contact.summits.log_load(t)
-    log_area, area_slope = contact.summits.log_area(t)
-    deviation = contact.summits.deviation
-    load_slope, area_slope = load_slope / deviation, area_slope / deviation
-    if contact.particles is None:
-        nothing = np.zeros_like(d)
-        parts = log_load, nothing, log_area, load_slope, nothing, area_slope
-        return np.stack(parts, axis=1)
-    area, slope, *coverage = contact.particles.contact(d)
-    bare_load, bare_load_slope = contact.particles.log_bare_load(*coverage)  # Eq. 4
-    bare_area, bare_area_slope = log_bare_share(*coverage)  # Eq. 5
-    parts = np.stack(
-        [
-            log_load + bare_load,
-            area,
-            log_area + bare_area,
-            load_slope + bare_load_slope,
-            slope,
-            area_slope + bare_area_slope,
-        ],
-        axis=1,
-    )
-    parts[contact.particles.leave_no_room(coverage[0])] = np.nan
+    solids = contact.log_solid_load(d, with_areas=True)
+    values = solids.log_load_beside, solids.area, solids.log_beside
+    slopes = solids.load_beside_slope, solids.area_slope, solids.beside_slope
+    parts = np.stack([*values, *slopes], axis=1)
+    if contact.particles is not None:
+        parts[contact.particles.leave_no_room(solids.coverage)] = np.nan
     return parts
 
 
 def _errors(found, true, pressure):
     """Bounds on the relative error of F_s, and of areas and their ratios, from those in the middle
     between separations: shape (n, 2)."""
-    load = np.exp(found[:, 0] - true[:, 0]) - 1.0
-    area = np.where(true[:, 1] > 0.0, found[:, 1] / true[:, 1] - 1.0, 0.0)
-    odds = np.exp(np.log(pressure * true[:, 1]) - true[:, 0])  # of particles to summits
-    fraction = np.where(odds > 0.0, odds / (1.0 + odds), 0.0)
-    fraction = np.where(np.isinf(odds), 1.0, fraction)
-    load_error = np.abs(load * (1.0 - fraction) + area * fraction)
-    area_error = np.abs(area) + np.abs(found[:, 2] - true[:, 2])
+    summits, area = np.exp(true[:, 0]), pressure * true[:, 1]
+    load = summits * np.expm1(found[:, 0] - true[:, 0]) + pressure * (found[:, 1] - true[:, 1])
+    load_error = np.where(summits + area > 0.0, np.abs(load) / (summits + area), 0.0)
+    area_error = np.where(area > 0.0, np.abs(found[:, 1] / true[:, 1] - 1.0), 0.0)
+    area_error += np.abs(found[:, 2] - true[:, 2])
     errors = SAFETY * np.stack([load_error, area_error], axis=1) + SUMMIT_RTOL
     return np.where(np.isfinite(errors), errors, np.inf)

@@ -16,8 +16,6 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     import xarray as xr
 
-    from thirdbody.solver.solution import Solution
-
 
 def is_labelled(given: Any) -> bool:
     """Whether ``given`` is a ``DataArray`` or ``Variable`` of xarray."""
@@ -81,12 +79,6 @@ def broadcast_by_name(conditions: Mapping[str, Any]) -> tuple[dict[str, NDArray]
     return {**conditions, **found}, pattern
 
 
-def labelled_as(pattern: xr.DataArray, solution: Solution, named: Mapping[str, Any]) -> Solution:
-    """The ``solution`` with each of its arrays as a ``DataArray`` like ``pattern``.
-
-    Its conditions are those with names, ``named``.
-    """
-    found = {
-        name: pattern.copy(data=values).rename(name) for name, values in solution.known.items()
-    }
-    return type(solution)(**found, conditions=named)
+def labelled_as(pattern: xr.DataArray, found: Mapping[str, NDArray]) -> dict[str, xr.DataArray]:
+    """The arrays ``found``, by name, each as a ``DataArray`` like ``pattern``."""
+    return {name: pattern.copy(data=values).rename(name) for name, values in found.items()}

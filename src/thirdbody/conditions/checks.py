@@ -12,12 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.conditions.labelled import is_labelled
+from thirdbody.conditions.units import without_unit
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
-from thirdbody.solver.labelled import is_labelled
-from thirdbody.solver.solution import VARIABLES
-from thirdbody.solver.units import without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 PLAIN_NUMBERS = float, int, np.float64
@@ -32,7 +31,7 @@ def check_parameters(parameters: Any) -> None:
         raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
 
 
-def check_variables(variables: Any, known: Collection[str] = VARIABLES) -> None:
+def check_variables(variables: Any, known: Collection[str]) -> None:
     """Raises ``ValueError`` unless ``variables`` is a collection of names out of ``known``."""
     check_names("variables", variables, known)
 
