@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims
-from thirdbody.figures.sheet.saving import drawn_points
+from thirdbody.figures.drawing import drawn_points
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 

@@ -16,12 +16,12 @@ from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
-from thirdbody.data.section import sections
+from thirdbody.figures.sections import sections
 from thirdbody.figures import charts
 from thirdbody.figures.captions import CAPTIONS, caption_text
 from thirdbody.figures.marks import condition_key
 from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
-from thirdbody.figures.sheet.saving import SUFFIXES, drawn_points, save
+from thirdbody.figures.drawing import SUFFIXES, drawn_points, save
 from thirdbody.figures.shown import shown_curves
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows

@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from thirdbody.data.schematic import read_sections, write_sections
-from thirdbody.data.section import section_through, sections, solved_state
+from thirdbody.figures.section_file import read_sections, write_sections
+from thirdbody.figures.sections import section_through, sections, solved_state
 
 # the s-s, p-s and hybrid modes of figure 2
 MODES = [

@@ -15,7 +15,7 @@ from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.conditions import Condition
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
-from thirdbody.figures.sheet.saving import drawn_points
+from thirdbody.figures.drawing import drawn_points
 from thirdbody.solver.solve import solve
 from thirdbody.study.checks import Curve
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT

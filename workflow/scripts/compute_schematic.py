@@ -3,8 +3,8 @@
 from thirdbody.run.job import logged
 
 from thirdbody.data.files import whole
-from thirdbody.data.schematic import write_sections
-from thirdbody.data.section import sections
+from thirdbody.figures.section_file import write_sections
+from thirdbody.figures.sections import sections
 from thirdbody.model.parameters import Parameters
 
 

@@ -7,7 +7,7 @@ import matplotlib.style
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.accuracy import plot
 from thirdbody.figures.captions import caption_text
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 
 
 def render(errors, times, style, stem):

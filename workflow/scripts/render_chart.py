@@ -8,7 +8,7 @@ from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import CHARTS, chart_panels
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.charts import plot
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 
 
 def render(chart, catalogue, charts, style, stem):

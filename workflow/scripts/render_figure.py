@@ -10,7 +10,7 @@ from thirdbody.figures.captions import caption_text
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 
 
 def render(figure, dataset, turning_points, printed, windows, style, stem, band):

@@ -9,7 +9,7 @@ import matplotlib.style
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.fronts import plot
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 
 
 def render(default, calibrated, style, stem):

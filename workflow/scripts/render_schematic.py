@@ -4,10 +4,10 @@ from thirdbody.run.job import logged
 
 import matplotlib.style
 
-from thirdbody.data.schematic import read_sections
+from thirdbody.figures.section_file import read_sections
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.registry import SCHEMATICS
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 
 
 def render(figure, sections, style, stem):

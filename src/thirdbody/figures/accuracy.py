@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.sheet.naming import power_text
+from thirdbody.figures.naming import power_text
 from thirdbody.figures.sheet.panel import FURNITURE, Panel
 
 SIZE = (7.0, 4.3)  # inches

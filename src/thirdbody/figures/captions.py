@@ -15,9 +15,9 @@ from matplotlib.figure import Figure
 
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures.marks import MARKS, STATUS_MARKS
-from thirdbody.figures.sheet.naming import SUPERSCRIPTS, note, value_text
+from thirdbody.figures.naming import SUPERSCRIPTS, note, value_text
 from thirdbody.figures.sheet.panel import NamedOutlines, NamedPoints, Panel
-from thirdbody.figures.sheet.scales import SCALES
+from thirdbody.figures.scales import SCALES
 from thirdbody.figures.shown import shown_curves
 
 if TYPE_CHECKING:  # figures without a dataset do without

@@ -14,9 +14,9 @@ from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import note, parameter_title, value_text
+from thirdbody.figures.naming import note, parameter_title, value_text
 from thirdbody.figures.sheet.panel import panel_figure
-from thirdbody.figures.sheet.styles import LIGHTEST, MARKERS, TINT
+from thirdbody.figures.styles import LIGHTEST, MARKERS, TINT
 
 MARK_EVERY = 12  # loads
 BAND = ("90 % of the ensemble", {"color": "0.82", "linewidth": 6.0, "solid_capstyle": "butt"})

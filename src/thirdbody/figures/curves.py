@@ -22,10 +22,10 @@ from thirdbody.figures.marks import (
 )
 from thirdbody.figures.printed import draw_printed, draw_printed_windows
 from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import parameter_title, shared_notes
+from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.sheet.panel import Panel, panel_figure
-from thirdbody.figures.sheet.scales import SCALES
-from thirdbody.figures.sheet.styles import Styles
+from thirdbody.figures.scales import SCALES
+from thirdbody.figures.styles import Styles
 from thirdbody.figures.shown import Curve, shown_curves, with_relative_area
 
 MARKERS_PER_CURVE = 7

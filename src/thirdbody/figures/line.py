@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.files import whole
 from thirdbody.data.quantities import NORMAL_LOAD, QUANTITIES
-from thirdbody.figures.sheet.naming import parameter_title
-from thirdbody.figures.sheet.saving import OPTIONS
-from thirdbody.figures.sheet.scales import SCALES
+from thirdbody.figures.naming import parameter_title
+from thirdbody.figures.drawing import OPTIONS
+from thirdbody.figures.scales import SCALES
 
 SIZE = (7.0, 5.2)  # inches
 SHOWN = (

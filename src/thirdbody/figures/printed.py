@@ -17,8 +17,8 @@ from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.marks import PRINTED, condition_key
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
-from thirdbody.figures.sheet.scales import SCALES
-from thirdbody.figures.sheet.styles import Styles
+from thirdbody.figures.scales import SCALES
+from thirdbody.figures.styles import Styles
 from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 

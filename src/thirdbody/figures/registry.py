@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.schematic import Section
+from thirdbody.figures.section_file import Section
 from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
 from thirdbody.figures.shown import AREA_OVER_TWO_BODY, shown_curves

@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.data.schematic import Section
+from thirdbody.figures.section_file import Section
 from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import label, notes, shared_notes
+from thirdbody.figures.naming import label, notes, shared_notes
 from thirdbody.figures.sheet.panel import FURNITURE, Panel, panel_figure
 
 MODE_EDGES = {"left": 0.03, "right": 0.97, "bottom": 0.03, "top": 0.89}

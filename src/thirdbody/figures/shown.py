@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import shown_combinations
-from thirdbody.figures.sheet.naming import label
+from thirdbody.figures.naming import label
 
 AREA = "total_contact_area"
 AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"

@@ -22,7 +22,7 @@ from matplotlib.text import Text
 from matplotlib.transforms import Affine2D
 from numpy.typing import NDArray
 
-from thirdbody.figures.sheet.scales import NEWTONS, SCALES, Scale
+from thirdbody.figures.scales import NEWTONS, SCALES, Scale
 from thirdbody.figures.sheet.symbols import Symbol, outline
 
 FURNITURE = "_furniture"  # label of artists that carry no data

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import VARIABLES
-from thirdbody.figures.sheet.naming import power_text
+from thirdbody.figures.naming import power_text
 from thirdbody.figures.sheet.symbols import Symbol
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.schematic import Particle, Section, State
+from thirdbody.figures.section_file import Particle, Section, State
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 from thirdbody.solver.plan import REPEATABLE

@@ -1,6 +1,6 @@
 """Sections through interfaces, as schematics show them, and the file that keeps them.
 
-What is computed (``thirdbody.data.section``) and what is drawn (``thirdbody.figures.schematics``)
+What is computed (``thirdbody.figures.sections``) and what is drawn (``thirdbody.figures.schematics``)
 meet in this file: numbers of full precision, a section a panel.
 """
 

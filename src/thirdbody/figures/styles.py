@@ -11,7 +11,7 @@ from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
-from thirdbody.figures.sheet.naming import value_text
+from thirdbody.figures.naming import value_text
 
 MARKERS = "osv^DX<>PphHd8"
 LIGHTEST = 0.87  # of the colour map: beyond it lines fade on white
