@@ -6,7 +6,7 @@ import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.accuracy import plot
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 
 
@@ -14,8 +14,7 @@ def render(errors, times, style, stem):
     """Draw both tables in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     tables = read_csv(errors, TABLES["errors"]), read_csv(times, TABLES["times"])
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(*tables)
-        save(drawn, stem, caption_text("accuracy", drawn))
+        save(plot(*tables), stem, caption("accuracy"))
     print(f"{len(tables[1])} points drawn")
 
 

@@ -1,122 +1,136 @@
-"""The one place that saves: three formats and the data drawn, with the same bytes every time."""
+"""A drawing: a figure, the data that it shows panel by panel, and the files written of both."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+import csv
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-# the canvases that ``savefig`` takes for the formats below
-import matplotlib.backends.backend_agg
-import matplotlib.backends.backend_pdf
-import matplotlib.backends.backend_svg  # noqa: F401
 import numpy as np
-from fontTools import subset
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from thirdbody.data.conditions import Condition
 from thirdbody.data.files import whole
 from thirdbody.data.tables import DRAWN_POINTS
-from thirdbody.figures.sheet.panel import NamedBars, NamedOutlines, NamedPoints, Panel
 
-# what each format is saved with: no date or version, and PNG compressed where it costs little
-OPTIONS = {
-    "svg": {"metadata": {"Date": None}},
-    "pdf": {"metadata": {"CreationDate": None}},
-    "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
-}
-# Tables that place the letters of a font.  In a drawing each letter has its place: matplotlib would
-# cut them down to the letters used, which takes a third of the time of a figure, and never read them.
-PLACING = ["GDEF", "GPOS", "GSUB", "MATH", "kern"]
-SUFFIXES = tuple(f".{kind}" for kind in (*OPTIONS, "csv", "md"))
+if TYPE_CHECKING:
+    from thirdbody.figures.captions import Caption
+
+STYLE = Path(__file__).with_name("paper.mplstyle")
+# without dates, so that the same figure gives the same bytes
+METADATA = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {"Software": None}}
+SUFFIXES = tuple(f".{kind}" for kind in (*METADATA, "csv", "md"))
+CURVE = "curve"
 
 
-def save(figure: Figure, stem: str | PathLike, caption: str) -> None:
-    """Write a figure in three formats, the data that it shows, and what stands below it.
+@dataclass(frozen=True, eq=False)
+class Series:
+    """Points that a panel shows under one name.
 
-    Parameters
+    Attributes
     ----------
-    figure : Figure
-        A sheet whose axes are all ``Panel``.
-    stem : path
-        Path without its ending: ``.svg``, ``.pdf``, ``.png``, ``.csv`` and ``.md`` appear together.
-    caption : str
-        Text of the ``.md``.
+    kind : str
+        ``CURVE``, or what else they are: "band", "turning points", "printed", ...
+    name : str
+        Whose they are; empty where the kind says enough.
+    x, y : ndarray, shape (n,)
+        The points, SI.
+    condition : Condition, optional
+        The condition of the curve that they belong to.
+    """
+
+    kind: str
+    name: str
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    condition: Condition | None = None
+
+    @property
+    def label(self) -> str:
+        """Name in the file of the drawn data."""
+        if self.kind == CURVE:
+            return self.name
+        return f"{self.kind}; {self.name}" if self.name else self.kind
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """A panel: its letter and title, the names of the quantities on its axes, and what it shows."""
+
+    letter: str
+    title: str
+    x: str
+    y: str
+    series: tuple[Series, ...]
+
+    @property
+    def is_over_sizes(self) -> bool:
+        """Whether it shows turning points over x_a/σ."""
+        return self.x == "diameter_ratio"
+
+    def of_kind(self, kind: str) -> list[Series]:
+        """The series of one kind."""
+        return [one for one in self.series if one.kind == kind]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure and its panels, in the order of ``figure.axes``."""
+
+    figure: Figure
+    panels: tuple[Panel, ...]
+
+
+def grid_of_axes(count: int, cell: tuple[float, float], columns: int = 2) -> Figure:
+    """A figure with ``count`` axes in rows, each in a ``cell`` of this width and height [inches]."""
+    rows = math.ceil(count / columns)
+    figure = Figure(figsize=(columns * cell[0], rows * cell[1]), layout="constrained")
+    for place in range(1, count + 1):
+        figure.add_subplot(rows, columns, place)
+    return figure
+
+
+def title_axes(axes: Axes, panel: Panel) -> None:
+    """Write the letter and the title of a panel above its axes."""
+    axes.set_title(f"({panel.letter})  {panel.title}", loc="left")
+
+
+def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md.
 
     Raises
     ------
     OSError
         If there is no room or no right to write.
     """
-    with (
-        _fonts_without_placing(),
-        whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*drawings, data, text),
-    ):
-        for drawing, (kind, options) in zip(drawings, OPTIONS.items(), strict=True):
-            figure.savefig(drawing, format=kind, **options)
-        write_drawn_data(figure, data)
-        Path(text).write_text(caption, encoding="utf-8")
+    drawing.figure.draw_without_rendering()
+    drawing.figure.set_layout_engine(None)  # once for all formats
+    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
+        for image, kind in zip(images, METADATA, strict=True):
+            save_image(drawing.figure, image, kind)
+        write_points(drawing.panels, data)
+        Path(text).write_text(caption.markdown(), encoding="utf-8")
 
 
-@contextmanager
-def _fonts_without_placing() -> Iterator[None]:
-    """Have matplotlib cut down fonts that never had the tables ``PLACING``."""
-    load = subset.load_font
-
-    def load_font(*given, **options):
-        font = load(*given, **options)
-        for table in {*PLACING} & {*font.keys()}:
-            del font[table]
-        return font
-
-    subset.load_font = load_font
-    try:
-        yield
-    finally:
-        subset.load_font = load
+def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
+    """Write a figure as one of ``METADATA``: the same figure gives the same bytes."""
+    figure.savefig(path, format=kind, metadata=METADATA[kind])
 
 
-def write_drawn_data(figure: Figure, path: str | PathLike) -> None:
-    """Write every drawn point as a row of ``DRAWN_POINTS``, in SI, with ten significant digits."""
+def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
+    """Write every point drawn as a row of ``DRAWN_POINTS``, in SI, with ten significant digits."""
     with open(path, "w", encoding="utf-8", newline="") as stream:
-        stream.write(",".join(column.name for column in DRAWN_POINTS) + "\n")
-        for panel in figure.axes:
-            for label, points in drawn_points(panel):
-                names = (panel.letter, label, panel.x_name, panel.y_name)
-                letter, curve, x_name, y_name = map(_quoted, names)
-                # all points of a curve in one step: one by one, numbers take long to write
-                row = f"{letter},{curve},{x_name},%.10g,{y_name},%.10g\n"
-                stream.write(row * len(points) % tuple(points.ravel().tolist()))
-
-
-def _quoted(text: str) -> str:
-    """``text`` as a field of a CSV file, within a format for numbers."""
-    if any(letter in text for letter in ',"\n'):
-        text = '"' + text.replace('"', '""') + '"'
-    return text.replace("%", "%%")
-
-
-def drawn_points(panel: Panel) -> Iterator[tuple[str, NDArray[np.float64]]]:
-    """What a panel shows.
-
-    Yields
-    ------
-    str, ndarray of shape (n, 2)
-        Label and points of each artist that stands for data: lines, unless their label starts
-        with an underscore, and what has names.
-    """
-    for line in panel.lines:
-        if isinstance(line, NamedPoints):
-            for name, point in zip(line.names, line.get_xydata(), strict=True):
-                yield name, _known(point[np.newaxis])
-        elif not line.get_label().startswith("_"):
-            yield line.get_label(), _known(line.get_xydata())
-    for outlines in panel.collections:
-        if isinstance(outlines, NamedBars | NamedOutlines):
-            for name, path in zip(outlines.names, outlines.get_paths(), strict=True):
-                yield name, _known(path.vertices)
-
-
-def _known(points):
-    return points[np.isfinite(points).all(axis=1)]
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(column.name for column in DRAWN_POINTS)
+        for panel in panels:
+            for series in panel.series:
+                known = np.isfinite(series.x) & np.isfinite(series.y)
+                for x, y in zip(series.x[known], series.y[known], strict=True):
+                    x_y = panel.x, f"{x:.10g}", panel.y, f"{y:.10g}"
+                    writer.writerow((panel.letter, series.label, *x_y))

@@ -1,160 +1,134 @@
-"""How each variable stands on an axis: its title, symbol and scale, and the limits drawn across."""
+"""How each quantity stands on an axis: title, symbol, unit, scale, and the limits of regimes."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 
-import numpy as np
-from matplotlib.ticker import MaxNLocator
-from numpy.typing import NDArray
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
-from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import VARIABLES
-from thirdbody.figures.naming import power_text
-from thirdbody.figures.sheet.symbols import Symbol
+from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.figures.naming import axis_name, parameter_title
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+
+NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
 
 
 @dataclass(frozen=True)
 class Scale:
-    """The axis of one variable.
+    """The axis of one quantity.
 
     Attributes
     ----------
-    name : str
-        A variable, the axis ``load``, or what is derived from them.
     title : str
-        What panels are called that show it.
-    sign : str
-        Its symbol in plain letters, unless it is a variable of datasets, which have theirs.
+        Title of panels that show it.
+    label : str
+        Label of the axis: symbol and unit.
     logarithmic : bool
         Whether the axis is.
     unit : float
-        What the labels of the ticks count in.
-    unit_text : str
-        That unit as the label of the axis prints it.
+        Unit of the tick labels in SI.
     share : bool
-        Whether the axis runs from 0 to 1 where its curves do.
-    plain : bool
-        Whether the labels of a logarithmic axis are numbers with their unit, not powers of ten.
+        Whether the quantity runs from 0 to 1.
     limits, zones : tuple
-        Limits of regimes or modes, and the names of what lies between them, both from below.
+        Limits between regimes or contact modes, and the names of these, both from below.
     """
 
-    name: str
     title: str
-    sign: str = ""
+    label: str
     logarithmic: bool = False
     unit: float = 1.0
-    unit_text: str = ""
     share: bool = False
-    plain: bool = False
     limits: tuple[float, ...] = ()
     zones: tuple[str, ...] = ()
 
-    @property
-    def symbol(self) -> Symbol:
-        """The paper's symbol, with the unit."""
-        return Symbol.of(self.sign or (AXES | VARIABLES)[self.name].symbol, self.unit_text)
 
-    def ends(self, low: float, high: float) -> tuple[float, float]:
-        """Ends of the axis around data from ``low`` to ``high``."""
-        if self.logarithmic:
-            margin = (high / low) ** 0.02
-            return low / margin, high * margin
-        if self.share:
-            top = 1.08 * high if 0.0 < high < 0.5 else 1.0
-            return -0.06 * top, 1.08 * top
-        margin = 0.04 * (high - low)
-        return low - margin, high + margin
-
-    def ticks(self, low: float, high: float) -> tuple[NDArray, list[str], NDArray]:
-        """Ticks of the axis from ``low`` to ``high``.
-
-        Returns
-        -------
-        major, labels, minor
-            Places of the major ticks and their labels, places of the minor ones.
-        """
-        return self._decades(low, high) if self.logarithmic else self._steps(low, high)
-
-    def _decades(self, low, high):
-        low, high = low / self.unit, high / self.unit
-        first, last = math.ceil(math.log10(low)), math.floor(math.log10(high))
-        decades = 10.0 ** np.arange(first - 1, last + 1)
-        major, minor = 10.0 * decades[:-1], np.outer(decades, np.arange(2, 10)).ravel()
-        if self.unit != 1.0:  # numbers of a few decades, which need more of them
-            major = np.outer(decades, [1, 2, 5]).ravel()
-            major = major[(major >= low) & (major <= high)]
-        minor = minor[(minor > low) & (minor < high)]
-        text = f"{{:g}} {self.unit_text}".format if self.plain else power_text
-        text = text if self.unit == 1.0 else "{:g}".format
-        return major * self.unit, [text(place) for place in major], minor * self.unit
-
-    def _steps(self, low, high):
-        places = MaxNLocator(6, steps=[1, 2, 5, 10]).tick_values(low, high)
-        major = places[(places >= low) & (places <= high)]
-        middle = 0.5 * (places[1:] + places[:-1])
-        minor = middle[(middle > low) & (middle < high)]
-        return major, [f"{place / self.unit:.6g}" for place in major], minor
-
-
-SCALES = {
-    scale.name: scale
-    for scale in (
-        Scale("load", "Dimensionless normal load", logarithmic=True),
-        Scale("total_contact_area", "Real contact area", logarithmic=True),
-        Scale(
-            "particle_contact_area_ratio",
-            "Contact area ratio of particles",
-            share=True,
-            limits=(SURFACE_LIMIT, PARTICLE_LIMIT),
-            zones=("s-s", "hybrid", "p-s"),
-        ),
-        Scale(
-            "solid_load_fraction",
-            "Load percentage of solid",
-            unit=0.01,
-            unit_text="%",
-            share=True,
-            limits=(FULL_FILM_LIMIT, BOUNDARY_LIMIT),
-            zones=("F.L.", "M.L.", "B.L."),
-        ),
-        Scale("film_thickness", "Film thickness", unit=1e-4, unit_text="10⁻⁴"),
-        Scale(
-            "total_contact_area_over_two_body",
-            "Area over that of dry two-body contact",
-            sign="A_t*",
-            unit_text="over dry two-body",
-        ),
-        Scale(
-            "largest_particle_diameter",
-            "Largest particle out of the p-s mode",
-            sign="x_a",
-            unit=1e-9,
-            unit_text="nm",
-            logarithmic=True,
-        ),
-        Scale(
-            "least_viscosity",
-            "Least viscosity out of boundary lubrication",
-            sign="ν",
-            unit=1e-6,
-            unit_text="cSt",
-            logarithmic=True,
-        ),
-        Scale("diameter_ratio", "Particle diameter over roughness", sign="xₐ/σ"),
-        Scale(
-            "turning_point_ratio",
-            "Where turning points occur",
-            sign="A_sa,t*",
-            unit_text="at the turning point",
-            share=True,
-            limits=(SURFACE_LIMIT, PARTICLE_LIMIT),
-            zones=("s-s", "hybrid", "p-s"),
-        ),
-    )
+MODES = {
+    "share": True,
+    "limits": (SURFACE_LIMIT, PARTICLE_LIMIT),
+    "zones": ("s-s", "hybrid", "p-s"),
 }
-# the upper edge of panels over the load
-NEWTONS = Scale("normal_load", "Normal load", logarithmic=True, unit_text="N", plain=True)
+REGIMES = {
+    "share": True,
+    "limits": (FULL_FILM_LIMIT, BOUNDARY_LIMIT),
+    "zones": ("F.L.", "M.L.", "B.L."),
+}
+SCALES = {
+    "load": Scale("Dimensionless normal load", "$F_t^*$", logarithmic=True),
+    "normal_load": Scale("Normal load", "Normal load $F_t$ (N)", logarithmic=True),
+    "total_contact_area": Scale("Real contact area", "$A_t^*$", logarithmic=True),
+    "particle_contact_area_ratio": Scale(
+        "Contact area ratio of particles", "$A_{sa,t}^*$", **MODES
+    ),
+    "solid_load_fraction": Scale("Load percentage of solid", "$L_s$ (%)", unit=0.01, **REGIMES),
+    "film_thickness": Scale("Film thickness", "$H_c$ ($10^{-4}$)", unit=1e-4),
+    "total_contact_area_over_two_body": Scale(
+        "Area over that of dry two-body contact", "$A_t^*$ over dry two-body"
+    ),
+    "largest_particle_diameter": Scale(
+        "Largest particle out of the p-s mode", "$x_a$ (nm)", logarithmic=True, unit=1e-9
+    ),
+    "least_viscosity": Scale(
+        "Least viscosity out of boundary lubrication", "$ν$ (cSt)", logarithmic=True, unit=1e-6
+    ),
+    "diameter_ratio": Scale("Particle diameter over roughness", r"$x_a/\sigma$"),
+    "turning_point_ratio": Scale(
+        "Where turning points occur", "$A_{sa,t}^*$ at the turning point", **MODES
+    ),
+} | {
+    axis.name: Scale(axis_name(axis.name), parameter_title(axis.name), unit=axis.scale)
+    for axis in CONDITION_AXES
+}
+
+
+def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
+    """Set scales, ticks, labels and limits for what has been drawn.
+
+    Parameters
+    ----------
+    axes : Axes
+        Axes with all their data.
+    x, y : str
+        Quantities of ``SCALES``.
+    newtons_per_load : float, optional
+        F_t/F_t* [N]; an axis of loads then has newtons at the upper edge.
+    """
+    axes.margins(x=0.02, y=0.04)
+    low, high = axes.dataLim.intervalx
+    for name, axis in ((x, axes.xaxis), (y, axes.yaxis)):
+        scale = SCALES[name]
+        axis.set_label_text(scale.label)
+        logarithmic = scale.logarithmic or (axis is axes.xaxis and 0.0 < 10.0 * low < high)
+        if logarithmic:
+            axes.set(**{f"{axis.axis_name}scale": "log"})
+        if logarithmic and scale.unit != 1.0:
+            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_minor_formatter(NullFormatter())
+        if scale.unit != 1.0:
+            unit = scale.unit
+            axis.set_major_formatter(FuncFormatter(lambda value, _, unit=unit: f"{value / unit:g}"))
+    if SCALES[y].share:
+        highest = axes.dataLim.y1
+        top = highest if 0.0 < highest < 0.5 else 1.0
+        axes.set_ylim(-0.06 * top, 1.08 * top)
+    _draw_limits(axes, SCALES[y])
+    if x == "load" and newtons_per_load is not None:
+        functions = (lambda load: load * newtons_per_load, lambda force: force / newtons_per_load)
+        top = axes.secondary_xaxis("top", functions=functions)
+        top.xaxis.set_major_formatter(NEWTONS)
+        top.xaxis.set_minor_locator(NullLocator())
+
+
+def _draw_limits(axes, scale):
+    """Thin lines at the limits of regimes and modes, with their names at the right edge."""
+    low, high = axes.get_ylim()
+    style = {"transform": axes.get_yaxis_transform(), "va": "center", "fontsize": "small"}
+    for limit in scale.limits:
+        if low < limit < high:
+            axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
+            axes.text(1.01, limit, f"{limit / scale.unit:g}", **style)
+    edges = [low, *(min(limit, high) for limit in scale.limits), high]
+    for zone, bottom, top in zip(scale.zones, edges, edges[1:], strict=False):
+        if bottom < top:
+            rotation = 270 if len(zone) > 4 else 0
+            axes.text(1.01, 0.5 * (bottom + top), zone, rotation=rotation, **style)

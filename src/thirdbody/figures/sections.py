@@ -1,31 +1,123 @@
-"""Sections through the three-body interface, true to scale, at states that the model solves.
+"""Sections through the three-body interface, true to scale, and the file that keeps them.
 
 The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
-planes stand at the solved separation.  Chance draws them, from a seed that is always the same.
+planes stand at the solved separation.  They are random, from a seed that is always the same.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Condition
-from thirdbody.figures.section_file import Particle, Section, State
+from thirdbody.data.attributes import coordinate_attributes, variable_attributes
+from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.netcdf import load, write_netcdf
+from thirdbody.data.plain import PlainDataset
+from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
-from thirdbody.solver.plan import REPEATABLE
-from thirdbody.solver.solve import solve
+
+if TYPE_CHECKING:
+    from thirdbody.solver.solution import Solution
 
 SEED = 20240507  # the day on which the paper appeared
 LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
 POINTS = 500
-CLEARANCE = 0.12  # share of the section that contacts keep from its ends
+CLEARANCE = 0.12  # fraction of the section that contacts keep from its ends
 ATTEMPTS = 1000
+NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
+# variables of the file: attribute of a section or of a particle, and meaning
+SURFACES = {"lower": "height of the lower surface", "upper": "height of the upper surface"}
+PARTICLE = {
+    "particle_position": "position of the centre of a particle; nan: no particle",
+    "particle_height": "height of the centre of a particle",
+    "particle_size": "diameter of a particle",
+}
+TOUCHES, CARRIES_LOAD = "surfaces_touch", "particle_bears_load"
+
+
+@dataclass(frozen=True)
+class State:
+    """A solved interface: its condition, and what a drawing needs of the solution.
+
+    Attributes
+    ----------
+    condition : Condition
+        Viscosity, particles and roughness.
+    separation : float
+        d [m].
+    particle_contact_area_ratio : float
+        A_sa,t* [1].
+    solid_load_fraction : float
+        L_s [1].
+    contact_mode : str
+        One of ``CONTACT_MODES``.
+    """
+
+    condition: Condition
+    separation: float
+    particle_contact_area_ratio: float
+    solid_load_fraction: float
+    contact_mode: str
+
+    @classmethod
+    def of(cls, condition: Condition, solution: Solution) -> State:
+        """The state of a ``solution`` of one point at a ``condition``.
+
+        Raises
+        ------
+        ValueError
+            If the point has no solution.
+        """
+        if not np.isfinite(solution.separation):
+            raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
+        numbers = (float(getattr(solution, name)) for name in NUMBERS)
+        return cls(condition, *numbers, CONTACT_MODES[int(solution.contact_mode)])
+
+
+@dataclass(frozen=True)
+class Particle:
+    """A particle: position and height of its centre and its diameter [m]; does it carry load?"""
+
+    position: float
+    height: float
+    diameter: float
+    carries_load: bool
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section through two rough surfaces with particles between them.
+
+    Attributes
+    ----------
+    state : State
+        The interface that is cut.
+    position : ndarray, shape (n,)
+        Places along the section [m].
+    lower, upper : ndarray, shape (n,)
+        Heights of both surfaces there [m]; flat where they touch.
+    touches : ndarray of bool, shape (n,)
+        Where they touch.
+    particles : tuple of Particle
+        Particles that the section meets.
+    """
+
+    state: State
+    position: NDArray[np.float64]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    touches: NDArray[np.bool_]
+    particles: tuple[Particle, ...]
 
 
 def sections(
-    figure: str, panels: Sequence[Mapping], parameters: Parameters, seed: int = SEED
+    figure: str, states: Sequence[State], parameters: Parameters, seed: int = SEED
 ) -> list[Section]:
     """The sections that a schematic shows, one a panel.
 
@@ -33,46 +125,23 @@ def sections(
     ----------
     figure : str
         ``fig01`` or ``fig02``.
-    panels : sequence of Mapping
-        Conditions of each panel, as ``config/config.yaml`` gives them.
+    states : sequence of State
+        The interface of each panel.
     parameters : Parameters
-        Inputs of the model.
+        Inputs of the model with which they were solved.
     seed : int, optional
         Seed of the random surfaces and particles of every panel.
 
     Raises
     ------
     ValueError
-        Where the model has no solution, or chance gives no section that shows its contacts.
+        If no random section shows its contacts.
     """
-    states = [solved_state(conditions, parameters) for conditions in panels]
     return [section_through(state, parameters, LENGTHS[figure], seed) for state in states]
 
 
-def solved_state(conditions: Mapping, parameters: Parameters) -> State:
-    """The state of the interface at ``conditions``, given as the configuration gives them.
-
-    Raises
-    ------
-    ValueError
-        Where the model has no solution.
-    """
-    condition = Condition.of(conditions)
-    load = conditions["load_N"] / parameters.newtons_per_load
-    solution = solve(load=load, **condition._asdict(), parameters=parameters, way=REPEATABLE)
-    if not np.isfinite(solution.separation):
-        raise ValueError(f"schematic conditions {dict(conditions)} have no solution")
-    return State(
-        condition,
-        float(solution.separation),
-        float(solution.particle_contact_area_ratio),
-        float(solution.solid_load_fraction),
-        CONTACT_MODES[int(solution.contact_mode)],
-    )
-
-
 def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section that meets the contacts by which the load is borne.
+    """A section that meets the contacts which carry the load.
 
     Summits touch in the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
 
@@ -90,22 +159,22 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
     Raises
     ------
     ValueError
-        Where chance gives no such section.
+        If no random section is of this kind.
     """
     random = np.random.default_rng(seed)
     position = np.linspace(0.0, length, POINTS)
     mode = state.contact_mode
     summits_touch = mode in ("two_body", "surface_surface", "hybrid")
-    particle_bears = mode in ("particle_surface", "hybrid")
-    reach = _reach(state, parameters) if particle_bears else None
+    particle_carries = mode in ("particle_surface", "hybrid")
+    reach = _reach(state, parameters) if particle_carries else None
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits_touch, random)
         touches = lower > upper
         particles = _particles(state, parameters, position, lower, upper, reach, random)
-        bears = any(particle.bears_load for particle in particles)
+        carries = any(particle.carries_load for particle in particles)
         if (
             touches.any() == summits_touch
-            and bears == particle_bears
+            and carries == particle_carries
             and _are_apart(particles, position[touches], length)
         ):
             middle = 0.5 * (lower + upper)
@@ -115,11 +184,8 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
 
 
 def _reach(state, parameters):
-    """By how much a gap may exceed a particle that bears load in it [m].
-
-    Particles meet the separation of the plane that their reading names, and the elastic zone as printed
-    holds particles that are smaller than the separation.
-    """
+    """By how much a gap may exceed a particle that carries load in it [m]: by the height of the plane
+    that particles meet, and by the elastic zone as printed."""
     readings = parameters.readings
     height = readings.particle_plane.height(state.condition.roughness, parameters)
     depth = parameters.elastic_depth_ratio * state.condition.particle_diameter
@@ -168,8 +234,8 @@ def _profile(position, length, random):
 
 
 def _particles(state, parameters, position, lower, upper, reach, random):
-    """Particles of a slab as deep as their mean distance; the first one bears load if there is a
-    ``reach``.
+    """Particles of a slab as deep as their mean distance; the first one carries load if there is
+    a ``reach``.
 
     It lies in the narrowest place on the right, and is larger than the gap there less the reach.
     """
@@ -191,7 +257,7 @@ def _particles(state, parameters, position, lower, upper, reach, random):
 
 
 def _settled(place, diameter, position, lower, upper, reach) -> Particle:
-    """The particle at rest on the lower surface, or held where the gap is narrower than it; it bears
+    """The particle at rest on the lower surface, or held where the gap is narrower than it; it carries
     load where the gap exceeds it by no more than the ``reach``."""
     radius = 0.5 * diameter
     across = np.abs(position - place) < radius
@@ -212,3 +278,87 @@ def _are_apart(particles, contacts, length) -> bool:
     within = (places > radii) & (places < length - radii)
     clear = np.abs(places[:, None] - contacts) > radii[:, None]
     return bool((distances > 0.0).all() and within.all() and clear.all())
+
+
+def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
+    """Write the sections of a schematic, one a panel, to a NetCDF-4 file.
+
+    Parameters
+    ----------
+    path : path
+        File to write.
+    sections : sequence of Section
+        At least one; all along the same positions.
+
+    Raises
+    ------
+    OSError
+        If there is no room or no right to write.
+    """
+    states = [section.state for section in sections]
+    variables = {}
+    for name in Condition._fields:
+        values = [getattr(state.condition, name) for state in states]
+        variables[name] = ("panel", values, coordinate_attributes(AXES[name]))
+    for name in NUMBERS:
+        values = [getattr(state, name) for state in states]
+        variables[name] = ("panel", values, coordinate_attributes(QUANTITIES[name]))
+    modes = [CONTACT_MODES.index(state.contact_mode) for state in states]
+    flag = variable_attributes(FLAGS["contact_mode"])
+    variables["contact_mode"] = ("panel", np.array(modes, dtype=np.int8), flag)
+    along = ("panel", "position")
+    for name, meaning in SURFACES.items():
+        heights = [getattr(section, name) for section in sections]
+        variables[name] = (along, heights, {"units": "m", "long_name": meaning})
+    touches = np.array([section.touches for section in sections], dtype=np.int8)
+    variables[TOUCHES] = (along, touches, {"long_name": "whether they touch"})
+    variables |= _particle_variables([section.particles for section in sections])
+    position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
+    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+    write_netcdf(dataset, path, {})
+
+
+def _particle_variables(of_panels) -> dict:
+    """Variables over panels and particles; panels with fewer particles than others end with nan."""
+    shape = len(of_panels), max(map(len, of_panels))
+    numbers, carry = np.full((3, *shape), np.nan), np.zeros(shape, dtype=np.int8)
+    for panel, particles in enumerate(of_panels):
+        for place, particle in enumerate(particles):
+            numbers[:, panel, place] = particle.position, particle.height, particle.diameter
+            carry[panel, place] = particle.carries_load
+    dimensions = ("panel", "particle")
+    variables = {
+        name: (dimensions, values, {"units": "m", "long_name": meaning})
+        for (name, meaning), values in zip(PARTICLE.items(), numbers, strict=True)
+    }
+    meaning = {"long_name": "whether a particle bears load"}
+    return variables | {CARRIES_LOAD: (dimensions, carry, meaning)}
+
+
+def read_sections(path: str | PathLike) -> list[Section]:
+    """The sections of a file of ``write_sections``, one a panel, as they were written.
+
+    Raises
+    ------
+    OSError
+        If the file is absent, damaged, or holds something else: one line names it.
+    """
+    needed = (*Condition._fields, *NUMBERS, *SURFACES, *PARTICLE, "contact_mode", "position")
+    data = load(path, (*needed, TOUCHES, CARRIES_LOAD))
+    return [_section(data, index) for index in range(data.sizes["panel"])]
+
+
+def _section(data: PlainDataset, index: int) -> Section:
+    """The section of one panel of a file."""
+    panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
+    condition = Condition(*(float(panel[name]) for name in Condition._fields))
+    numbers = (float(panel[name]) for name in NUMBERS)
+    state = State(condition, *numbers, CONTACT_MODES[int(panel["contact_mode"])])
+    columns = [panel[name].tolist() for name in PARTICLE]
+    carry = panel[CARRIES_LOAD].astype(bool).tolist()
+    particles = tuple(
+        Particle(*values) for values in zip(*columns, carry, strict=True) if not np.isnan(values[0])
+    )
+    surfaces = (panel[name] for name in SURFACES)
+    touches = panel[TOUCHES].astype(bool)
+    return Section(state, data["position"].values, *surfaces, touches, particles)

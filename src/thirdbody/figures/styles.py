@@ -2,28 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
-from matplotlib.colors import to_rgb
-from numpy.typing import NDArray
+from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
+from thirdbody.figures.drawing import CURVE, Series
 from thirdbody.figures.naming import value_text
 
 MARKERS = "osv^DX<>PphHd8"
 LIGHTEST = 0.87  # of the colour map: beyond it lines fade on white
-TINT = 0.22  # share of the colour, the rest is white
-TWO_BODY_GREY = "0.55"  # where black is taken by dry contact
+GREY = "0.5"
+MARKERS_PER_CURVE = 5
 # Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
-DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2}
+DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
+BAND = {"alpha": 0.13, "linewidth": 0.0, "zorder": 1.5}
+BAND_EDGE = {"linewidth": 0.5, "alpha": 0.6, "zorder": 1.6}
+
+
+def level_styles(count: int) -> list[dict]:
+    """Line properties of ``count`` ordered levels: the colour grows lighter, each has its marker."""
+    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(0.0, LIGHTEST, count))
+    return [
+        {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
+        for index, colour in enumerate(colours.tolist())
+    ]
 
 
 class Styles:
-    """Line styles of a family of curves that differ in one parameter.
+    """Line styles of curves that differ in one parameter.
 
     Parameters
     ----------
@@ -34,80 +45,58 @@ class Styles:
 
     Notes
     -----
-    The colours of an ordered parameter grow lighter with it, and each has its marker.  Two-body
-    contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
-    particles, and bare of the markers of its lubricated counterpart.
+    Each level of the parameter has a colour and a marker.  Two-body contact is black or grey.  Beside
+    lubricated contact, dry contact is dashed, or dotted without particles, and has no markers.
     """
 
     def __init__(self, conditions: Sequence[Condition], parameter: str):
-        self.parameter = parameter
+        self.conditions, self.parameter = conditions, parameter
         media = {condition.is_dry for condition in conditions}
         self.compares_media = parameter != "viscosity" and len(media) == 2
         self.all_dry = media == {True}
-        self.levels = sorted({getattr(each, parameter) for each in conditions} - {0.0})
-        shades = np.linspace(0.0, LIGHTEST, len(self.levels))
-        self.colours = matplotlib.colormaps[rcParams["image.cmap"]](shades).tolist()
+        levels = sorted({getattr(each, parameter) for each in conditions} - {0.0})
+        self.levels = dict(zip(levels, level_styles(len(levels)), strict=True))
 
     def of(self, condition: Condition) -> dict:
         """Line properties of the curve at ``condition``."""
-        style = {"linestyle": "-"}
-        if condition.is_dry and not self.all_dry:
-            style = dict(DRY)
+        dashed = condition.is_dry and not self.all_dry
         level = getattr(condition, self.parameter)
         if level == 0.0:
             if condition.is_two_body and self.parameter == "viscosity":
-                return DRY_TWO_BODY | {"color": TWO_BODY_GREY}
-            return style | {"color": "black"}
-        index = self.levels.index(level)
-        style["color"] = self.colours[index]
-        if not (self.compares_media and condition.is_dry):
-            style["marker"] = MARKERS[index % len(MARKERS)]
+                return DRY_TWO_BODY
+            return {"color": "black"} | (DRY if dashed else {})
+        style = self.levels[level]
+        if dashed:
+            return style | DRY | {"marker": "none"}
         return style
 
-    def tint(self, condition: Condition) -> NDArray[np.float64]:
-        """Light variant of the colour of the curve at ``condition``: red, green, blue."""
-        return 1.0 - TINT * (1.0 - np.array(to_rgb(self.of(condition)["color"])))
+    def of_series(self, series: Series) -> dict:
+        """Line properties of the curve of a series; a curve has a few markers, at other points than
+        the next level."""
+        if series.condition is None:
+            return {}
+        style = self.of(series.condition)
+        if series.kind == CURVE and "marker" in style:
+            level = list(self.levels).index(getattr(series.condition, self.parameter))
+            step = max(series.x.size // MARKERS_PER_CURVE, 1)
+            style = style | {"markevery": (int(step * (level + 0.5) / len(self.levels)), step)}
+        return style
 
-    def are_rivals(self, one: Condition, other: Condition) -> bool:
-        """Whether their curves need telling apart by markers: not dry from lubricated contact."""
+    def key(self) -> list[Line2D]:
+        """Entries of the key: the levels, then dry and lubricated contact where both are shown."""
+        entries = {
+            self._text(each): self.of(each)
+            for each in self.conditions
+            if not (self.compares_media and each.is_dry)
+        }
         if self.compares_media:
-            return one.is_dry == other.is_dry
-        return True
-
-    def stagger(self, condition: Condition) -> float:
-        """Place of its markers between 0 and 1: those of two levels never meet."""
-        index = self.levels.index(getattr(condition, self.parameter))
-        return (index + 0.5) / len(self.levels)
-
-    def key(
-        self, conditions: Sequence[Condition], marked: Collection[Condition]
-    ) -> list[tuple[str, dict]]:
-        """Text and line properties of each entry of the key.
-
-        Parameters
-        ----------
-        conditions : sequence of Condition
-            Those of the curves.
-        marked : collection of Condition
-            Those of the curves that show their markers somewhere.
-        """
-        entries = {}
-        for each in sorted(conditions, key=lambda condition: condition not in marked):
-            if not (self.compares_media and each.is_dry):
-                bare = {} if each in marked else {"marker": "none"}
-                entries.setdefault(self._text(each), self.of(each) | bare)
-        entries = {text: entries[text] for text in map(self._text, conditions) if text in entries}
-        if self.compares_media:
-            for each in sorted(conditions, key=lambda condition: -condition.viscosity):
+            for each in sorted(self.conditions, key=lambda condition: -condition.viscosity):
                 text = "dry" if each.is_dry else f"{value_text('viscosity', each.viscosity)} cSt"
-                look = self.of(each) | {"color": "black", "marker": "none"}
-                entries[text] = look
-        return list(entries.items())
+                entries[text] = (DRY if each.is_dry else {}) | {"color": GREY}
+        return [Line2D([], [], label=text, **look) for text, look in entries.items()]
 
     def _text(self, condition):
         level = getattr(condition, self.parameter)
         if self.parameter == "viscosity" and condition.is_dry:
             return "dry, two-body" if condition.is_two_body else "dry"
-        if level == 0.0:
-            return "none (two-body)"
-        return value_text(self.parameter, level)
+        return "none (two-body)" if level == 0.0 else value_text(self.parameter, level)
