@@ -15,7 +15,7 @@ from thirdbody.figures.curves import add_key
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 from thirdbody.figures.naming import note, parameter_title, value_text
 from thirdbody.figures.scales import set_scales
-from thirdbody.figures.styles import BAND, level_styles
+from thirdbody.figures.styles import BAND_EDGE, band_style, level_styles
 
 MARK_EVERY = 12  # loads
 RANGE = "90 % of the ensemble"
@@ -41,7 +41,8 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
             curve, *ranges = _series(shown.isel(roughness=index))
             axes.plot(curve.x, curve.y, markevery=(index, MARK_EVERY), **look)
             for band in ranges:
-                axes.fill(band.x, band.y, color=look["color"], **BAND)
+                axes.fill(band.x, band.y, **band_style(look["color"]))
+                axes.plot(band.x, band.y, color=look["color"], **BAND_EDGE)
             series += [curve, *ranges]
         panels.append(Panel(letter, ", ".join(_notes(shown)), "load", name, tuple(series)))
         axes.set_xlim(*shown["load"].values[[0, -1]])

@@ -19,7 +19,7 @@ from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.printed import printed_series, printed_window_series
 from thirdbody.figures.scales import SCALES, set_scales
 from thirdbody.figures.shown import Curve, shown_curves, with_relative_area
-from thirdbody.figures.styles import BAND, BAND_EDGE, Styles
+from thirdbody.figures.styles import BAND_EDGE, Styles, band_style
 
 RATIO = "particle_contact_area_ratio"
 BAND_STEP = 2  # every second load is fine enough for the edge of a band
@@ -260,7 +260,7 @@ def _draw_series(axes: Axes, series: Series, style: dict) -> None:
     """Draw a series in the ``style`` of its curve."""
     colour = {"color": style["color"]} if style else {}
     if series.kind == marks.BAND:
-        axes.fill(series.x, series.y, **BAND, **colour)
+        axes.fill(series.x, series.y, **band_style(style["color"]))
         axes.plot(series.x, series.y, **BAND_EDGE, **colour)
     elif series.kind == CURVE:
         axes.plot(series.x, series.y, **style)

@@ -54,7 +54,7 @@ def draw(
             series.append(Series(BAND, "", np.concatenate([x, x[::-1]]), outline))
         panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, lambda series: {"color": "C0"})
+        return draw_panels(panels, lambda series: {"color": "#0072B2"})
 
 
 def save_drawing(figure: Figure, path: str | PathLike) -> None:
@@ -70,5 +70,5 @@ def save_drawing(figure: Figure, path: str | PathLike) -> None:
     kind = Path(path).suffix.removeprefix(".")
     if kind not in METADATA:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(METADATA)}")
-    with whole(path) as part:
+    with matplotlib.style.context(STYLE, after_reset=True), whole(path) as part:
         save_image(figure, part, kind)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
+from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
@@ -20,8 +21,8 @@ MARKERS_PER_CURVE = 5
 # Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
-BAND = {"alpha": 0.13, "linewidth": 0.0, "zorder": 1.5}
 BAND_EDGE = {"linewidth": 0.5, "alpha": 0.6, "zorder": 1.6}
+TINT = 0.13  # of the colour in a band, the rest is white
 
 
 def level_styles(count: int) -> list[dict]:
@@ -31,6 +32,12 @@ def level_styles(count: int) -> list[dict]:
         {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
         for index, colour in enumerate(colours.tolist())
     ]
+
+
+def band_style(colour) -> dict:
+    """Properties of the area of a band: opaque, as many bands may lie on one another."""
+    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
+    return {"facecolor": tint, "linewidth": 0.0, "zorder": 1.5}
 
 
 class Styles:
