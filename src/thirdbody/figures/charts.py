@@ -46,7 +46,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
             series += [curve, *ranges]
         panels.append(Panel(letter, ", ".join(_notes(shown)), "load", name, tuple(series)))
         axes.set_xlim(*shown["load"].values[[0, -1]])
-        if not any(one.y.size for one in series):
+        if not any(np.isfinite(one.y).any() for one in series):
             axes.set_ylim(*shown.attrs["ends"])
         title_axes(axes, panels[-1])
         set_scales(axes, "load", name, float((shown["normal_load"] / shown["load"])[-1]))

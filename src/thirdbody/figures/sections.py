@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,9 +21,6 @@ from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
-
-if TYPE_CHECKING:
-    from thirdbody.solver.solution import Solution
 
 SEED = 20240507  # the day on which the paper appeared
 LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
@@ -66,8 +63,8 @@ class State:
     contact_mode: str
 
     @classmethod
-    def of(cls, condition: Condition, solution: Solution) -> State:
-        """The state of a ``solution`` of one point at a ``condition``.
+    def of(cls, condition: Condition, solution: Any) -> State:
+        """The state at a ``condition`` from a ``Solution`` of this one point.
 
         Raises
         ------
