@@ -36,13 +36,7 @@ LABELS = (1e-2, 1e-3, 1e-6, 1e-9, 1e-11)
 
 
 def plot(errors: Sequence[Mapping], times: Sequence[Mapping]) -> Drawing:
-    """Largest error against time per point, both axes logarithmic.
-
-    Parameters
-    ----------
-    errors, times : sequence of Mapping
-        Rows of the tables of these names.
-    """
+    """Largest error against time per point, from rows of the tables ``errors`` and ``times``."""
     cost = {_key(row): row["microseconds_per_point"] for row in times}
     worst = dict.fromkeys(cost, 0.0)
     for row in errors:

@@ -22,14 +22,9 @@ RANGE = "90 % of the ensemble"
 
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
-    """Draw a chart.
+    """Draw the limit ``name``, one of ``SCALES``, in a panel for each of ``charts``.
 
-    Parameters
-    ----------
-    name : str
-        Its limit, one of ``SCALES``.
-    charts : sequence of xarray.Dataset
-        Those of ``thirdbody.atlas.charts.chart_panels``; all show the same roughnesses.
+    These are the datasets of ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses.
     """
     figure = grid_of_axes(len(charts), rcParams["figure.figsize"])
     surfaces = charts[0]["roughness"].values

@@ -41,15 +41,8 @@ LAST = score_of(DISTANCES[-1])  # scores beyond it are drawn here
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """The score of each statement of the paper.
+    """The score of each statement of the paper, from rows of the table ``claims``.
 
-    Parameters
-    ----------
-    rows : sequence of Mapping
-        Rows of the table ``claims``.
-
-    Notes
-    -----
     The colour is the verdict, the marker the role.  Hollow markers: the ensemble of inputs is
     divided.  Statements that do not hold are named.
     """

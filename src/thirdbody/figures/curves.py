@@ -237,14 +237,8 @@ def draw_panels(
 ) -> Figure:
     """Draw panels of curves.
 
-    Parameters
-    ----------
-    panels : sequence of Panel
-        What to draw.
-    style_of : callable
-        Line properties of the curve that a series is or belongs to; empty if it belongs to none.
-    newtons_per_load : float, optional
-        F_t/F_t* [N], for an axis in newtons.
+    ``style_of`` gives line properties of the curve that a series is or belongs to, or an empty dict.
+    With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons.
     """
     figure = grid_of_axes(len(panels), rcParams["figure.figsize"])
     for axes, panel in zip(figure.axes, panels, strict=True):

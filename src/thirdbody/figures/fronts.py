@@ -22,10 +22,7 @@ DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
 def plot(readings: Sequence[Mapping]) -> Drawing:
     """The front of each headline statement against all others, a line an interpretation.
 
-    Parameters
-    ----------
-    readings : sequence of Mapping
-        Contents of the calibrated files; the first one is drawn above the others.
+    ``readings`` are contents of the calibrated files; the first one is drawn above the others.
     """
     statements = list(dict.fromkeys(name for each in readings for name in each["fronts"]))
     figure = grid_of_axes(len(statements), CELL, COLUMNS)

@@ -72,18 +72,7 @@ def printed_series(
 ) -> Iterator[Series]:
     """Printed numbers of ``curves`` that a panel of ``x`` and ``y`` can show.
 
-    Parameters
-    ----------
-    data : PlainDataset
-        The dataset of the curves.
-    x, y : str
-        The quantities of the panel.
-    curves : sequence of Curve
-        Those of the panel.
-    printed : sequence of Mapping
-        Rows of ``read_printed``.
-    turning_points : sequence of (Curve, Mapping)
-        Pairs of ``turning_points_of``.
+    ``printed`` are rows of ``read_printed``, ``turning_points`` pairs of ``turning_points_of``.
     """
     rows_of: dict[tuple, list] = {}
     for row in printed:

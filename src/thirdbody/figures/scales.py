@@ -82,16 +82,10 @@ SCALES = {
 
 
 def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
-    """Set scales, ticks, labels and limits for what has been drawn.
+    """Set scales, ticks, labels and limits of axes in which all data have been drawn.
 
-    Parameters
-    ----------
-    axes : Axes
-        Axes with all their data.
-    x, y : str
-        Quantities of ``SCALES``.
-    newtons_per_load : float, optional
-        F_t/F_t* [N]; an axis of loads then has newtons at the upper edge.
+    ``x`` and ``y`` are quantities of ``SCALES``.  With ``newtons_per_load``, F_t/F_t* [N], an axis of
+    loads has newtons at the upper edge.
     """
     axes.margins(x=0.02, y=0.04)
     low, high = axes.dataLim.intervalx

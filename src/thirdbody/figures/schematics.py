@@ -34,12 +34,7 @@ MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid"
 
 
 def plot_interface(sections: Sequence[Section]) -> Drawing:
-    """Figure 1: the lubricated three-body interface.
-
-    Parameters
-    ----------
-    sections : sequence of Section
-        The one to draw.
+    """Figure 1: one section of the lubricated three-body interface.
 
     Raises
     ------
@@ -62,12 +57,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
 
 
 def plot_modes(sections: Sequence[Section]) -> Drawing:
-    """Figure 2: the s-s, p-s and hybrid modes.
-
-    Parameters
-    ----------
-    sections : sequence of Section
-        One in each of ``MODES``, in this order.
+    """Figure 2: a section in each of ``MODES``, in this order.
 
     Raises
     ------

@@ -116,18 +116,7 @@ class Section:
 def sections(
     figure: str, states: Sequence[State], parameters: Parameters, seed: int = SEED
 ) -> list[Section]:
-    """The sections that a schematic shows, one a panel.
-
-    Parameters
-    ----------
-    figure : str
-        ``fig01`` or ``fig02``.
-    states : sequence of State
-        The interface of each panel.
-    parameters : Parameters
-        Inputs of the model with which they were solved.
-    seed : int, optional
-        Seed of the random surfaces and particles of every panel.
+    """The sections that the schematic ``fig01`` or ``fig02`` shows, one for each state.
 
     Raises
     ------
@@ -138,20 +127,9 @@ def sections(
 
 
 def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section that meets the contacts which carry the load.
+    """A section of this ``length`` [m] that meets the contacts which carry the load.
 
     Summits touch in the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
-
-    Parameters
-    ----------
-    state : State
-        The interface.
-    parameters : Parameters
-        Inputs of the model with which it was solved.
-    length : float
-        Length of the section [m].
-    seed : int
-        Seed of its surfaces and particles.
 
     Raises
     ------
@@ -278,14 +256,7 @@ def _are_apart(particles, contacts, length) -> bool:
 
 
 def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
-    """Write the sections of a schematic, one a panel, to a NetCDF-4 file.
-
-    Parameters
-    ----------
-    path : path
-        File to write.
-    sections : sequence of Section
-        At least one; all along the same positions.
+    """Write the sections of a schematic, all along the same positions, to a NetCDF-4 file.
 
     Raises
     ------

@@ -23,13 +23,7 @@ CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])  # of a cell
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """How every result responds to every input: elasticities above total Sobol indices.
-
-    Parameters
-    ----------
-    rows : sequence of Mapping
-        Rows of the table ``sensitivity``.
-    """
+    """Elasticities above total Sobol indices, from rows of the table ``sensitivity``."""
     missing = dict.fromkeys(result_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["input"]]
     inputs = _by_weight(rows)
