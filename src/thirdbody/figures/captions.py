@@ -210,7 +210,7 @@ def caption(name: str, panels: Sequence[Panel] = (), title: str = "") -> Caption
 def _content(panel) -> str:
     """The quantities of a panel, and the conditions that its title names."""
     own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
-    over = "" if panel.x == "load" else f" over {_quantity(panel.x)}"
+    over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
     return f"{_quantity(panel.y)}{own}{over}"
 
 

@@ -71,7 +71,7 @@ SCALES = {
     "least_viscosity": Scale(
         "Least viscosity out of boundary lubrication", "$ν$ (cSt)", logarithmic=True, unit=1e-6
     ),
-    "diameter_ratio": Scale("Particle diameter over roughness", r"$x_a/\sigma$"),
+    "diameter_ratio": Scale("Ratio of particle diameter to roughness", r"$x_a/\sigma$"),
     "turning_point_ratio": Scale(
         "Where turning points occur", "$A_{sa,t}^*$ at the turning point", **MODES
     ),
