@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims
-from thirdbody.figures.sheet.saving import drawn_points
+from thirdbody.figures.drawing import STYLE
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 
@@ -27,7 +27,7 @@ PLACES = [
 
 @pytest.fixture(autouse=True, scope="module")
 def style():
-    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
+    with matplotlib.style.context(STYLE, after_reset=True):
         yield
 
 
@@ -62,13 +62,8 @@ def rows(statements):
 
 
 @pytest.fixture(scope="module")
-def figure(rows):
+def drawing(rows):
     return claims.plot(rows)
-
-
-def drawn(figure):
-    """Place of each labelled point over all panels."""
-    return {label: x for panel in figure.axes for label, ((x, _),) in drawn_points(panel)}
 
 
 @pytest.mark.parametrize(("place", "part"), PLACES)
@@ -76,33 +71,28 @@ def test_parts_of_the_paper(place, part):
     assert part_of_paper(place) == part
 
 
-def test_every_statement_is_drawn_at_its_score(rows, figure):
-    places = drawn(figure)
+def test_every_statement_is_drawn_at_its_score(rows, drawing):
+    places = {one.label: float(one.x[0]) for panel in drawing.panels for one in panel.series}
     assert places.keys() == {row["id"] for row in rows}
     for row in rows:
         wanted = claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
         assert places[row["id"]] == wanted
 
 
-def test_statements_that_do_not_hold_are_named(rows, figure):
-    names = [text.get_text() for panel in figure.axes for text in panel.texts]
-    for row in rows:
-        tail = row["id"].split("-", 1)[-1]
-        named = any(name.endswith(tail) for name in names)
-        assert named or row["verdict"] in (verdicts.HOLDS, verdicts.WITHHELD)
+def test_statements_that_do_not_hold_are_named(rows, drawing):
+    names = {text.get_text() for axes in drawing.figure.axes for text in axes.texts}
+    wanted = (verdicts.HOLDS, verdicts.WITHHELD)
+    assert names == {row["id"] for row in rows if row["verdict"] not in wanted}
 
 
-def test_counts_stand_beside_their_part(rows, figure):
-    texts = [text.get_text() for panel in figure.axes for text in panel.texts]
+def test_counts_stand_beside_their_part(rows, drawing):
+    texts = [
+        text.get_text() for axes in drawing.figure.axes for text in axes.yaxis.get_ticklabels()
+    ]
     for part in {part_of_paper(row["place"]) for row in rows}:
-        judged = [
-            row
-            for row in rows
-            if part_of_paper(row["place"]) == part
-            and row["verdict"] in (verdicts.HOLDS, verdicts.FAILS)
-        ]
-        held = sum(row["verdict"] == verdicts.HOLDS for row in judged)
-        assert f"{part}\n{held} of {len(judged)} hold" in texts
+        words = [row["verdict"] for row in rows if part_of_paper(row["place"]) == part]
+        held = words.count(verdicts.HOLDS)
+        assert f"{part}\n{held} of {held + words.count(verdicts.FAILS)} hold" in texts
 
 
 def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
@@ -126,8 +116,8 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
     few = rows[:20]
     sure = [row | {"ensemble_agree": 12.0} for row in few]
     for some, hollow in ((few, True), (sure, False)):
-        lines = [line for panel in claims.plot(some).axes for line in panel.lines]
-        marked = [line for line in lines if not line.get_label().startswith("_")]
+        lines = [line for axes in claims.plot(some).figure.axes for line in axes.lines]
+        marked = [line for line in lines if line.get_marker() in claims.MARKERS.values()]
         assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
 
 

@@ -5,6 +5,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.figures.registry import CURVE_FIGURES
+from thirdbody.figures.scales import SCALES
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -33,13 +34,15 @@ def grid(parameters):
 
 
 def panels(figure):
-    return [panel.y_name for panel in figure.axes]
+    """The variable of each panel, by its axis."""
+    names = {scale.label: name for name, scale in SCALES.items()}
+    return [names[panel.get_ylabel()] for panel in figure.axes]
 
 
 def curves(figure):
-    """Height of each curve of each panel, by its label."""
+    """Heights of the curves of each panel."""
     return [
-        {line.get_label(): line.get_ydata() for line in panel.lines if " cSt" in line.get_label()}
+        [line.get_ydata() for line in panel.lines if len(line.get_xdata()) == LOADS.size]
         for panel in figure.axes
     ]
 
@@ -50,10 +53,8 @@ def test_it_shows_the_values_of_the_dataset(grid):
     assert panels(figure) == PANELS
     for name, drawn in zip(PANELS, curves(figure), strict=True):
         assert len(drawn) == 3
-        for label, heights in drawn.items():
-            viscosity = 1e-6 * float(label.split(" cSt")[0].removeprefix("nu = "))
-            there = data[name].sel(viscosity=viscosity, method="nearest").values.ravel()
-            np.testing.assert_array_equal(heights, there)
+        for index, heights in enumerate(drawn):
+            np.testing.assert_array_equal(heights, data[name][:, index].values.ravel())
 
 
 @pytest.mark.parametrize(
@@ -83,8 +84,7 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
     whole = curves(tb.plot(tmp_path / "grid.nc"))
     piece = curves(tb.plot(grid().sel(viscosity=5e-5)))
     for some, all_ in zip(piece, whole, strict=True):
-        ((label, heights),) = some.items()
-        np.testing.assert_allclose(heights, all_[label], rtol=2e-3)
+        np.testing.assert_allclose(some[0], all_[1], rtol=2e-3)
 
 
 def test_a_solution_is_drawn(parameters):
@@ -96,8 +96,37 @@ def test_turning_points_are_marked(grid):
     point = {name: AXES[name] for name in ("particle_diameter", "roughness", "particle_density")}
     point |= {"viscosity": 0.0, "load": LOADS[5], "peak_ratio": 0.4}
     ratio = tb.plot(grid(), turning_points=[point]).axes[0]
-    (mark,) = (line for line in ratio.lines if line.get_label() == "turning points")
+    (mark,) = (line for line in ratio.lines if line.get_marker() == "*")
     assert mark.get_xdata() == pytest.approx([LOADS[5]])
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_a_few_loads_are_enough(grid, parameters, count):
+    loads = LOADS[:count]
+    assert panels(tb.plot(grid(load=loads))) == PANELS
+    solution = tb.solve(**(AXES | {"load": loads, "viscosity": 9e-5}), parameters=parameters)
+    assert panels(tb.plot(solution.to_dataset())) == PANELS
+
+
+@pytest.mark.parametrize(
+    ("over", "values", "label"),
+    [
+        ("viscosity", [0.0, 5e-5, 9e-5], "Viscosity ν (cSt)"),
+        ("particle_diameter", [1e-7, 2e-7, 3e-7], "Particle diameter xₐ (nm)"),
+        ("particle_density", [1e10, 1e11, 1e12], "Particle density ηₐ (m⁻²)"),
+    ],
+)
+def test_any_axis_can_be_along_x(grid, over, values, label):
+    data = grid(**({"viscosity": 9e-5, over: values} | {"load": LOADS[:2]}))
+    figure = tb.plot(data, over=over)
+    assert panels(figure) == PANELS
+    assert {panel.get_xlabel() for panel in figure.axes} == {label}
+    for name, panel in zip(PANELS, figure.axes, strict=True):
+        for index, line in enumerate(panel.lines[:2]):
+            np.testing.assert_array_equal(line.get_xdata(), values)
+            np.testing.assert_array_equal(line.get_ydata(), data[name][index].values.ravel())
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert len(texts) == 2 and texts[0].startswith("Fₜ* = ")
 
 
 @pytest.mark.parametrize(
@@ -119,6 +148,10 @@ def test_what_is_no_such_dataset_is_refused_by_name(grid, tmp_path):
         tb.plot(5)
     with pytest.raises(ValueError, match="like is 'fig01'; allowed: fig03, "):
         tb.plot(data, like="fig01")
+    with pytest.raises(ValueError, match="over is 'time'; allowed: load, "):
+        tb.plot(data, over="time")
+    with pytest.raises(ValueError, match="data has one roughness; allowed: two or more"):
+        tb.plot(data, over="roughness")
     with pytest.raises(ValueError, match="data has no roughness; allowed"):
         tb.plot(data.squeeze().drop_vars("roughness"))
     with pytest.raises(ValueError, match="band is of type list; allowed"):

@@ -4,11 +4,11 @@ import matplotlib.style
 
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
-from thirdbody.figures.sheet.saving import save
 from thirdbody.job_log import logged
 
 
@@ -25,8 +25,8 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, band)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     envelope = read_plain(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
-        drawn = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
-        save(drawn, stem, caption_text(figure, drawn, data))
+        drawing = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
+        save(drawing, stem, caption(figure, drawing.panels, data.attrs["title"]))
     print(f"{figure}: drawn")
 
 

@@ -1,55 +1,57 @@
-"""Design charts of the atlas: limits over the load with the range of the ensemble, a curve a roughness."""
+"""Design charts of the atlas: limits over the load with the ensemble range, a curve a roughness."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from string import ascii_uppercase
 
-import matplotlib
 import numpy as np
 import xarray as xr
 from matplotlib import rcParams
-from matplotlib.colors import to_rgb
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import note, parameter_title, value_text
-from thirdbody.figures.sheet.panel import panel_figure
-from thirdbody.figures.sheet.styles import LIGHTEST, MARKERS, TINT
+from thirdbody.figures.curves import add_key
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.naming import note, parameter_title, value_text
+from thirdbody.figures.scales import set_scales
+from thirdbody.figures.styles import BAND_EDGE, band_style, level_styles
 
 MARK_EVERY = 12  # loads
-BAND = ("90 % of the ensemble", {"color": "0.82", "linewidth": 6.0, "solid_capstyle": "butt"})
+RANGE = "90 % of the ensemble"
 
 
-def plot(name: str, panels: Sequence[xr.Dataset]) -> Figure:
-    """Draw a chart.
+def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
+    """Draw the limit ``name``, one of ``SCALES``, in a panel for each of ``charts``.
 
-    Parameters
-    ----------
-    name : str
-        Its limit, one of ``SCALES``.
-    panels : sequence of xarray.Dataset
-        Those of ``thirdbody.atlas.charts.chart_panels``; all show the same roughnesses.
+    These are the datasets of ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses.
     """
-    figure = panel_figure([("load", name)] * len(panels))
-    surfaces = panels[0]["roughness"].values
-    shades = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(0.0, LIGHTEST, surfaces.size))
-    looks = [
-        {"color": shade, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
-        for index, shade in enumerate(shades.tolist())
-    ]
-    for panel, shown in zip(figure.axes, panels, strict=True):
-        panel.add_title(", ".join(_notes(shown)))
-        _draw(panel, shown, looks)
-        newtons = shown["normal_load"].values / shown["load"].values
-        panel.frame(float(newtons[-1]))
-    keys = [
-        (value_text("roughness", surface), look)
+    figure = grid_of_axes(len(charts), rcParams["figure.figsize"])
+    surfaces = charts[0]["roughness"].values
+    looks = level_styles(surfaces.size)
+    panels = []
+    for letter, axes, shown in zip(ascii_uppercase, figure.axes, charts, strict=False):
+        series = []
+        for index, look in enumerate(looks):
+            curve, *ranges = _series(shown.isel(roughness=index))
+            axes.plot(curve.x, curve.y, markevery=(index, MARK_EVERY), **look)
+            for band in ranges:
+                axes.fill(band.x, band.y, **band_style(look["color"]))
+                axes.plot(band.x, band.y, color=look["color"], **BAND_EDGE)
+            series += [curve, *ranges]
+        panels.append(Panel(letter, ", ".join(_notes(shown)), "load", name, tuple(series)))
+        axes.set_xlim(*shown["load"].values[[0, -1]])
+        if not any(np.isfinite(one.y).any() for one in series):
+            axes.set_ylim(*shown.attrs["ends"])
+        title_axes(axes, panels[-1])
+        set_scales(axes, "load", name, float((shown["normal_load"] / shown["load"])[-1]))
+    entries = [
+        Line2D([], [], label=value_text("roughness", surface), **look)
         for surface, look in zip(surfaces, looks, strict=True)
     ]
-    draw_key(figure, parameter_title("roughness"), "", keys, [BAND])
-    return figure
+    entries.append(Line2D([], [], label=RANGE, color="0.82", linewidth=6.0))
+    add_key(figure, entries, parameter_title("roughness"))
+    return Drawing(figure, tuple(panels))
 
 
 def _notes(shown) -> list[str]:
@@ -61,28 +63,17 @@ def _notes(shown) -> list[str]:
     return [note(name, value) for name, value in values.items()]
 
 
-def _draw(panel, shown, looks):
-    """Bands and curves: what is beyond the atlas is left out."""
-    load = shown["load"].values
-    bands, names, tints = [], [], []
-    for index, look in enumerate(looks):
-        some = shown.isel(roughness=index)
-        label = f"sigma = {value_text('roughness', float(some['roughness']))} nm"
-        low, high = np.clip(some["range"].values[[0, -1]], *shown.attrs["ends"])
-        known = np.flatnonzero(low < high)
-        for run in np.split(known, np.flatnonzero(np.diff(known) > 1) + 1):
-            if run.size > 1:
-                x, ends = load[run], (low[run], high[run])
-                bands.append(np.transpose([np.r_[x, x[::-1]], np.r_[ends[0], ends[1][::-1]]]))
-                names.append(f"{label}; 90 % of the ensemble")
-                tints.append(1.0 - TINT * (1.0 - np.array(to_rgb(look["color"]))))
-        value = some["limit"].values
-        value = np.where(np.isfinite(value) & (value > 0.0), value, np.nan)
-        start = (2 * index + 1) * MARK_EVERY // (2 * len(looks))
-        panel.add_line(Line2D(load, value, label=label, markevery=(start, MARK_EVERY), **look))
-    if bands:
-        panel.add_outlines(bands, names, facecolors=tints, edgecolors="none", alpha=0.6, zorder=1.2)
-    drawn = panel.dataLim.intervaly
-    panel.update_datalim(
-        np.transpose([load[[0, -1]], drawn if np.isfinite(drawn).all() else shown.attrs["ends"]])
-    )
+def _series(shown) -> list[Series]:
+    """The curve of one roughness and the outlines of its range, within the atlas."""
+    load, limit = shown["load"].values, shown["limit"].values
+    label = f"sigma = {value_text('roughness', float(shown['roughness']))} nm"
+    known = np.isfinite(limit) & (limit > 0.0)
+    series = [Series(CURVE, label, load, np.where(known, limit, np.nan))]
+    low, high = np.clip(shown["range"].values[[0, -1]], *shown.attrs["ends"])
+    places = np.flatnonzero(low < high)
+    for run in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1):
+        if run.size > 1:
+            x = np.concatenate([load[run], load[run][::-1], load[run][:1]])
+            y = np.concatenate([low[run], high[run][::-1], low[run][:1]])
+            series.append(Series(CURVE, f"{label}; {RANGE}", x, y))
+    return series

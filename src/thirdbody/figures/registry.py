@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from matplotlib.figure import Figure
-
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.schematic import Section
 from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
+from thirdbody.figures.drawing import Drawing
+from thirdbody.figures.sections import Section
 from thirdbody.figures.shown import AREA_OVER_TWO_BODY, shown_curves
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
@@ -26,7 +25,7 @@ RELATIVE = Content(AREA_OVER_TWO_BODY)  # A_t* over that of dry two-body contact
 WINDOW = Content("turning_point_ratio", x="diameter_ratio")
 SMOOTHEST, ROUGHEST = 0, -1
 
-SCHEMATICS: dict[str, Callable[[Sequence[Section]], Figure]] = {
+SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {
     "fig01": schematics.plot_interface,
     "fig02": schematics.plot_modes,
 }

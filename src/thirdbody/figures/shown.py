@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import shown_combinations
-from thirdbody.figures.sheet.naming import label
+from thirdbody.figures.naming import label
 
 AREA = "total_contact_area"
 AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"
@@ -25,13 +25,18 @@ class Curve:
 
     @property
     def label(self) -> str:
-        """What the file of the drawn data calls it."""
+        """Name in the file of the drawn data."""
         return label(self.condition)
 
     def values(self, data: PlainDataset, name: str) -> NDArray[np.float64]:
         """Values of the variable ``name`` along the curve, shape (loads,)."""
         values = data[name].values
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
+
+    def at(self, data: PlainDataset, name: str, load: float) -> float:
+        """The variable ``name`` at a ``load``, interpolated over its logarithm."""
+        loads = np.log(data["load"].values)
+        return float(np.interp(np.log(load), loads, self.values(data, name)))
 
 
 def shown_curves(data: PlainDataset) -> list[Curve]:

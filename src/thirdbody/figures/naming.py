@@ -23,10 +23,26 @@ def power_text(value: float) -> str:
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
 
 
-def parameter_title(parameter: str) -> str:
-    """Title of a key whose curves differ in ``parameter``, with its sign and unit.
+def axis_name(parameter: str) -> str:
+    """Name of one of the five conditions, in words.
 
-    ``parameter`` is one of the four conditions, or the ``diameter_ratio``.
+    Examples
+    --------
+    >>> axis_name("particle_diameter")
+    'Particle diameter'
+    """
+    return parameter.replace("_", " ").capitalize()
+
+
+def unit_text(parameter: str) -> str:
+    """Engineering unit of one of the four conditions."""
+    return AXES[parameter].unit.translate(SUPERSCRIPTS)
+
+
+def parameter_title(parameter: str) -> str:
+    """Title of a key whose curves differ in ``parameter``, with its symbol and unit.
+
+    ``parameter`` is one of the five conditions, or the ``diameter_ratio``.
 
     Examples
     --------
@@ -35,21 +51,21 @@ def parameter_title(parameter: str) -> str:
     """
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
-    axis = AXES[parameter]
-    name = axis.name.replace("_", " ").capitalize()
-    return f"{name} {axis.sign} ({axis.unit.translate(SUPERSCRIPTS)})"
+    if parameter == "load":
+        return "Dimensionless normal load Fₜ*"
+    return f"{axis_name(parameter)} {AXES[parameter].sign} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
     """``value`` [SI] of ``parameter`` in the unit of its title."""
-    if parameter == "particle_density":
+    if parameter in ("particle_density", "load") and value:
         return power_text(value)
-    shown = AXES[parameter].from_si(value) if parameter in AXES else value
-    return f"{shown:.10g}"
+    number = AXES[parameter].from_si(value) if parameter in AXES else value
+    return f"{number:.10g}"
 
 
 def note(parameter: str, value: float) -> str:
-    """``value`` [SI] of a condition with its sign and unit.
+    """``value`` [SI] of a condition with its symbol and unit.
 
     Examples
     --------
@@ -58,8 +74,8 @@ def note(parameter: str, value: float) -> str:
     """
     if parameter == "viscosity" and value == 0.0:
         return "dry"
-    axis = AXES[parameter]
-    return f"{axis.sign} = {value_text(parameter, value)} {axis.unit.translate(SUPERSCRIPTS)}"
+    unit = "" if parameter == "load" else f" {unit_text(parameter)}"
+    return f"{AXES[parameter].sign} = {value_text(parameter, value)}{unit}"
 
 
 def notes(condition: Condition) -> list[str]:

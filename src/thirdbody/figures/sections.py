@@ -1,0 +1,332 @@
+"""Sections through the three-body interface, true to scale, and the file that keeps them.
+
+The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
+planes stand at the solved separation.  They are random, from a seed that is always the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.data.attributes import coordinate_attributes, variable_attributes
+from thirdbody.data.conditions import AXES, Condition
+from thirdbody.data.netcdf import load, write_netcdf
+from thirdbody.data.plain import PlainDataset
+from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.model.parameters import Parameters
+from thirdbody.model.regimes import CONTACT_MODES
+
+SEED = 20240507  # the day on which the paper appeared
+LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
+POINTS = 500
+CLEARANCE = 0.12  # fraction of the section that contacts keep from its ends
+ATTEMPTS = 1000
+NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
+# variables of the file: attribute of a section or of a particle, and meaning
+SURFACES = {"lower": "height of the lower surface", "upper": "height of the upper surface"}
+PARTICLE = {
+    "particle_position": "position of the centre of a particle; nan: no particle",
+    "particle_height": "height of the centre of a particle",
+    "particle_size": "diameter of a particle",
+}
+TOUCHES, CARRIES_LOAD = "surfaces_touch", "particle_bears_load"
+
+
+@dataclass(frozen=True)
+class State:
+    """A solved interface: its condition, and what a drawing needs of the solution.
+
+    Attributes
+    ----------
+    condition : Condition
+        Viscosity, particles and roughness.
+    separation : float
+        d [m].
+    particle_contact_area_ratio : float
+        A_sa,t* [1].
+    solid_load_fraction : float
+        L_s [1].
+    contact_mode : str
+        One of ``CONTACT_MODES``.
+    """
+
+    condition: Condition
+    separation: float
+    particle_contact_area_ratio: float
+    solid_load_fraction: float
+    contact_mode: str
+
+    @classmethod
+    def of(cls, condition: Condition, solution: Any) -> State:
+        """The state at a ``condition`` from a ``Solution`` of this one point.
+
+        Raises
+        ------
+        ValueError
+            If the point has no solution.
+        """
+        if not np.isfinite(solution.separation):
+            raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
+        numbers = (float(getattr(solution, name)) for name in NUMBERS)
+        return cls(condition, *numbers, CONTACT_MODES[int(solution.contact_mode)])
+
+
+@dataclass(frozen=True)
+class Particle:
+    """A particle: position and height of its centre and its diameter [m]; does it carry load?"""
+
+    position: float
+    height: float
+    diameter: float
+    carries_load: bool
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section through two rough surfaces with particles between them.
+
+    Attributes
+    ----------
+    state : State
+        The interface that is cut.
+    position : ndarray, shape (n,)
+        Places along the section [m].
+    lower, upper : ndarray, shape (n,)
+        Heights of both surfaces there [m]; flat where they touch.
+    touches : ndarray of bool, shape (n,)
+        Where they touch.
+    particles : tuple of Particle
+        Particles that the section meets.
+    """
+
+    state: State
+    position: NDArray[np.float64]
+    lower: NDArray[np.float64]
+    upper: NDArray[np.float64]
+    touches: NDArray[np.bool_]
+    particles: tuple[Particle, ...]
+
+
+def sections(
+    figure: str, states: Sequence[State], parameters: Parameters, seed: int = SEED
+) -> list[Section]:
+    """The sections that the schematic ``fig01`` or ``fig02`` shows, one for each state.
+
+    Raises
+    ------
+    ValueError
+        If no random section shows its contacts.
+    """
+    return [section_through(state, parameters, LENGTHS[figure], seed) for state in states]
+
+
+def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
+    """A section of this ``length`` [m] that meets the contacts which carry the load.
+
+    Summits touch in the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
+
+    Raises
+    ------
+    ValueError
+        If no random section is of this kind.
+    """
+    random = np.random.default_rng(seed)
+    position = np.linspace(0.0, length, POINTS)
+    mode = state.contact_mode
+    summits_touch = mode in ("two_body", "surface_surface", "hybrid")
+    particle_carries = mode in ("particle_surface", "hybrid")
+    reach = _reach(state, parameters) if particle_carries else None
+    for _ in range(ATTEMPTS):
+        lower, upper = _surfaces(state, parameters, position, summits_touch, random)
+        touches = lower > upper
+        particles = _particles(state, parameters, position, lower, upper, reach, random)
+        carries = any(particle.carries_load for particle in particles)
+        if (
+            touches.any() == summits_touch
+            and carries == particle_carries
+            and _are_apart(particles, position[touches], length)
+        ):
+            middle = 0.5 * (lower + upper)
+            lower, upper = (np.where(touches, middle, heights) for heights in (lower, upper))
+            return Section(state, position, lower, upper, touches, particles)
+    raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
+
+
+def _reach(state, parameters):
+    """By how much a gap may exceed a particle that carries load in it [m]: by the height of the plane
+    that particles meet, and by the elastic zone as printed."""
+    readings = parameters.readings
+    height = readings.particle_plane.height(state.condition.roughness, parameters)
+    depth = parameters.elastic_depth_ratio * state.condition.particle_diameter
+    return height + readings.elastic_limits.beyond * depth
+
+
+def correlation_length(state: State, parameters: Parameters) -> float:
+    """Correlation length [m] of a Gaussian surface with the model's density of summits.
+
+    References
+    ----------
+    Nayak (1971): a surface with the autocorrelation exp(-x^2/2l^2) has 1/(2 pi sqrt(3) l^2)
+    summits per unit area.
+    """
+    # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
+    # cannot both be those of a Gaussian surface
+    density = parameters.surface(state.condition.roughness).summit_density
+    return 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * density)
+
+
+def _surfaces(state, parameters, position, summits_touch, random):
+    """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
+    length = correlation_length(state, parameters)
+    # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
+    roughness = state.condition.roughness / np.sqrt(2.0)
+    lower, upper = (roughness * _profile(position, length, random) for _ in range(2))
+    if summits_touch:
+        # a Gaussian process that passes a given height there: a draw plus its regression on the
+        # difference; beyond a high level d it rises sigma^2/d on average
+        place = random.uniform(0.25, 0.4) * position[-1]
+        excess = state.condition.roughness**2 / state.separation
+        drawn = np.interp(place, position, lower - upper)
+        missing = state.separation + excess - drawn
+        rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
+        lower, upper = lower + rise, upper - rise
+    return lower, upper + state.separation
+
+
+def _profile(position, length, random):
+    """A Gaussian random profile of unit variance and autocorrelation exp(-x^2/2 length^2)."""
+    step = position[1] - position[0]
+    reach = int(3.0 * length / step)
+    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
+    noise = random.standard_normal(position.size + 2 * reach)
+    return np.convolve(noise, kernel, "valid") / np.sqrt(np.sum(kernel**2))
+
+
+def _particles(state, parameters, position, lower, upper, reach, random):
+    """Particles of a slab as deep as their mean distance; the first one carries load if there is
+    a ``reach``.
+
+    It lies in the narrowest place on the right, and is larger than the gap there less the reach.
+    """
+    count = round(position[-1] * np.sqrt(state.condition.particle_density))
+    places = random.uniform(0.05, 0.95, count) * position[-1]
+    smallest = np.zeros(count)
+    if reach is not None:
+        right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
+        gap = np.where(right, upper - lower, np.inf)
+        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
+    # up to X_max, from the size distribution of the model
+    diameters = parameters.readings.size_distribution.quantiles(
+        random.uniform(size=count), smallest, state.condition.particle_diameter, parameters
+    )
+    return tuple(
+        _settled(place, diameter, position, lower, upper, reach or 0.0)
+        for place, diameter in zip(places, diameters, strict=True)
+    )
+
+
+def _settled(place, diameter, position, lower, upper, reach) -> Particle:
+    """The particle at rest on the lower surface, or held where the gap is narrower than it; it carries
+    load where the gap exceeds it by no more than the ``reach``."""
+    radius = 0.5 * diameter
+    across = np.abs(position - place) < radius
+    if not across.any():
+        return Particle(place, float(np.interp(place, position, lower)) + radius, diameter, False)
+    half_chord = np.sqrt(radius**2 - (position[across] - place) ** 2)
+    rests = float((lower[across] + half_chord).max())
+    hangs = float((upper[across] - half_chord).min())
+    return Particle(place, min(rests, 0.5 * (rests + hangs)), diameter, rests + reach > hangs)
+
+
+def _are_apart(particles, contacts, length) -> bool:
+    """Whether no particle covers another, a contact of summits, or the ends of the section."""
+    places = np.array([particle.position for particle in particles])
+    radii = np.array([0.5 * particle.diameter for particle in particles])
+    distances = np.abs(places[:, None] - places) - radii[:, None] - radii
+    np.fill_diagonal(distances, np.inf)
+    within = (places > radii) & (places < length - radii)
+    clear = np.abs(places[:, None] - contacts) > radii[:, None]
+    return bool((distances > 0.0).all() and within.all() and clear.all())
+
+
+def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
+    """Write the sections of a schematic, all along the same positions, to a NetCDF-4 file.
+
+    Raises
+    ------
+    OSError
+        If there is no room or no right to write.
+    """
+    states = [section.state for section in sections]
+    variables = {}
+    for name in Condition._fields:
+        values = [getattr(state.condition, name) for state in states]
+        variables[name] = ("panel", values, coordinate_attributes(AXES[name]))
+    for name in NUMBERS:
+        values = [getattr(state, name) for state in states]
+        variables[name] = ("panel", values, coordinate_attributes(QUANTITIES[name]))
+    modes = [CONTACT_MODES.index(state.contact_mode) for state in states]
+    flag = variable_attributes(FLAGS["contact_mode"])
+    variables["contact_mode"] = ("panel", np.array(modes, dtype=np.int8), flag)
+    along = ("panel", "position")
+    for name, meaning in SURFACES.items():
+        heights = [getattr(section, name) for section in sections]
+        variables[name] = (along, heights, {"units": "m", "long_name": meaning})
+    touches = np.array([section.touches for section in sections], dtype=np.int8)
+    variables[TOUCHES] = (along, touches, {"long_name": "whether they touch"})
+    variables |= _particle_variables([section.particles for section in sections])
+    position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
+    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+    write_netcdf(dataset, path, {})
+
+
+def _particle_variables(of_panels) -> dict:
+    """Variables over panels and particles; panels with fewer particles than others end with nan."""
+    shape = len(of_panels), max(map(len, of_panels))
+    numbers, carry = np.full((3, *shape), np.nan), np.zeros(shape, dtype=np.int8)
+    for panel, particles in enumerate(of_panels):
+        for place, particle in enumerate(particles):
+            numbers[:, panel, place] = particle.position, particle.height, particle.diameter
+            carry[panel, place] = particle.carries_load
+    dimensions = ("panel", "particle")
+    variables = {
+        name: (dimensions, values, {"units": "m", "long_name": meaning})
+        for (name, meaning), values in zip(PARTICLE.items(), numbers, strict=True)
+    }
+    meaning = {"long_name": "whether a particle bears load"}
+    return variables | {CARRIES_LOAD: (dimensions, carry, meaning)}
+
+
+def read_sections(path: str | PathLike) -> list[Section]:
+    """The sections of a file of ``write_sections``, one a panel, as they were written.
+
+    Raises
+    ------
+    OSError
+        If the file is absent, damaged, or holds something else: one line names it.
+    """
+    needed = (*Condition._fields, *NUMBERS, *SURFACES, *PARTICLE, "contact_mode", "position")
+    data = load(path, (*needed, TOUCHES, CARRIES_LOAD))
+    return [_section(data, index) for index in range(data.sizes["panel"])]
+
+
+def _section(data: PlainDataset, index: int) -> Section:
+    """The section of one panel of a file."""
+    panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
+    condition = Condition(*(float(panel[name]) for name in Condition._fields))
+    numbers = (float(panel[name]) for name in NUMBERS)
+    state = State(condition, *numbers, CONTACT_MODES[int(panel["contact_mode"])])
+    columns = [panel[name].tolist() for name in PARTICLE]
+    carry = panel[CARRIES_LOAD].astype(bool).tolist()
+    particles = tuple(
+        Particle(*values) for values in zip(*columns, carry, strict=True) if not np.isnan(values[0])
+    )
+    surfaces = (panel[name] for name in SURFACES)
+    touches = panel[TOUCHES].astype(bool)
+    return Section(state, data["position"].values, *surfaces, touches, particles)
