@@ -32,16 +32,11 @@ def style():
 
 
 @pytest.fixture(scope="module")
-def statements():
-    return load_claims(ROOT / "config" / "claims.yaml")
-
-
-@pytest.fixture(scope="module")
-def rows(statements):
+def rows():
     """Scores over their whole range, with each verdict among them."""
-    scores = np.linspace(0.0, 10.0, len(statements))
+    statements = load_claims(ROOT / "config" / "claims.yaml")
     rows = []
-    for claim, score in zip(statements, scores, strict=True):
+    for claim, score in zip(statements, np.linspace(0.0, 10.0, len(statements)), strict=True):
         verdict = verdicts.HOLDS if score <= 1.0 else verdicts.FAILS
         if claim.aside:
             verdict = verdicts.CONTRADICTED
@@ -49,21 +44,10 @@ def rows(statements):
             verdict = verdicts.NOT_TESTED
         if claim.is_withheld:
             score, verdict = None, verdicts.WITHHELD
-        rows.append(
-            {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
-            | {
-                "cluster": claim.cluster,
-                "score": score,
-                "ensemble_agree": 3.0,
-                "ensemble_size": 12.0,
-            }
-        )
+        row = {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
+        row |= {"cluster": claim.cluster, "score": score}
+        rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
-
-
-@pytest.fixture(scope="module")
-def drawing(rows):
-    return claims.plot(rows)
 
 
 @pytest.mark.parametrize(("place", "part"), PLACES)
@@ -71,39 +55,23 @@ def test_parts_of_the_paper(place, part):
     assert part_of_paper(place) == part
 
 
-def test_every_statement_is_drawn_at_its_score(rows, drawing):
-    places = {one.label: float(one.x[0]) for panel in drawing.panels for one in panel.series}
-    assert places.keys() == {row["id"] for row in rows}
+def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
+    drawing = claims.plot(rows)
+    (axes,), (panel,) = drawing.figure.axes, drawing.panels
+    texts = [text.get_text() for text in axes.get_yticklabels()]
+    assert {one.name for one in panel.series} == {row["id"] for row in rows}
+    lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
     for row in rows:
-        wanted = claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
-        assert places[row["id"]] == wanted
-
-
-def test_statements_that_do_not_hold_are_named(rows, drawing):
-    names = {text.get_text() for axes in drawing.figure.axes for text in axes.texts}
-    wanted = (verdicts.HOLDS, verdicts.WITHHELD)
-    assert names == {row["id"] for row in rows if row["verdict"] not in wanted}
-
-
-def test_counts_stand_beside_their_part(rows, drawing):
-    texts = [
-        text.get_text() for axes in drawing.figure.axes for text in axes.yaxis.get_ticklabels()
-    ]
-    for part in {part_of_paper(row["place"]) for row in rows}:
-        words = [row["verdict"] for row in rows if part_of_paper(row["place"]) == part]
+        score, text = lines[row["id"]]
+        assert score == (
+            claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
+        )
+        part = part_of_paper(row["place"])
+        words = [one["verdict"] for one in rows if part_of_paper(one["place"]) == part]
         held = words.count(verdicts.HOLDS)
-        assert f"{part}\n{held} of {held + words.count(verdicts.FAILS)} hold" in texts
-
-
-def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
-    counted = verdicts.counts(rows, "figure")
-    assert [row.pop("figure") for row in counted] == list(claims._groups(rows))
-    assert sum(row[word] for row in counted for word in claims.COLOURS) == len(rows)
-    by_role = {
-        row["role"]: sum(row[word] for word in claims.COLOURS)
-        for row in verdicts.counts(rows, "role")
-    }
-    assert by_role == {role: sum(row["role"] == role for row in rows) for role in by_role}
+        judged = held + words.count(verdicts.FAILS)
+        is_named = row["verdict"] not in (verdicts.HOLDS, verdicts.WITHHELD)
+        assert text == (row["id"] if is_named else f"{part}: {held} of {judged} hold")
 
 
 def test_every_verdict_and_role_has_its_look():
@@ -116,8 +84,9 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
     few = rows[:20]
     sure = [row | {"ensemble_agree": 12.0} for row in few]
     for some, hollow in ((few, True), (sure, False)):
-        lines = [line for axes in claims.plot(some).figure.axes for line in axes.lines]
-        marked = [line for line in lines if line.get_marker() in claims.MARKERS.values()]
+        (axes,) = claims.plot(some).figure.axes
+        marked = [line for line in axes.lines if line.get_marker() in claims.MARKERS.values()]
+        assert len(marked) == len(few)
         assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
 
 

@@ -11,18 +11,19 @@ import yaml
 from matplotlib.colors import to_rgb
 
 import thirdbody as tb
-from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS, Condition
+from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
 from thirdbody.figures import charts
 from thirdbody.figures.captions import CAPTIONS, caption
+from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW, condition_key
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.registry import CURVE_FIGURES, SCHEMATICS, curve_figure
+from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
+from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import State, sections
-from thirdbody.figures.shown import shown_curves
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows
 
@@ -54,45 +55,23 @@ PANELS = {
 }
 
 
-def conditions_of(diameter, load=2.0, viscosity=0):
-    return {"load_N": load, "viscosity_cSt": viscosity, "particle_diameter_nm": diameter} | {
-        "roughness_nm": 300,
-        "particle_density_per_m2": 1e11,
-    }
-
-
-def solved_state(parameters, given):
-    condition = Condition.of(given)
-    load = given["load_N"] / parameters.newtons_per_load
-    return State.of(condition, tb.solve(load=load, **condition._asdict(), parameters=parameters))
-
-
-def decoded(scene, parameters):
-    """The dataset of ``scene``, as it is read from a file."""
-    return xr.decode_cf(scene_dataset(scene, parameters, 1e-4).to_xarray())
-
-
 @pytest.fixture(scope="module")
 def datasets(parameters):
-    """The paper's scenes on a few loads."""
+    """The paper's scenes on a few loads, as they are read from files."""
     scenes = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"]
-    shown = [
-        Scene.of(name, scenes[name] | {"load_axis": LOAD_AXIS}, parameters.newtons_per_load)
-        for name in PANELS
-    ]
-    return {scene.name: decoded(scene, parameters) for scene in shown}
+    few = {name: scenes[name] | {"load_axis": LOAD_AXIS} for name in PANELS}
+    return {name: dataset_of(name, scene, parameters) for name, scene in few.items()}
+
+
+def dataset_of(name, scene, parameters):
+    computed = Scene.of(name, scene, parameters.newtons_per_load)
+    return xr.decode_cf(scene_dataset(computed, parameters, 1e-4).to_xarray())
 
 
 @pytest.fixture(autouse=True)
 def style():
     with matplotlib.style.context(STYLE, after_reset=True):
         yield
-
-
-@pytest.fixture(scope="module")
-def modes(parameters):
-    """The states of figure 2: s-s, p-s and hybrid mode."""
-    return [solved_state(parameters, conditions_of(diameter)) for diameter in (100, 1000, 300)]
 
 
 @pytest.fixture(scope="module")
@@ -105,13 +84,12 @@ def printed():
 def turning_points_in(data):
     """The highest point of each curve, where it lies within the loads."""
     found = []
-    for curve in shown_curves(data):
+    for curve in curves_in(data):
         ratio = curve.values(data, RATIO)
         top = int(np.argmax(ratio))
         if 0 < top < ratio.size - 1:
-            conditions = {name: getattr(curve.condition, name) for name in DIMENSIONS[1:]}
-            load = float(data["load"].values[top])
-            found.append(conditions | {"load": load, "peak_ratio": float(ratio[top])})
+            place = {"load": float(data["load"].values[top]), "peak_ratio": float(ratio[top])}
+            found.append(curve.condition._asdict() | place)
     return found
 
 
@@ -130,26 +108,39 @@ def drawn_rows(path):
         return list(csv.DictReader(stream))
 
 
-def texts_of(figure):
-    """Texts of the key."""
-    return [text.get_text() for legend in figure.legends for text in legend.get_texts()]
+def key_of(figure):
+    return [text.get_text() for text in figure.legends[0].get_texts()]
 
 
 def test_every_figure_of_the_paper_is_drawn():
     names = [f"fig{number:02d}" for number in range(1, 14)]
     assert sorted(SCHEMATICS | CURVE_FIGURES) == names
+    others = {"fronts", "claims", "sensitivity", "accuracy", "largest_particle", "least_viscosity"}
+    assert set(CAPTIONS) == others | set(names)
 
 
 @pytest.mark.parametrize("name", PANELS)
-def test_panels_show_their_curves_whole(name, datasets):
-    drawing = plotted(name, datasets)
+def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, printed):
+    data = datasets[name]
     count, expected = PANELS[name]
+    band = xr.Dataset(
+        {f"{y}_{end}": data[y] for _, y in expected if y in data for end in ("low", "high")}
+    )
+    windows = [{"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9}]
+    drawing = plotted(name, datasets, band=band, printed=printed[name], windows=windows)
     assert [panel.letter for panel in drawing.panels] == list("ABCD"[: len(expected)])
     assert [(panel.x, panel.y) for panel in drawing.panels] == expected
-    for axes, panel in zip(drawing.figure.axes, drawing.panels, strict=True):
+    figure = drawing.figure
+    figure.draw_without_rendering()
+    width, height = figure.bbox.size
+    box = figure.get_tightbbox().extents * figure.dpi  # [inches]
+    assert box[0] >= 0 and box[1] >= 0 and box[2] <= width and box[3] <= height
+    boxes = [axes.get_tightbbox() for axes in figure.axes] + [figure.legends[0].get_tightbbox()]
+    assert not any(one.overlaps(other) for one in boxes for other in boxes if one is not other)
+    for axes, panel in zip(figure.axes, drawing.panels, strict=True):
         curves = panel.of_kind(CURVE)
-        assert len({curve.name for curve in curves}) == len(curves)
         expected = {("fig12", "C"): 7}.get((name, panel.letter), count)
+        assert len({curve.name for curve in curves}) == len(curves)
         assert len(curves) == (0 if panel.is_over_sizes else expected)
         (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
         for curve in curves:
@@ -162,33 +153,16 @@ def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
     figure = plotted(name, datasets).figure
     looks = [look(line) for line in figure.legends[0].get_lines()]
     assert len(set(looks)) == len(looks)
+    marked = [(marker, face) for _, marker, face, _ in looks if marker not in ("None", "none")]
+    assert len(set(marked)) == len(marked)  # markers alone tell the levels apart
     lines = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 2]
     assert len({look(line) for line in lines}) >= PANELS[name][0]
 
 
 def look(line):
-    return (
-        str(line.get_linestyle()),
-        str(line.get_marker()),
-        line._dash_pattern[1] and 1,
-        round(float(np.dot(to_rgb(line.get_color()), GREY)), 3),
-    )
-
-
-@pytest.mark.parametrize("name", PANELS)
-def test_nothing_leaves_the_sheet(name, datasets, printed):
-    data = datasets[name]
-    band = xr.Dataset(
-        {f"{y}_{end}": data[y] for _, y in PANELS[name][1] if y in data for end in ("low", "high")}
-    )
-    windows = [{"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9}]
-    figure = plotted(name, datasets, band=band, printed=printed[name], windows=windows).figure
-    figure.draw_without_rendering()
-    width, height = figure.bbox.size
-    box = figure.get_tightbbox().extents * figure.dpi  # [inches]
-    assert box[0] >= -2 and box[1] >= -2 and box[2] <= width + 2 and box[3] <= height + 2
-    legend = figure.legends[0].get_window_extent()
-    assert not any(legend.overlaps(axes.get_tightbbox()) for axes in figure.axes)
+    grey = round(float(np.dot(to_rgb(line.get_color()), GREY)), 3)
+    is_hollow = line.get_markerfacecolor() == "white"
+    return str(line.get_linestyle()), str(line.get_marker()), is_hollow, grey
 
 
 def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
@@ -203,15 +177,20 @@ def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
     assert not over_film.child_axes
 
 
-@pytest.mark.parametrize("name", ["fig04", "fig09", "fig11", "fig13"])
-def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
-    data = datasets[name]
-    drawing = plotted(name, datasets)
-    saved(drawing, tmp_path / name)
-    rows = drawn_rows(tmp_path / f"{name}.csv")
+@pytest.mark.parametrize("name", ["fig04", "fig09", "fig11"])
+def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
+    name, datasets, tmp_path
+):
+    data, drawing = datasets[name], plotted(name, datasets)
+    files = saved(drawing, tmp_path / "first")
+    assert files == saved(plotted(name, datasets), tmp_path / "second")
+    # text stays text, and fonts are embedded as outlines
+    assert "ν = 0 cSt".encode() not in files[".svg"] and b"</text>" in files[".svg"]
+    assert b"/FontFile2" in files[".pdf"] and b"/Type3" not in files[".pdf"]
+    rows = drawn_rows(tmp_path / "first.csv")
     assert list(rows[0]) == ["panel", "curve", "x_name", "x", "y_name", "y"]
     for panel in drawing.panels:
-        for curve in shown_curves(data):
+        for curve in curves_in(data):
             drawn = [
                 (float(row["x"]), float(row["y"]))
                 for row in rows
@@ -221,19 +200,6 @@ def test_csv_holds_the_values_of_the_dataset(name, datasets, tmp_path):
                 expected = np.column_stack([curve.values(data, n) for n in (panel.x, panel.y)])
                 np.testing.assert_allclose(drawn, expected, rtol=1e-9)  # %.10g
     assert {row["curve"] for row in rows} >= {c.name for c in drawing.panels[0].of_kind(CURVE)}
-
-
-@pytest.mark.parametrize("name", ["fig04", "fig09"])
-def test_same_bytes_every_time(name, datasets, tmp_path):
-    first, second = (saved(plotted(name, datasets), tmp_path / stem) for stem in "ab")
-    assert first == second
-
-
-def test_text_stays_text_and_fonts_are_embedded_as_outlines(datasets, tmp_path):
-    files = saved(plotted("fig05", datasets), tmp_path / "fig05")
-    assert b">Viscosity \xce\xbd (cSt)</text>" in files[".svg"]
-    assert b"/FontFile2" in files[".pdf"]
-    assert b"/Type3" not in files[".pdf"]
 
 
 @pytest.mark.parametrize("status", ["outside_film_formula", "load_exceeded"])
@@ -247,7 +213,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, datasets):
         for name in QUANTITIES:
             data[name][missing] = np.nan
     drawing = CURVE_FIGURES["fig11"].plot(data)
-    curve = shown_curves(data)[-1]
+    curve = curves_in(data)[-1]
     places = [-5] if status == "load_exceeded" else [-4, -1]
     for panel in drawing.panels:
         (marked,) = panel.of_kind(status)
@@ -255,32 +221,42 @@ def test_points_that_are_not_plainly_converged_are_marked(status, datasets):
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values(data, name)[places])
     meaning = {"outside_film_formula": "film outside", "load_exceeded": "none beyond"}[status]
-    assert any(meaning in text for text in texts_of(drawing.figure))
+    assert any(meaning in text for text in key_of(drawing.figure))
     assert meaning in caption("fig11", drawing.panels).markdown()
-    assert not any(meaning in text for text in texts_of(plotted("fig11", datasets).figure))
+    assert not any(meaning in text for text in key_of(plotted("fig11", datasets).figure))
 
 
-def test_turning_points_are_marked_on_their_curves(datasets):
+def test_turning_points_and_windows_are_marked(datasets, printed):
+    windows = [
+        {"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9},
+        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": 1.2},
+        {"roughness_m": 1e-7, "end": "high", "diameter_over_roughness": 1.1},
+        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": np.nan},
+    ]
     points = turning_points_in(datasets["fig09"])
-    assert points
-    ratio, area, over, windows = plotted("fig09", datasets).panels
-    (marks,) = ratio.of_kind(STARS)
-    expected = sorted((point["load"], point["peak_ratio"]) for point in points)
-    np.testing.assert_allclose(sorted(zip(marks.x, marks.y, strict=True)), expected, rtol=1e-9)
+    drawing = plotted("fig09", datasets, printed=printed["fig09"], windows=windows)
+    ratio, area, over, last = drawing.panels
+    at_load = sorted((point["load"], point["peak_ratio"]) for point in points)
+    at_size = sorted((p["particle_diameter"] / p["roughness"], p["peak_ratio"]) for p in points)
+    for panel, expected in ((ratio, at_load), (last, at_size)):
+        (stars,) = panel.of_kind(STARS)
+        np.testing.assert_allclose(sorted(zip(stars.x, stars.y)), expected, rtol=1e-8)
     (locus,) = area.of_kind(LOCUS)
-    diameters = [point["particle_diameter"] for point in points]
-    in_order = [points[i]["load"] for i in np.argsort(diameters)]
-    np.testing.assert_allclose(locus.x, in_order, rtol=1e-9)
-    assert over.of_kind(LOCUS)
-    (marks,) = windows.of_kind(STARS)
-    expected = sorted((p["particle_diameter"] / p["roughness"], p["peak_ratio"]) for p in points)
-    np.testing.assert_allclose(sorted(zip(marks.x, marks.y, strict=True)), expected, rtol=1e-8)
+    by_size = sorted(points, key=lambda point: point["particle_diameter"])
+    np.testing.assert_allclose(locus.x, [point["load"] for point in by_size], rtol=1e-9)
+    assert points and over.of_kind(LOCUS)
+    (ends,) = last.of_kind(WINDOW)
+    assert ends.x.tolist() == [0.9, 1.2]
+    assert "fig09-window" in [series.name for series in last.of_kind(PRINTED)]
+    rules = (ROOT / "workflow/rules/render.smk").read_text(encoding="utf-8")
+    names = tuple(name for name, figure in CURVE_FIGURES.items() if figure.shows_windows)
+    assert f"in {names}".replace("'", '"') in rules
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig08"])
 def test_areas_are_compared_with_dry_two_body_contact(name, datasets):
     data = datasets[name]
-    curves = {curve.label: curve for curve in shown_curves(data)}
+    curves = {curve.label: curve for curve in curves_in(data)}
     references = {
         curve.condition.roughness: curve.values(data, AREA)
         for curve in curves.values()
@@ -297,14 +273,14 @@ def test_areas_are_compared_with_dry_two_body_contact(name, datasets):
 @pytest.mark.parametrize("name", PANELS)
 def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printed):
     data = datasets[name]
-    shown = {condition_key(curve.condition) for curve in shown_curves(data)}
+    computed = {condition_key(curve.condition) for curve in curves_in(data)}
     surfaces = data["roughness"].values
     rows = [
         row
         for row in printed[name]
         if (
             row["quantity"].startswith("window")
-            or condition_key(row[axis.column] for axis in CONDITION_AXES) in shown
+            or condition_key(row[axis.column] for axis in CONDITION_AXES) in computed
         )
         and np.isclose(row["roughness_m"], surfaces, rtol=1e-9).any()
     ]
@@ -313,7 +289,7 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
     for series in (series for panel in drawing.panels for series in panel.series):
         if series.kind in found:
             found[series.kind].setdefault(series.name, []).extend([*series.x, *series.y])
-    assert any(text.startswith("printed") for text in texts_of(drawing.figure)) == bool(rows)
+    assert any(text.startswith("printed") for text in key_of(drawing.figure)) == bool(rows)
     for row in rows:
         places, ends = found[PRINTED][row["id"]], found[TOLERANCE][row["id"]]
         if row["quantity"] not in AT_A_LOAD:  # drawn over the load, or at a multiple of one
@@ -322,85 +298,59 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
             assert np.isclose(ends, row["high"]).any() or row["high"] > 1.0, row
 
 
-def test_both_numbers_of_a_turning_point_meet_in_one_place(datasets, printed):
+def test_printed_numbers_stand_at_their_loads(datasets, printed):
     ratio, *_ = plotted("fig11", datasets, printed=printed["fig11"]).panels
     values = {row["id"]: row["value"] for row in printed["fig11"]}
     name = "fig11a-turning-point-load-at-120cst"
     (mark,) = (series for series in ratio.of_kind(PRINTED) if series.name == name)
     assert (*mark.x, *mark.y) == (values[name], values["fig11a-peak-ratio"])
-
-
-def test_what_holds_up_to_a_load_is_marked_at_that_load(datasets, printed):
-    data = datasets["fig05"]
-    rows = [row for row in printed["fig05"] if row["load_max"]]
-    assert rows
-    flat = data.assign({SOLID: data[SOLID] * 0.0 + 1.0})
-    _, rough = CURVE_FIGURES["fig05"].plot(flat, printed=rows).panels
-    mark, *_ = rough.of_kind(PRINTED)
+    rows = [row for row in printed["fig05"] if row["load_max"]]  # what holds up to a load
+    flat = datasets["fig05"].assign({SOLID: datasets["fig05"][SOLID] * 0.0 + 1.0})
+    mark, *_ = CURVE_FIGURES["fig05"].plot(flat, printed=rows).panels[1].of_kind(PRINTED)
     assert mark.x == rows[0]["load_max"]
 
 
-def test_computed_windows_are_drawn_beside_the_printed_ones(datasets, printed):
-    windows = [
-        {"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9},
-        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": 1.2},
-        {"roughness_m": 1e-7, "end": "high", "diameter_over_roughness": 1.1},
-        {"roughness_m": 3e-7, "end": "high", "diameter_over_roughness": np.nan},
-    ]
-    drawing = plotted("fig09", datasets, printed=printed["fig09"], windows=windows)
-    (ends,) = drawing.panels[-1].of_kind(WINDOW)
-    assert ends.x.tolist() == [0.9, 1.2]
-    assert "fig09-window" in [series.name for series in drawing.panels[-1].of_kind(PRINTED)]
-
-
-def test_each_figure_that_shows_windows_gets_them():
-    rules = (ROOT / "workflow/rules/render.smk").read_text(encoding="utf-8")
-    names = [name for name, figure in CURVE_FIGURES.items() if figure.shows_windows]
-    assert f"in {tuple(names)}".replace("'", '"') in rules
-
-
-def test_a_band_is_drawn(datasets, tmp_path):
+def test_an_ensemble_range_is_drawn(datasets):
     data = datasets["fig05"]
     band = xr.Dataset({f"{SOLID}_low": 0.9 * data[SOLID], f"{SOLID}_high": 1.1 * data[SOLID]})
     drawing = CURVE_FIGURES["fig05"].plot(data, band=band)
     assert [len(panel.of_kind(BAND)) for panel in drawing.panels] == [8, 8]
-    assert any("ensemble" in text for text in texts_of(drawing.figure))
+    highest = max(series.y.max() for series in drawing.panels[0].of_kind(BAND))
+    assert highest == pytest.approx(1.1 * float(data[SOLID][:, :, :, 0].max()))
+    assert "ensemble range" in key_of(drawing.figure)
     assert "ensemble" in caption("fig05", drawing.panels).markdown()
-    saved(drawing, tmp_path / "fig05")
-    rows = drawn_rows(tmp_path / "fig05.csv")
-    highest = max(float(row["y"]) for row in rows if row["curve"].startswith("band; "))
-    assert highest == pytest.approx(1.1 * float(data[SOLID].max()))
 
 
-def test_schematics_show_what_carries_the_load(parameters, modes, tmp_path):
-    lubricated = solved_state(parameters, conditions_of(500, load=50.0, viscosity=90))
-    interface = SCHEMATICS["fig01"](sections("fig01", [lubricated], parameters))
-    drawing, again = (SCHEMATICS["fig02"](sections("fig02", modes, parameters)) for _ in range(2))
+def test_schematics_show_what_carries_the_load(parameters, tmp_path):
+    def state(diameter, load, viscosity):
+        condition = Condition(viscosity, diameter, 3e-7, 1e11)
+        given = condition._asdict() | {"load": load / parameters.newtons_per_load}
+        return State.of(condition, tb.solve(**given, parameters=parameters))
+
+    states = [state(diameter, 2.0, 0.0) for diameter in (1e-7, 1e-6, 3e-7)]
+    lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)
+    interface = SCHEMATICS["fig01"](lubricated)
+    drawing, again = (SCHEMATICS["fig02"](sections("fig02", states, parameters)) for _ in range(2))
     labels = [[series.label for series in panel.series] for panel in drawing.panels]
     assert ["contact of summits" in each for each in labels] == [True, False, True]
     assert ["carries load" in "".join(each) for each in labels] == [False, True, True]
     for each in (interface, drawing):
-        for axes, panel in zip(each.figure.axes, each.panels, strict=True):
-            assert [series.label for series in panel.series[:2]] == ["surface 1", "surface 2"]
+        for axes in each.figure.axes:
             aspect = np.diff(axes.get_ylim()) / np.diff(axes.get_xlim())
             assert axes.get_box_aspect() == pytest.approx(float(aspect[0]))
     written = caption("fig02")
     assert saved(drawing, tmp_path / "a", written) == saved(again, tmp_path / "b", written)
-
-
-def test_a_condition_in_another_mode_is_refused(parameters, modes):
     with pytest.raises(ValueError, match="figure 2A shows the surface_surface mode"):
-        SCHEMATICS["fig02"](sections("fig02", modes[::-1], parameters))
+        SCHEMATICS["fig02"](sections("fig02", states[::-1], parameters))
     with pytest.raises(ValueError, match="figure 1 shows particles in a lubricant"):
-        SCHEMATICS["fig01"](sections("fig01", modes[:1], parameters))
+        SCHEMATICS["fig01"](sections("fig01", states[:1], parameters))
 
 
-def own(parameters, **varied):
-    """Dataset of a scene that is not the paper's."""
+def scene_of_the_user(parameters, **varied):
     given = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [300], "roughness_nm": [300]}
     group = given | {"particle_density_per_m2": [1e11]} | varied
     scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
-    return decoded(Scene.of("mine", scene, parameters.newtons_per_load), parameters)
+    return dataset_of("mine", scene, parameters)
 
 
 @pytest.mark.parametrize(
@@ -415,29 +365,21 @@ def own(parameters, **varied):
     ],
 )
 def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, curves, parameters):
-    data = own(parameters, **varied)
+    data = scene_of_the_user(parameters, **varied)
     chosen = curve_figure("mine", data)
     assert chosen.parameter == parameter
     drawing = chosen.plot(data)
     assert [len(panel.of_kind(CURVE)) for panel in drawing.panels] == [curves] * panels
-    written = caption("mine", drawing.panels, data.attrs["title"])
-    assert written.markdown().startswith("**Mine.** (A) ")
+    written = caption("mine", drawing.panels, "a *b* <script>\n# c").markdown()
+    assert written.startswith(r"**a \*b\* \<script\> # c.** (A) ")  # a title is no markup
 
 
 def test_what_one_figure_cannot_tell_apart_is_refused_in_one_line(parameters):
-    data = own(parameters, viscosity_cSt=[50, 90], particle_diameter_nm=[200, 400])
+    data = scene_of_the_user(parameters, viscosity_cSt=[50, 90], particle_diameter_nm=[200, 400])
     with pytest.raises(
         ValueError, match="mine: viscosity and particle_diameter vary; allowed: one"
     ):
         curve_figure("mine", data)
-
-
-def test_every_figure_has_a_caption():
-    others = {"fronts", "claims", "sensitivity", "accuracy", "largest_particle", "least_viscosity"}
-    assert set(CAPTIONS) == others | set(SCHEMATICS) | set(CURVE_FIGURES)
-    for name, written in CAPTIONS.items():
-        assert bool(written.alternative) == (name not in CURVE_FIGURES)
-        assert caption(name).title == written.title
 
 
 @pytest.mark.parametrize("name", ["fig03", "fig06", "fig09", "fig12"])
@@ -445,10 +387,8 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     from docutils.core import publish_parts
 
     drawing = plotted(name, datasets, printed=printed[name])
-    written = caption(name, drawing.panels)
-    text = written.markdown()
+    text = caption(name, drawing.panels).markdown()
     assert text.startswith(f"**Figure {int(name[3:])}. ")
-    assert len(written.panels) == len(drawing.panels)
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text
@@ -459,52 +399,35 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     assert ("Stars: " in text) == (STARS in kinds)
     assert ("Open squares" in text) == (PRINTED in kinds)
     assert "Shaded" not in text
+    if name == "fig03":
+        last = drawing.panels[1].of_kind(CURVE)[-1]
+        assert f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}" in text
     settings = {"report_level": 1, "halt_level": 1, "warning_stream": False}
     body = publish_parts(text, writer="html", settings_overrides=settings)["body"]
     assert body.count("<strong>") == 2
 
 
-def test_the_alternative_text_gives_the_numbers_of_the_curves(datasets):
-    drawing = plotted("fig03", datasets)
-    last = drawing.panels[1].of_kind(CURVE)[-1]
-    expected = f"xₐ = 1000 nm runs from {last.y[0]:.2g} to {last.y[-1]:.2g}"
-    assert expected in caption("fig03", drawing.panels).alternative
-
-
-def test_a_title_is_no_markup(datasets, tmp_path):
-    drawing = plotted("fig05", datasets)
-    written = caption("mine", drawing.panels, "a *b* <script>\n# c")
-    files = saved(drawing, tmp_path / "mine", written)
-    assert files[".md"].decode().startswith(r"**a \*b\* \<script\> # c.** (A) ")
-
-
 def test_a_chart_draws_what_is_within_the_atlas():
-    load, surfaces = np.geomspace(1e-7, 1e-4, 5), np.array([1e-7, 3e-7])
     limit = np.array(
         [[3e-7, 0.0], [4e-7, 5e-7], [np.inf, 6e-7], [np.inf, np.nan], [np.inf, np.inf]]
     )
-    shown = xr.Dataset(
+    load = np.geomspace(1e-7, 1e-4, 5)
+    computed = xr.Dataset(
         {
             "limit": (("load", "roughness"), limit),
             "range": (("quantile", "load", "roughness"), [0.9 * limit, limit, 1.1 * limit]),
         },
-        {
-            "load": load,
-            "roughness": surfaces,
-            "normal_load": ("load", 4e5 * load),
-            "viscosity": 0.0,
-            "particle_density": 1e11,
-        },
+        {"load": load, "roughness": [1e-7, 3e-7], "normal_load": ("load", 4e5 * load)}
+        | {"viscosity": 0.0, "particle_density": 1e11},
         {"ends": np.array([2e-8, 1e-6])},
     )
-    empty = shown.assign(limit=shown["limit"] + np.inf, range=shown["range"] * np.nan)
-    drawing = charts.plot("largest_particle_diameter", [shown, empty])
-    drawn = {series.label: series for series in drawing.panels[0].series}
-    for label, values in (("sigma = 100 nm", [3e-7, 4e-7]), ("sigma = 300 nm", [5e-7, 6e-7])):
-        known = drawn[label].y[np.isfinite(drawn[label].y)]
-        np.testing.assert_allclose(known, values)
-    band = drawn["sigma = 300 nm; 90 % of the ensemble"]
-    assert band.y.min() == pytest.approx(4.5e-7) and band.y.max() == pytest.approx(6.6e-7)
+    empty = computed.assign(limit=computed["limit"] + np.inf, range=computed["range"] * np.nan)
+    drawing = charts.plot("largest_particle_diameter", [computed, empty])
+    panel = drawing.panels[0]
+    for curve, values in zip(panel.of_kind(CURVE), ([3e-7, 4e-7], [5e-7, 6e-7]), strict=True):
+        np.testing.assert_allclose(curve.y[np.isfinite(curve.y)], values)
+    outline = panel.of_kind(BAND)[-1]
+    assert outline.name == "sigma = 300 nm"
+    assert outline.y.min() == pytest.approx(4.5e-7) and outline.y.max() == pytest.approx(6.6e-7)
     first, second = drawing.figure.axes
-    assert first.get_xlim() == second.get_xlim()
-    assert second.get_ylim() == (2e-8, 1e-6)
+    assert first.get_xlim() == second.get_xlim() and second.get_ylim() == (2e-8, 1e-6)

@@ -144,7 +144,7 @@ def test_another_library_module_reruns_what_imports_it(workspace, recorded, modu
 
 
 def test_the_figures_solve_nothing_and_the_film_enters_no_paper_table(finished, recorded):
-    drawn = followers(recorded, "src/thirdbody/figures/sheet/saving.py")
+    drawn = followers(recorded, "src/thirdbody/figures/drawing.py")
     assert drawn == finished.products("figures/*", *PAGE)
     film = followers(recorded, "src/thirdbody/model/film.py")
     assert film >= finished.products(*ALL_CURVES, *WINDOWS)

@@ -4,7 +4,7 @@ import matplotlib.style
 
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
-from thirdbody.figures.registry import SCHEMATICS
+from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import read_sections
 from thirdbody.job_log import logged
 

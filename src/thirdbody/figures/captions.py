@@ -24,21 +24,9 @@ MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # letters that Markdown takes for markup
 
 @dataclass(frozen=True)
 class Caption:
-    """What is written below a figure.
-
-    Attributes
-    ----------
-    title : str
-        What the figure shows.
-    text : str
-        What to look for; of a figure of the paper, what the paper concludes from it.
-    alternative : str
-        Text for those who cannot see it.
-    panels : tuple of str
-        What each panel shows, in the order of their letters.
-    notes : tuple of str
-        Sentences on conditions, marks and bands.
-    """
+    """What is written below a figure: its title, what to look for or what the paper concludes from it,
+    and the text for those who cannot see it; what each panel shows, and sentences on conditions and
+    marks."""
 
     title: str
     text: str = ""
@@ -133,11 +121,12 @@ CAPTIONS = {
     ),
     "claims": Caption(
         "Verdict on each statement of the paper",
-        "Each line is a statement. Its length is the deviation of the model in tolerances, linear up "
-        "to one and logarithmic beyond; the statement holds up to the vertical line. Hollow markers: "
-        "less than three quarters of the ensemble give the same verdict.",
-        "Two columns of horizontal lines that end in markers, grouped by the figure of the paper; "
-        "the statements beyond the line of one tolerance are named.",
+        "A shaded line has the statements of one figure that hold; every other statement has a line "
+        "of its own. Each marker stands at the deviation of the model in tolerances, linear up to one "
+        "and logarithmic beyond; a statement holds up to the vertical line. Hollow markers: less "
+        "than three quarters of the ensemble give the same verdict.",
+        "Markers in horizontal lines, grouped by the figure of the paper; the statements beyond one "
+        "tolerance are named.",
     ),
     "fronts": Caption(
         "Pareto fronts: what each headline statement costs all others",
@@ -159,7 +148,7 @@ CAPTIONS = {
     "largest_particle": Caption(
         "Largest particles that stay out of the particle-surface mode",
         "Below the curve summits have at least 5 % of the contact area (A_sa,t* = 0.95 on the "
-        "curve). Shaded: range of nine in ten members of the calibrated ensemble at the same normal "
+        "curve). Shaded: range of nine in ten members of the ensemble at the same normal "
         "load. Where a curve or its range ends, the limit is beyond the sizes of the atlas.",
         "One panel for each viscosity and particle density: a diameter over the normal load, a "
         "curve with a shaded range for each roughness.",
@@ -167,7 +156,7 @@ CAPTIONS = {
     "least_viscosity": Caption(
         "Least viscosity out of boundary lubrication",
         "Above the curve the film carries more than a tenth of the load (L_s = 0.90 on the curve). "
-        "Shaded: range of nine in ten members of the calibrated ensemble at the same normal load. "
+        "Shaded: range of nine in ten members of the ensemble at the same normal load. "
         "Where a curve or its range ends, the limit is beyond the viscosities of the atlas.",
         "One panel for each particle diameter and density: a viscosity over the normal load, a "
         "curve with a shaded range for each roughness.",
@@ -181,20 +170,9 @@ CAPTIONS = {
 
 
 def caption(name: str, panels: Sequence[Panel] = (), title: str = "") -> Caption:
-    """Caption of a figure.
+    """Caption of a figure: one of ``CAPTIONS``, or any other scene with its ``title``.
 
-    Parameters
-    ----------
-    name : str
-        One of ``CAPTIONS``, or the name of any other scene.
-    panels : sequence of Panel
-        What a figure of curves shows; not needed for other figures.
-    title : str
-        Title of a scene that is not the paper's.
-
-    Returns
-    -------
-    Caption
+    The ``panels`` are those of a figure of curves; other figures need none.
     """
     written = CAPTIONS.get(name) or Caption(title)
     if written.alternative:
@@ -250,18 +228,9 @@ MEANINGS = {
     marks.LOCUS: "Heavy dashes join the turning points.",
     marks.WINDOW: "Blue vertical lines: limits of the range with turning points.",
     marks.PRINTED: "Open squares and black vertical lines: numbers that the paper prints; bars and "
-    "grey bands: their tolerances.",
-    marks.BAND: "Shaded: range of the calibrated ensemble.",
+    "grey areas: their tolerances.",
+    marks.BAND: "Shaded: ensemble range.",
 } | {kind: f"Crosses: {text}." for kind, (text, _) in marks.STATUS_MARKS.items()}
-# kind of marks: one of them, several
-COUNTED = {
-    marks.TURNING_POINTS: ("turning point", "turning points"),
-    marks.WINDOW: ("limit of turning points", "limits of turning points"),
-    marks.PRINTED: ("printed number with its tolerance", "printed numbers with their tolerances"),
-} | {
-    kind: (f"point with {text}", f"points with {text}")
-    for kind, (text, _) in marks.STATUS_MARKS.items()
-}
 
 
 def _description(panel) -> str:
@@ -271,20 +240,17 @@ def _description(panel) -> str:
     if curves:
         y = np.concatenate([curve.y for curve in curves])
         parts.append(f"{len(curves)} curves of {_quantity(panel.y)} {_range(y)}")
-        varying = [
-            name
-            for name in Condition._fields
-            if len({getattr(curve.condition, name) for curve in curves}) > 1
-        ]
+        taken = zip(*(curve.condition for curve in curves), strict=True)
+        varying = [name for name, values in zip(Condition._fields, taken) if len({*values}) > 1]
         for curve in dict.fromkeys((curves[0], curves[-1])):
             own = ", ".join(note(name, getattr(curve.condition, name)) for name in varying)
             ends = f"{curve.y[0]:.2g} to {curve.y[-1]:.2g}"
             parts.append(f"the curve at {own or label(curve.condition)} runs from {ends}")
-    for kind, (one, several) in COUNTED.items():
-        x = np.concatenate([series.x for series in panel.of_kind(kind)] or [[]])
-        if x.size:
-            noun = one if x.size == 1 else several
-            parts.append(f"{x.size} {noun}, {_quantity(panel.x)} {_range(x)}")
+    for kind, (text, _) in marks.MARKS.items():
+        places = [series.x for series in panel.of_kind(kind)]
+        if places and kind != marks.LOCUS:
+            x = np.concatenate(places)
+            parts.append(f"{text}: {x.size}, {_quantity(panel.x)} {_range(x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."
 
 

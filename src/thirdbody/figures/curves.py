@@ -7,24 +7,27 @@ from dataclasses import dataclass, replace
 from string import ascii_uppercase
 
 import numpy as np
-from matplotlib import rcParams
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
+from thirdbody.figures.dataset_curves import curves_in, with_relative_area
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.printed import printed_series, printed_window_series
 from thirdbody.figures.scales import SCALES, set_scales
-from thirdbody.figures.shown import Curve, shown_curves, with_relative_area
 from thirdbody.figures.styles import BAND_EDGE, Styles, band_style
 
 RATIO = "particle_contact_area_ratio"
-BAND_STEP = 2  # every second load is fine enough for the edge of a band
+BAND_STEP = 2  # every second load is fine enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
+KEY_INCHES = 0.5, 0.17  # height of a key without entries, and of a row of entries
+CELL = 3.5, 2.9  # of a panel with its labels [inches]
+MARGINS = 0.68, 0.42, 0.48, 0.44
+TITLE_PAD = 17.0  # points; newtons stand below the title
 TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
 
 
@@ -35,15 +38,12 @@ class Content:
     Attributes
     ----------
     y, x : str
-        Quantities against each other; two of ``SCALES``.
+        Quantities against each other; two of ``SCALES``.  Over ``diameter_ratio`` it shows turning
+        points alone.
     surface : int, optional
         Curves of one surface alone: 0 for the smoothest of the dataset, -1 for the roughest.
     locus : bool
         Whether the turning points of the curves are joined.
-
-    Notes
-    -----
-    Over ``diameter_ratio`` it shows no curves but where they have their turning points.
     """
 
     y: str
@@ -78,15 +78,15 @@ class CurveFigure:
         """Whether a panel shows the windows of the turning point."""
         return any(content.x == "diameter_ratio" for content in self.contents)
 
-    def panels(
+    def plot(
         self,
         data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
         band: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
-    ) -> tuple[Panel, ...]:
-        """What the panels show.
+    ) -> Drawing:
+        """Draw it.
 
         Parameters
         ----------
@@ -106,9 +106,12 @@ class CurveFigure:
         ValueError
             In one line, if ``data`` have nothing that the figure shows.
         """
-        curves = self._curves(data)
+        curves = [one for one in curves_in(data) if self.two_body or not one.condition.is_two_body]
+        # in the order of the key
+        curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
+        conditions = [curve.condition for curve in curves]
+        common = shared_notes(conditions)
         data = with_relative_area(data)
-        common = shared_notes([curve.condition for curve in curves])
         panels: list[Panel] = []
         for content in self._contents(data, curves):
             chosen = _on_surface(curves, data, content.surface)
@@ -117,38 +120,21 @@ class CurveFigure:
                 series = _window_series(chosen[0].condition.roughness, points, windows, printed)
             else:
                 series = _curve_series(data, content, chosen, points, band, printed)
-            shown = tuple(series)
-            if shown:
+            found = tuple(series)
+            if found:
                 letter, title = ascii_uppercase[len(panels)], _title(content, chosen, common)
-                panels.append(Panel(letter, title, content.x, content.y, shown))
+                panels.append(Panel(letter, title, content.x, content.y, found))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
-        return tuple(panels)
-
-    def plot(self, data: PlainDataset, *args, **kwargs) -> Drawing:
-        """Draw it: arguments and errors as of ``panels``."""
-        panels = self.panels(data, *args, **kwargs)
-        conditions = [curve.condition for curve in self._curves(data)]
         styles = Styles(conditions, self.parameter)
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        figure = draw_panels(panels, styles.of_series, newtons_per_load)
         entries = styles.key() + marks.mark_entries(panels)
-        add_key(figure, entries, parameter_title(self.parameter), shared_notes(conditions))
-        return Drawing(figure, panels)
-
-    def _curves(self, data) -> list[Curve]:
-        """The curves of ``data`` that it shows, in the order of the key."""
-        curves = [
-            curve
-            for curve in shown_curves(data)
-            if self.two_body or not curve.condition.is_two_body
-        ]
-        return sorted(
-            curves, key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body)
-        )
+        title = key_title(parameter_title(self.parameter), common)
+        figure = draw_panels(panels, styles.of_series, newtons_per_load, entries, title)
+        return Drawing(figure, tuple(panels))
 
     def _contents(self, data, curves) -> list[Content]:
         """The contents for which ``data`` have values along ``curves``."""
@@ -183,23 +169,25 @@ def _curve_series(data, content, curves, points, band, printed) -> Iterator[Seri
         yield from marks.turning_point_series(data, x, y, points, marks.TURNING_POINTS)
     yield from printed_series(data, x, y, curves, printed, points)
     if band is not None and x == "load" and f"{y}_low" in band:
-        yield from (_band_series(band, y, curve) for curve in curves)
+        for curve in curves:
+            low, high = (curve.values(band, f"{y}_{end}") for end in ("low", "high"))
+            some = np.unique([*range(0, low.size, BAND_STEP), low.size - 1])
+            outline = range_outline(band["load"].values[some], low[some], high[some])
+            yield Series(marks.BAND, curve.label, *outline, curve.condition)
 
 
-def _band_series(band, name, curve) -> Series:
-    """The outline of the ensemble range of a curve: there along its lower and back along its upper end."""
-    load = band["load"].values
-    some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-    low, high = (curve.values(band, f"{name}_{end}")[some] for end in ("low", "high"))
+def range_outline(x, low, high):
+    """The closed outline of a range where it is known: along its lower, back along its upper end."""
     known = np.isfinite(low) & np.isfinite(high)
-    load, low, high = load[some][known], low[known], high[known]
-    x, y = np.concatenate([load, load[::-1]]), np.concatenate([low, high[::-1]])
-    closed = np.append(x, x[:1]), np.append(y, y[:1])
-    return Series(marks.BAND, curve.label, *closed, curve.condition)
+    x, low, high = x[known], low[known], high[known]
+    return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
 
 
 def _window_series(roughness, turning_points, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ, and the computed and printed ends of the range where they occur."""
+    """Turning points over x_a/σ, and the computed and printed ends of the range where they occur.
+
+    The ends have no height: their ``y`` is 0.
+    """
     if turning_points:
         ratios = np.array([curve.condition.diameter_ratio for curve, _ in turning_points])
         peaks = np.array([row["peak_ratio"] for _, row in turning_points])
@@ -211,7 +199,7 @@ def _window_series(roughness, turning_points, windows, printed) -> Iterator[Seri
         and np.isfinite(row["diameter_over_roughness"])
     ]
     if ends:
-        yield Series(marks.WINDOW, "", np.array(ends), np.zeros(len(ends)))  # without a height
+        yield Series(marks.WINDOW, "", np.array(ends), np.zeros(len(ends)))
     yield from printed_window_series(printed, roughness)
 
 
@@ -234,20 +222,52 @@ def draw_panels(
     panels: Sequence[Panel],
     style_of: Callable[[Series], dict],
     newtons_per_load: float | None = None,
+    entries: Sequence[Line2D] = (),
+    key_title: str = "",
 ) -> Figure:
-    """Draw panels of curves.
+    """Draw panels of curves, and a key in the cell that they leave free or below them.
 
-    ``style_of`` gives line properties of the curve that a series is or belongs to, or an empty dict.
-    With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons.
+    Parameters
+    ----------
+    panels : sequence of Panel
+        What is drawn.
+    style_of : callable
+        Gives line properties of the curve that a series is or belongs to, or an empty dict.
+    newtons_per_load : float, optional
+        F_t/F_t* [N]: loads have an axis in newtons too.
+    entries, key_title : sequence of Line2D, str
+        The key; none without entries.
     """
-    figure = grid_of_axes(len(panels), rcParams["figure.figsize"])
+    beside = len(panels) % 2 == 1
+    rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
+    below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
+    figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
     for axes, panel in zip(figure.axes, panels, strict=True):
         draw = _draw_vertical if panel.is_over_sizes else _draw_series
         for series in panel.series:
             draw(axes, series, style_of(series))
-        title_axes(axes, panel)
+        title_axes(axes, panel, TITLE_PAD)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
+    if entries:
+        add_key(figure, entries, key_title, beside)
     return figure
+
+
+def key_title(title: str, conditions: Sequence[str]) -> str:
+    """Title of a key, and below it the conditions that all curves share."""
+    return "\n".join(filter(None, (title, ", ".join(conditions))))
+
+
+def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool) -> None:
+    """Explain the lines of a figure beside its last panel or below all."""
+    if beside:
+        height = figure.get_figheight()
+        columns = -(-len(entries) // KEY_ROWS)
+        place = {"loc": "center", "bbox_to_anchor": (0.76, 0.5 * CELL[1] / height)}
+    else:
+        columns = KEY_COLUMNS
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.0)}
+    figure.legend(handles=entries, title=title or None, ncols=columns, **place)
 
 
 def _draw_series(axes: Axes, series: Series, style: dict) -> None:
@@ -266,7 +286,7 @@ def _draw_series(axes: Axes, series: Series, style: dict) -> None:
 
 
 def _draw_vertical(axes: Axes, series: Series, style: dict) -> None:
-    """Draw turning points, and what has no height as vertical lines and their tolerances as bands."""
+    """Draw turning points, and what has no height as vertical lines and their tolerances as areas."""
     if series.kind == marks.TURNING_POINTS:
         _draw_series(axes, series, style)
     elif series.kind == marks.TOLERANCE:
@@ -275,24 +295,3 @@ def _draw_vertical(axes: Axes, series: Series, style: dict) -> None:
         look = marks.PRINTED_LIMIT if series.kind == marks.PRINTED else marks.MARKS[series.kind]
         for end in series.x:
             axes.axvline(end, **look[1])
-
-
-def add_key(
-    figure: Figure, entries: Sequence[Line2D], title: str, conditions: Sequence[str] = ()
-) -> None:
-    """Explain the lines of a figure in the cell that its panels leave free, or below them."""
-    style = {
-        "handles": entries,
-        "title": "\n".join(filter(None, (title, ", ".join(conditions)))) or None,
-    }
-    panels = len(figure.axes)
-    if panels % 2:
-        rows = figure.axes[0].get_gridspec().nrows
-        columns = -(-len(entries) // KEY_ROWS)
-        place = {"loc": "center", "bbox_to_anchor": (0.75, 0.5 / rows)}
-        figure.legend(**style, **place, ncols=columns)
-        return
-    rows = -(-len(entries) // KEY_COLUMNS)
-    width, height = figure.get_size_inches()
-    figure.set_size_inches(width, height + 0.45 + 0.17 * rows)
-    figure.legend(**style, loc="outside lower center", ncols=KEY_COLUMNS)

@@ -24,8 +24,12 @@ if TYPE_CHECKING:
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that the same figure gives the same bytes
-METADATA = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {"Software": None}}
-SUFFIXES = tuple(f".{kind}" for kind in (*METADATA, "csv", "md"))
+FORMATS = {
+    "svg": {"metadata": {"Date": None}},
+    "pdf": {"metadata": {"CreationDate": None}},
+    "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
+}
+SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
 CURVE = "curve"
 
 
@@ -87,18 +91,43 @@ class Drawing:
     panels: tuple[Panel, ...]
 
 
-def grid_of_axes(count: int, cell: tuple[float, float], columns: int = 2) -> Figure:
-    """A figure with ``count`` axes in rows, each in a ``cell`` of this width and height [inches]."""
+def grid_of_axes(
+    count: int,
+    cell: tuple[float, float],
+    margins: tuple[float, float, float, float],
+    columns: int = 2,
+    below: float = 0.0,
+) -> Figure:
+    """A figure with axes in rows, above a free strip.
+
+    The margins are fixed: to find them from the texts takes longer than to draw.
+
+    Parameters
+    ----------
+    count, columns : int
+        How many axes there are, and in a row.
+    cell : tuple
+        Width and height of the axes with their margins [inches].
+    margins : tuple
+        Left, right, lower and upper margin [inches].
+    below : float
+        Height of the free strip [inches].
+    """
+    (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)
-    figure = Figure(figsize=(columns * cell[0], rows * cell[1]), layout="constrained")
-    for place in range(1, count + 1):
-        figure.add_subplot(rows, columns, place)
+    size = columns * width, rows * height + below
+    figure = Figure(figsize=size)
+    for place in range(count):
+        row, column = divmod(place, columns)
+        x, y = column * width + left, below + (rows - 1 - row) * height + bottom
+        inches = np.array([x, y, width - left - right, height - bottom - top])
+        figure.add_axes(tuple(inches / (*size, *size)))
     return figure
 
 
-def title_axes(axes: Axes, panel: Panel) -> None:
-    """Write the letter and the title of a panel above its axes."""
-    axes.set_title(f"({panel.letter})  {panel.title}", loc="left")
+def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
+    """Write the letter and the title of a panel ``pad`` points above its axes."""
+    axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
@@ -109,18 +138,19 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     OSError
         If there is no room or no right to write.
     """
-    drawing.figure.draw_without_rendering()
-    drawing.figure.set_layout_engine(None)  # once for all formats
+    if drawing.figure.get_layout_engine() is not None:
+        drawing.figure.get_layout_engine().execute(drawing.figure)
+        drawing.figure.set_layout_engine(None)  # once for all formats
     with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
-        for image, kind in zip(images, METADATA, strict=True):
+        for image, kind in zip(images, FORMATS, strict=True):
             save_image(drawing.figure, image, kind)
         write_points(drawing.panels, data)
         Path(text).write_text(caption.markdown(), encoding="utf-8")
 
 
 def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
-    """Write a figure as one of ``METADATA``: the same figure gives the same bytes."""
-    figure.savefig(path, format=kind, metadata=METADATA[kind])
+    """Write a figure as one of ``FORMATS``: the same figure gives the same bytes."""
+    figure.savefig(path, format=kind, **FORMATS[kind])
 
 
 def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:

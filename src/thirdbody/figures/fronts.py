@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from string import ascii_uppercase
 
@@ -13,7 +14,10 @@ from thirdbody.figures.claims import score_of
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 
 COLUMNS = 3
-CELL = 2.8, 1.7  # inches of a panel with its labels
+CELL = 2.4, 1.55  # of a panel with its labels [inches]
+MARGINS = 0.42, 0.08, 0.2, 0.38
+BELOW = 0.75  # inches for the labels of the axes and the key
+LETTERS = 30  # of a title in a line
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to so much above the least
 DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
@@ -25,25 +29,27 @@ def plot(readings: Sequence[Mapping]) -> Drawing:
     ``readings`` are contents of the calibrated files; the first one is drawn above the others.
     """
     statements = list(dict.fromkeys(name for each in readings for name in each["fronts"]))
-    figure = grid_of_axes(len(statements), CELL, COLUMNS)
+    figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
     panels = []
     for letter, axes, statement in zip(ascii_uppercase, figure.axes, statements, strict=False):
         series = tuple(_front(each, statement) for each in readings)
-        panel = Panel(letter, statement, "score", "objective_without_it", series)
+        title = "\n".join(textwrap.wrap(statement, LETTERS))
+        panels.append(Panel(letter, title, "score", "objective_without_it", series))
         for place, front in enumerate(series):
             axes.plot(front.x, front.y, drawstyle="steps-post", **_look(place))
         axes.axvline(1.0, color="black", linewidth=0.7, zorder=1.5)
         axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
         least = min(front.y.min() for front in series if front.y.size)
         axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(least - 1.0, least + ABOVE))
-        title_axes(axes, panel)
-        panels.append(panel)
-    figure.supxlabel("deviation in tolerances", fontsize=rcParams["axes.labelsize"])
-    figure.supylabel("objective of all other statements", fontsize=rcParams["axes.labelsize"])
+        title_axes(axes, panels[-1])
+    style = {"fontsize": rcParams["axes.labelsize"]}
+    bottom = BELOW / figure.get_figheight()
+    figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
+    figure.supylabel("objective of all other statements", x=0.008, **style)
     entries = [
         Line2D([], [], label=each["reading"], **_look(place)) for place, each in enumerate(readings)
     ]
-    figure.legend(handles=entries, loc="outside upper center", ncols=2)
+    figure.legend(handles=entries, loc="lower center", ncols=2)
     return Drawing(figure, tuple(panels))
 
 

@@ -1,4 +1,4 @@
-"""A curve of one interface over any axis: the four variables of the paper's panels, and their bands."""
+"""A curve of one interface over any axis: the four variables of the paper's panels, and their ranges."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.files import whole
-from thirdbody.figures.curves import draw_panels
-from thirdbody.figures.drawing import CURVE, METADATA, STYLE, Panel, Series, save_image
+from thirdbody.figures.curves import draw_panels, range_outline
+from thirdbody.figures.drawing import CURVE, FORMATS, STYLE, Panel, Series, save_image
 from thirdbody.figures.marks import BAND
-from thirdbody.figures.plot import SHOWN
+from thirdbody.figures.plot import DRAWN
 from thirdbody.figures.scales import SCALES
 
 
@@ -38,20 +38,15 @@ def draw(
     values, low, high : mapping
         Arrays of shape (n,) by the names of variables: the curve, and its range over the ensemble;
         the last two may be empty.
-
-    Returns
-    -------
-    Figure
     """
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     name, unit = units.get(along, ("normal_load", 1.0))
     x = unit * np.asarray(points)
     panels = []
-    for letter, variable in zip("ABCD", SHOWN, strict=True):
+    for letter, variable in zip("ABCD", DRAWN, strict=True):
         series = [Series(CURVE, "", x, values[variable])]
         if variable in low:
-            outline = np.concatenate([low[variable], high[variable][::-1]])
-            series.append(Series(BAND, "", np.concatenate([x, x[::-1]]), outline))
+            series.append(Series(BAND, "", *range_outline(x, low[variable], high[variable])))
         panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, lambda series: {"color": "#0072B2"})
@@ -68,7 +63,7 @@ def save_drawing(figure: Figure, path: str | PathLike) -> None:
         If there is no room or no right to write.
     """
     kind = Path(path).suffix.removeprefix(".")
-    if kind not in METADATA:
-        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(METADATA)}")
+    if kind not in FORMATS:
+        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
     with matplotlib.style.context(STYLE, after_reset=True), whole(path) as part:
         save_image(figure, part, kind)

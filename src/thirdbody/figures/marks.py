@@ -12,8 +12,8 @@ from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.dataset_curves import Curve
 from thirdbody.figures.drawing import Panel, Series
-from thirdbody.figures.shown import Curve
 from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
@@ -28,21 +28,13 @@ STATUS_MARKS = {
     "coverage_exceeded": ("none beyond: particles cover all", "3"),
     "load_exceeded": ("none beyond: load not carried", "4"),
 }
-NO_LINE = {"linestyle": "none"}
-STATUS_LOOK = NO_LINE | {
-    "markersize": 5.0,
-    "markeredgewidth": 0.9,
-    "color": "#A0005A",
-    "zorder": 3.2,
-}
+POINTS = {"linestyle": "none", "zorder": 3.2}
+STATUS_LOOK = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
+STAR = POINTS | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1"}
+SQUARE = POINTS | {"marker": "s", "markersize": 10.0, "markerfacecolor": "none", "zorder": 2.8}
 # kind of series: text in the key, line properties
 MARKS = {
-    TURNING_POINTS: (
-        "turning point (TPCA)",
-        NO_LINE
-        | {"marker": "*", "markersize": 8.0, "zorder": 3.0}
-        | {"markerfacecolor": "C1", "markeredgecolor": "black"},
-    ),
+    TURNING_POINTS: ("turning point (TPCA)", STAR | {"markeredgecolor": "black"}),
     LOCUS: (
         "locus of turning points",
         {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9},
@@ -50,16 +42,13 @@ MARKS = {
     WINDOW: ("limits of turning points", {"color": "C5", "linewidth": 1.8}),
     PRINTED: (
         "printed, with tolerance",
-        NO_LINE
-        | {"marker": "s", "markersize": 8.0, "markerfacecolor": "none"}
-        | {"markeredgewidth": 1.1, "color": "black", "zorder": 2.8, "clip_on": False},
+        SQUARE | {"markeredgewidth": 1.1, "color": "black", "clip_on": False},
     ),
 } | {
-    status: (text, STATUS_LOOK | {"marker": marker})
-    for status, (text, marker) in STATUS_MARKS.items()
+    kind: (text, STATUS_LOOK | {"marker": marker}) for kind, (text, marker) in STATUS_MARKS.items()
 }
 PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
-BAND_ENTRY = "calibrated ensemble", {"color": "0.82", "linewidth": 6.0}
+BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:

@@ -23,26 +23,13 @@ def power_text(value: float) -> str:
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
 
 
-def axis_name(parameter: str) -> str:
-    """Name of one of the five conditions, in words.
-
-    Examples
-    --------
-    >>> axis_name("particle_diameter")
-    'Particle diameter'
-    """
-    return parameter.replace("_", " ").capitalize()
-
-
 def unit_text(parameter: str) -> str:
     """Engineering unit of one of the four conditions."""
     return AXES[parameter].unit.translate(SUPERSCRIPTS)
 
 
 def parameter_title(parameter: str) -> str:
-    """Title of a key whose curves differ in ``parameter``, with its symbol and unit.
-
-    ``parameter`` is one of the five conditions, or the ``diameter_ratio``.
+    """Title of a key whose curves differ in ``parameter``: a condition, or the ``diameter_ratio``.
 
     Examples
     --------
@@ -51,9 +38,8 @@ def parameter_title(parameter: str) -> str:
     """
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
-    if parameter == "load":
-        return "Dimensionless normal load Fₜ*"
-    return f"{axis_name(parameter)} {AXES[parameter].sign} ({unit_text(parameter)})"
+    name = parameter.replace("_", " ").capitalize()
+    return f"{name} {AXES[parameter].sign} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
@@ -78,15 +64,14 @@ def note(parameter: str, value: float) -> str:
     return f"{AXES[parameter].sign} = {value_text(parameter, value)}{unit}"
 
 
-def notes(condition: Condition) -> list[str]:
-    """Each of the four conditions by itself."""
-    return [note(name, getattr(condition, name)) for name in NOTED]
-
-
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
     """The notes that all of ``conditions`` with particles have in common."""
-    columns = zip(*(notes(one) for one in conditions if not one.is_two_body), strict=True)
-    return [column[0] for column in columns if len(set(column)) == 1]
+    rows = [
+        [note(name, getattr(one, name)) for name in NOTED]
+        for one in conditions
+        if not one.is_two_body
+    ]
+    return [column[0] for column in zip(*rows, strict=True) if len(set(column)) == 1]
 
 
 def label(condition: Condition) -> str:

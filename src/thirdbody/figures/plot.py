@@ -15,7 +15,7 @@ from matplotlib.lines import Line2D
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import add_key, draw_panels
+from thirdbody.figures.curves import draw_panels, key_title
 from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.naming import note
@@ -24,7 +24,7 @@ from thirdbody.figures.scales import SCALES
 from thirdbody.figures.styles import level_styles
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
-SHOWN = (
+DRAWN = (
     "particle_contact_area_ratio",
     "total_contact_area",
     "solid_load_fraction",
@@ -115,19 +115,18 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     shared = [note(name, float(data[name][0])) for name in others if name not in varying]
-    names = [name for name in SHOWN if name in data and bool(data[name].notnull().any())]
+    names = [name for name in DRAWN if name in data and bool(data[name].notnull().any())]
     if not names:
-        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(SHOWN)}")
+        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(DRAWN)}")
     figure_panels = [
         Panel(letter, SCALES[name].title, over, name, tuple(_curves(data, name, over, varying)))
         for letter, name in zip("ABCD", names, strict=False)
     ]
     labels = [curve.name for curve in figure_panels[0].series]
     looks = dict(zip(labels, level_styles(len(labels)), strict=True))
-    figure = draw_panels(figure_panels, lambda series: looks[series.name])
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
-    add_key(figure, entries, "", shared)
-    return figure
+    title = key_title("", shared)
+    return draw_panels(figure_panels, lambda one: looks[one.name], None, entries, title)
 
 
 def _curves(data, name, over, varying) -> Iterator[Series]:

@@ -15,15 +15,15 @@ import numpy as np
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Series
 from thirdbody.figures.marks import PRINTED, TOLERANCE, condition_key
 from thirdbody.figures.scales import SCALES
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 
 RATIO, SOLID, AREA = "particle_contact_area_ratio", "solid_load_fraction", "total_contact_area"
 # panels over the load that show a number which is no variable of theirs
-SHOWN_ON = {
+DRAWN_ON = {
     "turning_point_load": (RATIO,),
     "turning_point_ratio": (RATIO,),
     "turning_point_solid_load_fraction": (SOLID,),
@@ -43,22 +43,16 @@ class Mark:
     ends: tuple[float, float]
     along: str
 
-    def series(self, name: str, share: bool = False, condition: Condition | None = None):
-        """Its place and its tolerance as series; that of a share ends at 0 and 1."""
-        low, high = np.clip(self.ends, 0.0, 1.0) if share and self.along == "y" else self.ends
+    def series(self, name: str, is_fraction: bool = False, condition: Condition | None = None):
+        """Its place and its tolerance as series; that of a fraction ends at 0 and 1."""
+        low, high = np.clip(self.ends, 0.0, 1.0) if is_fraction and self.along == "y" else self.ends
         bar = ((low, high), (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, (low, high))
         yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
         yield Series(TOLERANCE, name, *np.array(bar), condition)
 
 
 def read_printed(path: str | PathLike, figure: str) -> list[dict]:
-    """Rows of the table ``printed`` that belong to ``figure``.
-
-    Raises
-    ------
-    OSError
-        If the file is damaged: one line names it.
-    """
+    """Rows of the table ``printed`` that belong to ``figure``; ``OSError`` if the file is damaged."""
     return [row for row in read_csv(path, TABLES["printed"]) if row["figure"] == figure]
 
 
@@ -83,13 +77,13 @@ def printed_series(
     drawn = set()
     for curve in curves:
         rows = rows_of.get(condition_key(curve.condition), ())
-        places = _Places(data, curve, rows, turning.get(curve.place))
+        places = _Places(data, curve, rows, turning.get(curve.place, {}))
         before = set(drawn)
         for row in rows:
             mark = places.mark(row, x, y)
             if mark is not None and mark not in before:
                 drawn.add(mark)
-                yield from mark.series(row["id"], SCALES[y].share, curve.condition)
+                yield from mark.series(row["id"], SCALES[y].is_fraction, curve.condition)
 
 
 class _Places:
@@ -112,37 +106,26 @@ class _Places:
             return Mark(self.load_of(row), value, ends, "y")
         if quantity == "load" and y_name == row["at_quantity"]:
             return Mark(value, row["at_level"], ends, "x")
-        if y_name not in SHOWN_ON.get(quantity, ()):
+        if y_name not in DRAWN_ON.get(quantity, ()):
             return None
         if quantity == "bend_load_over_mixed_load":
             mixed = self.falls_to(SOLID, BOUNDARY_LIMIT)
             x, low, high = (mixed * factor for factor in (value, *ends))
             return Mark(x, self.at(y_name, x), (low, high), "x")
         if quantity == "turning_point_load":
-            return Mark(value, self.turning_ratio(self.at(y_name, value)), ends, "x")
+            found = self.turning_point.get("peak_ratio", self.at(y_name, value))
+            return Mark(value, self.printed.get("turning_point_ratio", found), ends, "x")
         if quantity in ("bend_load", "total_contact_area_reversal_load"):
             return Mark(value, self.at(y_name, value), ends, "x")
-        x = self.turning_load()
+        highest = self.load[np.argmax(self.curve.values(self.data, RATIO))]
+        found = self.turning_point.get("load", float(highest))
+        x = self.printed.get("turning_point_load", found)
         # L_s = L_s F_t*/F_t*
         scale = 1.0 / x if quantity == "turning_point_solid_load" else 1.0
         return Mark(x, scale * value, (scale * ends[0], scale * ends[1]), "y")
 
     def at(self, name, load) -> float:
         return self.curve.at(self.data, name, load)
-
-    def turning_load(self) -> float:
-        """Load of the turning point: as printed, or as found, or where A_sa,t* is largest."""
-        if "turning_point_load" in self.printed:
-            return self.printed["turning_point_load"]
-        if self.turning_point is not None:
-            return self.turning_point["load"]
-        return float(self.load[np.argmax(self.curve.values(self.data, RATIO))])
-
-    def turning_ratio(self, otherwise) -> float:
-        """A_sa,t* at the turning point: as printed, or as found, or else another."""
-        if "turning_point_ratio" in self.printed:
-            return self.printed["turning_point_ratio"]
-        return otherwise if self.turning_point is None else self.turning_point["peak_ratio"]
 
     def load_of(self, row) -> float:
         """The load at which the number of ``row`` is printed."""
@@ -172,12 +155,10 @@ class _Places:
 
 
 def printed_window_series(printed: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """Printed ends of the range of x_a/σ with turning points on the surface of ``roughness`` [m].
-
-    They have no height: ``y`` is 0.
-    """
+    """Printed ends of the range of x_a/σ with turning points on the surface of ``roughness`` [m]; they
+    have no height: ``y`` is 0."""
     for row in printed:
-        if not row["quantity"].startswith("window"):
-            continue
-        if np.isclose(row["roughness_m"], roughness, rtol=1e-9):
+        if row["quantity"].startswith("window") and np.isclose(
+            row["roughness_m"], roughness, rtol=1e-9
+        ):
             yield from Mark(row["value"], 0.0, (row["low"], row["high"]), "x").series(row["id"])

@@ -1,4 +1,4 @@
-"""How each quantity stands on an axis: title, symbol, unit, scale, and the limits of regimes."""
+"""How each quantity stands on an axis: title, label, unit, scale, and the limits of regimes."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.figures.naming import axis_name, parameter_title
+from thirdbody.figures.naming import parameter_title, power_text
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
+POWERS = FuncFormatter(lambda value, _: power_text(value))
 NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
 
 
@@ -28,31 +29,26 @@ class Scale:
         Whether the axis is.
     unit : float
         Unit of the tick labels in SI.
-    share : bool
-        Whether the quantity runs from 0 to 1.
     limits, zones : tuple
-        Limits between regimes or contact modes, and the names of these, both from below.
+        Limits between regimes or contact modes, and the names of these, both from below: the
+        quantity is a fraction, from 0 to 1.
     """
 
     title: str
     label: str
     logarithmic: bool = False
     unit: float = 1.0
-    share: bool = False
     limits: tuple[float, ...] = ()
     zones: tuple[str, ...] = ()
 
+    @property
+    def is_fraction(self) -> bool:
+        """Whether the quantity runs from 0 to 1."""
+        return bool(self.limits)
 
-MODES = {
-    "share": True,
-    "limits": (SURFACE_LIMIT, PARTICLE_LIMIT),
-    "zones": ("s-s", "hybrid", "p-s"),
-}
-REGIMES = {
-    "share": True,
-    "limits": (FULL_FILM_LIMIT, BOUNDARY_LIMIT),
-    "zones": ("F.L.", "M.L.", "B.L."),
-}
+
+MODES = {"limits": (SURFACE_LIMIT, PARTICLE_LIMIT), "zones": ("s-s", "hybrid", "p-s")}
+REGIMES = {"limits": (FULL_FILM_LIMIT, BOUNDARY_LIMIT), "zones": ("F.L.", "M.L.", "B.L.")}
 SCALES = {
     "load": Scale("Dimensionless normal load", "$F_t^*$", logarithmic=True),
     "normal_load": Scale("Normal load", "Normal load $F_t$ (N)", logarithmic=True),
@@ -76,7 +72,7 @@ SCALES = {
         "Where turning points occur", "$A_{sa,t}^*$ at the turning point", **MODES
     ),
 } | {
-    axis.name: Scale(axis_name(axis.name), parameter_title(axis.name), unit=axis.scale)
+    axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
     for axis in CONDITION_AXES
 }
 
@@ -89,23 +85,26 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
     """
     axes.margins(x=0.02, y=0.04)
     low, high = axes.dataLim.intervalx
-    for name, axis in ((x, axes.xaxis), (y, axes.yaxis)):
-        scale = SCALES[name]
+    logarithmic_x = SCALES[x].logarithmic or 0.0 < 10.0 * low < high
+    for axis, scale, logarithmic in (
+        (axes.xaxis, SCALES[x], logarithmic_x),
+        (axes.yaxis, SCALES[y], SCALES[y].logarithmic),
+    ):
         axis.set_label_text(scale.label)
-        logarithmic = scale.logarithmic or (axis is axes.xaxis and 0.0 < 10.0 * low < high)
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
-        if logarithmic and scale.unit != 1.0:
-            axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+            axis.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
             axis.set_minor_formatter(NullFormatter())
+            axis.set_major_formatter(POWERS)
         if scale.unit != 1.0:
-            unit = scale.unit
-            axis.set_major_formatter(FuncFormatter(lambda value, _, unit=unit: f"{value / unit:g}"))
-    if SCALES[y].share:
+            axis.set_major_formatter(lambda value, _, unit=scale.unit: f"{value / unit:g}")
+            if logarithmic:
+                axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    if SCALES[y].is_fraction:
         highest = axes.dataLim.y1
         top = highest if 0.0 < highest < 0.5 else 1.0
-        axes.set_ylim(-0.06 * top, 1.08 * top)
-    _draw_limits(axes, SCALES[y])
+        axes.set_ylim(-0.08 * top, 1.08 * top)
+        _draw_limits(axes, SCALES[y])
     if x == "load" and newtons_per_load is not None:
         functions = (lambda load: load * newtons_per_load, lambda force: force / newtons_per_load)
         top = axes.secondary_xaxis("top", functions=functions)

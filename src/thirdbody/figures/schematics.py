@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.curves import add_key
+from thirdbody.figures.curves import CELL, add_key, key_title
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
-from thirdbody.figures.naming import label, notes, shared_notes
+from thirdbody.figures.naming import label, shared_notes
 from thirdbody.figures.sections import Section
 
 INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]
 INTERFACE_ASPECT, MODE_ASPECT = 0.38, 0.74  # height of a section over its length
-MODE_CELL = (3.5, 2.8)  # of a panel of figure 2 [inches]
-SCALE_BAR = 1e-6  # [m]
+MODE_MARGINS = 0.1, 0.1, 0.1, 0.3  # of a panel of figure 2 [inches]
 MICROMETRE = 1e-6
 
 SURFACE_1, SURFACE_2, LUBRICANT, NO_LUBRICANT = "0.83", "0.70", "#D6ECF8", "white"
-FREE = {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7}
-CARRYING = {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8}
+FREE = {"markerfacecolor": "#F6D58A", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
+CARRYING = {"markerfacecolor": "C4", "markeredgecolor": "C1", "markeredgewidth": 1.8}
 TOUCHING = {"color": "C1", "linewidth": 3.2, "solid_capstyle": "butt"}
 OUTLINE = {"color": "0.2", "linewidth": 0.8}
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
-LEADER = {"color": "0.2", "linewidth": 0.6}
-ARROW = {"color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+SPAN = {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+PUSH = SPAN | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
+LEADER = {"arrowstyle": "-", "color": "0.2", "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
 
 # the modes of figure 2 in the order of its panels
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
@@ -48,7 +48,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
     figure = Figure(figsize=INTERFACE_SIZE, layout="constrained")
     axes = figure.add_subplot()
     facts = f"d = {state.separation / MICROMETRE:.2f} µm, $L_s$ = {state.solid_load_fraction:.0%}"
-    panel = _panel("A", ", ".join((*notes(condition), facts)), section)
+    panel = _panel("A", ", ".join((*shared_notes([condition]), facts)), section)
     draw_section(axes, section, INTERFACE_ASPECT)
     axes.set_title(panel.title, loc="left")
     axes.set_title("to scale", loc="right")
@@ -64,7 +64,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
     ValueError
         If the model finds another mode than the panel is to show.
     """
-    figure = grid_of_axes(len(MODES), MODE_CELL)
+    figure = grid_of_axes(len(MODES), CELL, MODE_MARGINS)
     common = shared_notes([section.state.condition for section in sections])
     panels = []
     for letter, axes, section, mode in zip("ABC", figure.axes, sections, MODES, strict=True):
@@ -74,38 +74,28 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
                 f"figure 2{letter} shows the {mode} mode; at its conditions "
                 f"({label(condition)}) the model finds {state.contact_mode}"
             )
-        own = (text for text in notes(condition) if text not in common)
+        own = (text for text in shared_notes([condition]) if text not in common)
         panels.append(_panel(letter, ", ".join((MODES[mode], *own)), section))
         draw_section(axes, section, MODE_ASPECT)
         title_axes(axes, panels[-1])
         facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
         facts += f"$A_{{sa,t}}^*$ = {state.particle_contact_area_ratio:.2f}"
         axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
-    add_key(figure, _mode_key(), "lengths and heights to one scale", common)
-    return Drawing(figure, tuple(panels))
-
-
-def _mode_key() -> list[Line2D]:
+    box = {"marker": "s", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
     looks = {
-        "surface 1": ("s", {"facecolor": SURFACE_1, "edgecolor": "0.2", "linewidth": 0.7}),
-        "surface 2": ("s", {"facecolor": SURFACE_2, "edgecolor": "0.2", "linewidth": 0.7}),
-        "particle that carries load": ("o", CARRYING),
-        "free particle": ("o", FREE),
+        "surface 1": box | {"markerfacecolor": SURFACE_1},
+        "surface 2": box | {"markerfacecolor": SURFACE_2},
+        "particle that carries load": CARRYING | {"marker": "o"},
+        "free particle": FREE | {"marker": "o"},
     }
     entries = [
-        Line2D(
-            *([], []),
-            label=text,
-            linestyle="none",
-            marker=marker,
-            markersize=9.0,
-            markerfacecolor=look["facecolor"],
-            markeredgecolor=look["edgecolor"],
-            markeredgewidth=look["linewidth"],
-        )
-        for text, (marker, look) in looks.items()
+        Line2D([], [], label=text, linestyle="none", markersize=9.0, **look)
+        for text, look in looks.items()
     ]
-    return [*entries, Line2D([], [], label="contact of summits", **TOUCHING)]
+    entries.append(Line2D([], [], label="contact of summits", **TOUCHING))
+    title = key_title("lengths and heights to one scale", common)
+    add_key(figure, entries, title, beside=True)
+    return Drawing(figure, tuple(panels))
 
 
 def _panel(letter, title, section) -> Panel:
@@ -141,25 +131,25 @@ def draw_section(axes: Axes, section: Section, aspect: float) -> None:
         axes.fill_between(position, heights, edge, color=colour, linewidth=0)
         axes.plot(position, heights, **OUTLINE)
     for particle in section.particles:
-        look = CARRYING if particle.carries_load else FREE
-        axes.fill(*_outline(particle), zorder=2.5, **look)
+        colour, edge, width = (CARRYING if particle.carries_load else FREE).values()
+        axes.fill(
+            *_outline(particle), facecolor=colour, edgecolor=edge, linewidth=width, zorder=2.5
+        )
     axes.plot(position, np.where(section.touches, section.lower, np.nan), **TOUCHING)
-    height = middle - 0.9 * reach
-    end = 0.97 * length
-    axes.plot([end - SCALE_BAR, end], [height, height], color="black", linewidth=2.0)
-    text = f"{SCALE_BAR / MICROMETRE:g} µm  "
-    axes.text(end - SCALE_BAR, height, text, ha="right", va="center")
+    height, end = middle - 0.9 * reach, 0.97 * length
+    axes.plot([end - MICROMETRE, end], [height, height], color="black", linewidth=2.0)
+    axes.text(end - MICROMETRE, height, "1 µm  ", ha="right", va="center")
 
 
 def _name_parts(axes, section):
-    """Write what is what into figure 1."""
+    """Write what is what into figure 1: surfaces, lubricant, particles, the separation, the load."""
     length, d = section.position[-1], section.state.separation
     bottom, top = axes.get_ylim()
     above, below = 0.55 * top + 0.45 * d, 0.55 * bottom
-    for height, name in ((above, "surface 1"), (below, "surface 2")):
-        axes.text(0.04 * length, height, name, va="center")
-    lubricant = _open_place(section)
-    _point_out(axes, "lubricant", (lubricant[0], above), [lubricant], SURFACE_1)
+    axes.text(0.04 * length, above, "surface 1", va="center")
+    axes.text(0.04 * length, below, "surface 2", va="center")
+    gap = _open_place(section)
+    _point_out(axes, "lubricant", (gap[0], above), [gap], SURFACE_1)
     name = 0.68 * length, below
     near = sorted(section.particles, key=lambda particle: abs(particle.position - name[0]))[:2]
     _point_out(axes, "particles", name, [(p.position, p.height) for p in near], SURFACE_2)
@@ -167,21 +157,13 @@ def _name_parts(axes, section):
         middle = np.flatnonzero(section.touches).mean().astype(int)
         contact = section.position[middle], section.lower[middle]
         _point_out(axes, "contact of summits", (contact[0], below), [contact], SURFACE_2)
-    _draw_arrows(axes, length, d)
-
-
-def _draw_arrows(axes, length, separation):
-    """The separation between the mean planes, and the load on both surfaces."""
-    for height in (0.0, separation):
+    for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     place = 0.03 * length
-    span = ARROW | {"arrowstyle": "<|-|>"}
-    axes.annotate("", (place, 0.0), (place, separation), arrowprops=span)
-    axes.text(place, 0.5 * separation, "  $d$", va="center")
-    bottom, top = axes.get_ylim()
-    push = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
-    for end, start in ((0.5 * (separation + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
-        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=push)
+    axes.annotate("", (place, 0.0), (place, d), arrowprops=SPAN)
+    axes.text(place, 0.5 * d, "  $d$", va="center")
+    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=PUSH)
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
 
 
@@ -200,6 +182,12 @@ def _open_place(section):
 def _point_out(axes, name, place, targets, ground):
     """Write ``name`` at ``place``, on the colour ``ground``, with a thin line to each target."""
     for target in targets:
-        axes.plot(*zip(place, target, strict=True), zorder=2.7, **LEADER)
+        axes.annotate("", target, place, arrowprops=LEADER, zorder=2.7)
     box = {"facecolor": ground, "linewidth": 0, "pad": 2}
     axes.text(*place, name, bbox=box, ha="center", va="center", zorder=3)
+
+
+SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {
+    "fig01": plot_interface,
+    "fig02": plot_modes,
+}

@@ -28,33 +28,19 @@ POINTS = 500
 CLEARANCE = 0.12  # fraction of the section that contacts keep from its ends
 ATTEMPTS = 1000
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
-# variables of the file: attribute of a section or of a particle, and meaning
-SURFACES = {"lower": "height of the lower surface", "upper": "height of the upper surface"}
+# fields of a particle, all in m: names in the file and their meaning
 PARTICLE = {
     "particle_position": "position of the centre of a particle; nan: no particle",
     "particle_height": "height of the centre of a particle",
     "particle_size": "diameter of a particle",
 }
-TOUCHES, CARRIES_LOAD = "surfaces_touch", "particle_bears_load"
+LINES = {"lower": "height of the lower surface", "upper": "height of the upper surface"}
+TOUCHES, CARRIES_LOAD = "surfaces_touch", "particle_carries_load"
 
 
 @dataclass(frozen=True)
 class State:
-    """A solved interface: its condition, and what a drawing needs of the solution.
-
-    Attributes
-    ----------
-    condition : Condition
-        Viscosity, particles and roughness.
-    separation : float
-        d [m].
-    particle_contact_area_ratio : float
-        A_sa,t* [1].
-    solid_load_fraction : float
-        L_s [1].
-    contact_mode : str
-        One of ``CONTACT_MODES``.
-    """
+    """A solved interface: its condition, and d [m], A_sa,t*, L_s and the mode of its solution."""
 
     condition: Condition
     separation: float
@@ -64,7 +50,7 @@ class State:
 
     @classmethod
     def of(cls, condition: Condition, solution: Any) -> State:
-        """The state at a ``condition`` from a ``Solution`` of this one point.
+        """The state at a ``condition`` from the ``Solution`` of this one point.
 
         Raises
         ------
@@ -95,10 +81,9 @@ class Section:
     ----------
     state : State
         The interface that is cut.
-    position : ndarray, shape (n,)
-        Places along the section [m].
-    lower, upper : ndarray, shape (n,)
-        Heights of both surfaces there [m]; flat where they touch.
+    position, lower, upper : ndarray, shape (n,)
+        Places along the section and heights of both surfaces there [m]; these are equal and flat
+        where the surfaces touch.
     touches : ndarray of bool, shape (n,)
         Where they touch.
     particles : tuple of Particle
@@ -209,10 +194,10 @@ def _profile(position, length, random):
 
 
 def _particles(state, parameters, position, lower, upper, reach, random):
-    """Particles of a slab as deep as their mean distance; the first one carries load if there is
-    a ``reach``.
+    """Particles of a slab as deep as their mean distance.
 
-    It lies in the narrowest place on the right, and is larger than the gap there less the reach.
+    With a ``reach`` the first carries load: it lies in the narrowest place on the right, and is larger
+    than the gap there less the reach.
     """
     count = round(position[-1] * np.sqrt(state.condition.particle_density))
     places = random.uniform(0.05, 0.95, count) * position[-1]
@@ -264,43 +249,37 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
         If there is no room or no right to write.
     """
     states = [section.state for section in sections]
-    variables = {}
-    for name in Condition._fields:
-        values = [getattr(state.condition, name) for state in states]
-        variables[name] = ("panel", values, coordinate_attributes(AXES[name]))
-    for name in NUMBERS:
-        values = [getattr(state, name) for state in states]
-        variables[name] = ("panel", values, coordinate_attributes(QUANTITIES[name]))
-    modes = [CONTACT_MODES.index(state.contact_mode) for state in states]
-    flag = variable_attributes(FLAGS["contact_mode"])
-    variables["contact_mode"] = ("panel", np.array(modes, dtype=np.int8), flag)
+    attributes = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
+    attributes |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
+    numbers = np.array(
+        [[*state.condition, *(getattr(state, n) for n in NUMBERS)] for state in states]
+    )
+    variables = {
+        name: ("panel", values, attributes[name])
+        for name, values in zip(attributes, numbers.T, strict=True)
+    }
+    modes = np.array([CONTACT_MODES.index(state.contact_mode) for state in states], dtype=np.int8)
+    variables["contact_mode"] = ("panel", modes, variable_attributes(FLAGS["contact_mode"]))
     along = ("panel", "position")
-    for name, meaning in SURFACES.items():
+    for name, meaning in LINES.items():
         heights = [getattr(section, name) for section in sections]
         variables[name] = (along, heights, {"units": "m", "long_name": meaning})
     touches = np.array([section.touches for section in sections], dtype=np.int8)
-    variables[TOUCHES] = (along, touches, {"long_name": "whether they touch"})
-    variables |= _particle_variables([section.particles for section in sections])
+    variables[TOUCHES] = (along, touches, {"long_name": "whether the surfaces touch"})
+    # panels with fewer particles than others end with nan
+    most = max(len(section.particles) for section in sections)
+    table = np.full((len(sections), most, 4), np.nan)
+    for panel, section in enumerate(sections):
+        for place, one in enumerate(section.particles):
+            table[panel, place] = one.position, one.height, one.diameter, one.carries_load
+    each = ("panel", "particle")
+    for index, (name, meaning) in enumerate(PARTICLE.items()):
+        variables[name] = (each, table[..., index], {"units": "m", "long_name": meaning})
+    carries = (table[..., 3] == 1.0).astype(np.int8)
+    variables[CARRIES_LOAD] = (each, carries, {"long_name": "whether a particle carries load"})
     position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
     dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
     write_netcdf(dataset, path, {})
-
-
-def _particle_variables(of_panels) -> dict:
-    """Variables over panels and particles; panels with fewer particles than others end with nan."""
-    shape = len(of_panels), max(map(len, of_panels))
-    numbers, carry = np.full((3, *shape), np.nan), np.zeros(shape, dtype=np.int8)
-    for panel, particles in enumerate(of_panels):
-        for place, particle in enumerate(particles):
-            numbers[:, panel, place] = particle.position, particle.height, particle.diameter
-            carry[panel, place] = particle.carries_load
-    dimensions = ("panel", "particle")
-    variables = {
-        name: (dimensions, values, {"units": "m", "long_name": meaning})
-        for (name, meaning), values in zip(PARTICLE.items(), numbers, strict=True)
-    }
-    meaning = {"long_name": "whether a particle bears load"}
-    return variables | {CARRIES_LOAD: (dimensions, carry, meaning)}
 
 
 def read_sections(path: str | PathLike) -> list[Section]:
@@ -311,22 +290,18 @@ def read_sections(path: str | PathLike) -> list[Section]:
     OSError
         If the file is absent, damaged, or holds something else: one line names it.
     """
-    needed = (*Condition._fields, *NUMBERS, *SURFACES, *PARTICLE, "contact_mode", "position")
+    needed = (*Condition._fields, *NUMBERS, *LINES, *PARTICLE, "contact_mode", "position")
     data = load(path, (*needed, TOUCHES, CARRIES_LOAD))
-    return [_section(data, index) for index in range(data.sizes["panel"])]
-
-
-def _section(data: PlainDataset, index: int) -> Section:
-    """The section of one panel of a file."""
-    panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
-    condition = Condition(*(float(panel[name]) for name in Condition._fields))
-    numbers = (float(panel[name]) for name in NUMBERS)
-    state = State(condition, *numbers, CONTACT_MODES[int(panel["contact_mode"])])
-    columns = [panel[name].tolist() for name in PARTICLE]
-    carry = panel[CARRIES_LOAD].astype(bool).tolist()
-    particles = tuple(
-        Particle(*values) for values in zip(*columns, carry, strict=True) if not np.isnan(values[0])
-    )
-    surfaces = (panel[name] for name in SURFACES)
-    touches = panel[TOUCHES].astype(bool)
-    return Section(state, data["position"].values, *surfaces, touches, particles)
+    found = []
+    for index in range(data.sizes["panel"]):
+        panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
+        condition = Condition(*(float(panel[name]) for name in Condition._fields))
+        numbers = (float(panel[name]) for name in NUMBERS)
+        state = State(condition, *numbers, CONTACT_MODES[int(panel["contact_mode"])])
+        columns = [panel[name].tolist() for name in PARTICLE]
+        rows = zip(*columns, panel[CARRIES_LOAD].astype(bool).tolist(), strict=True)
+        particles = tuple(Particle(*row) for row in rows if not np.isnan(row[0]))
+        touches = panel[TOUCHES].astype(bool)
+        lines = (panel[name] for name in LINES)
+        found.append(Section(state, data["position"].values, *lines, touches, particles))
+    return found

@@ -14,8 +14,8 @@ from thirdbody.data.conditions import Condition
 from thirdbody.figures.drawing import CURVE, Series
 from thirdbody.figures.naming import value_text
 
-MARKERS = "osv^DX<>PphHd8"
-LIGHTEST = 0.87  # of the colour map: beyond it lines fade on white
+MARKERS = "osD^vPX"  # every second one is hollow: levels next to each other look different
+DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: two-body contact is black, lines fade on white
 GREY = "0.5"
 MARKERS_PER_CURVE = 5
 # Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
@@ -27,31 +27,23 @@ TINT = 0.13  # of the colour in a band, the rest is white
 
 def level_styles(count: int) -> list[dict]:
     """Line properties of ``count`` ordered levels: the colour grows lighter, each has its marker."""
-    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(0.0, LIGHTEST, count))
+    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
     return [
         {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
-        for index, colour in enumerate(colours.tolist())
+        | {"markerfacecolor": "white" if index % 2 else colour, "markeredgecolor": colour}
+        for index, colour in enumerate(map(tuple, colours.tolist()))
     ]
 
 
 def band_style(colour) -> dict:
-    """Properties of the area of a band: opaque, as many bands may lie on one another."""
+    """Properties of the area of a range: opaque, as many ranges may lie on one another."""
     tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
     return {"facecolor": tint, "linewidth": 0.0, "zorder": 1.5}
 
 
 class Styles:
-    """Line styles of curves that differ in one parameter.
+    """Line styles of curves at ``conditions`` that differ in one ``parameter``.
 
-    Parameters
-    ----------
-    conditions : sequence of Condition
-        Those of all curves of the figure.
-    parameter : str
-        Attribute of ``Condition`` in which they differ.
-
-    Notes
-    -----
     Each level of the parameter has a colour and a marker.  Two-body contact is black or grey.  Beside
     lubricated contact, dry contact is dashed, or dotted without particles, and has no markers.
     """
@@ -72,14 +64,11 @@ class Styles:
             if condition.is_two_body and self.parameter == "viscosity":
                 return DRY_TWO_BODY
             return {"color": "black"} | (DRY if dashed else {})
-        style = self.levels[level]
-        if dashed:
-            return style | DRY | {"marker": "none"}
-        return style
+        return self.levels[level] | (DRY | {"marker": "none"} if dashed else {})
 
     def of_series(self, series: Series) -> dict:
-        """Line properties of the curve of a series; a curve has a few markers, at other points than
-        the next level."""
+        """Line properties of the curve of a series, with a few markers at other points than the
+        next level."""
         if series.condition is None:
             return {}
         style = self.of(series.condition)
@@ -90,7 +79,7 @@ class Styles:
         return style
 
     def key(self) -> list[Line2D]:
-        """Entries of the key: the levels, then dry and lubricated contact where both are shown."""
+        """Entries of the key: the levels, then dry and lubricated contact where both are drawn."""
         entries = {
             self._text(each): self.of(each)
             for each in self.conditions

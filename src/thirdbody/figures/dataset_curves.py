@@ -1,4 +1,4 @@
-"""The curves that a dataset shows: not every combination of its axes belongs to the figure."""
+"""The curves of a dataset: not every combination of its axes belongs to the figure."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ class Curve:
         return float(np.interp(np.log(load), loads, self.values(data, name)))
 
 
-def shown_curves(data: PlainDataset) -> list[Curve]:
-    """The curves that ``data`` shows, in the order of its axes."""
+def curves_in(data: PlainDataset) -> list[Curve]:
+    """The curves of ``data``, in the order of its axes."""
     axes = [data[name].values for name in Condition._fields]
     return [
         Curve(
@@ -58,7 +58,7 @@ def with_relative_area(data: PlainDataset) -> PlainDataset:
     """
     if AREA not in data:
         return data
-    curves = shown_curves(data)
+    curves = curves_in(data)
     references = {
         curve.condition.roughness: curve.values(data, AREA)
         for curve in curves
