@@ -33,17 +33,10 @@ TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
 
 @dataclass(frozen=True)
 class Content:
-    """What a panel shows.
+    """What a panel shows: a quantity ``y`` over ``x``, two of ``SCALES``.
 
-    Attributes
-    ----------
-    y, x : str
-        Quantities against each other; two of ``SCALES``.  Over ``diameter_ratio`` it shows turning
-        points alone.
-    surface : int, optional
-        Curves of one surface alone: 0 for the smoothest of the dataset, -1 for the roughest.
-    locus : bool
-        Whether the turning points of the curves are joined.
+    Over ``diameter_ratio`` it shows turning points alone.  A ``surface`` restricts it to the smoothest (0)
+    or the roughest (-1) of the dataset; ``locus`` joins the turning points of the curves.
     """
 
     y: str
@@ -227,16 +220,8 @@ def draw_panels(
 ) -> Figure:
     """Draw panels of curves, and a key in the cell that they leave free or below them.
 
-    Parameters
-    ----------
-    panels : sequence of Panel
-        What is drawn.
-    style_of : callable
-        Gives line properties of the curve that a series is or belongs to, or an empty dict.
-    newtons_per_load : float, optional
-        F_t/F_t* [N]: loads have an axis in newtons too.
-    entries, key_title : sequence of Line2D, str
-        The key; none without entries.
+    ``style_of`` gives line properties of the curve that a series is or belongs to, or an empty dict.
+    With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
     """
     beside = len(panels) % 2 == 1
     rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)

@@ -35,19 +35,8 @@ CURVE = "curve"
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points that a panel shows under one name.
-
-    Attributes
-    ----------
-    kind : str
-        ``CURVE``, or what else they are: "band", "turning points", "printed", ...
-    name : str
-        Whose they are; empty where the kind says enough.
-    x, y : ndarray, shape (n,)
-        The points, SI.
-    condition : Condition, optional
-        The condition of the curve that they belong to.
-    """
+    """Points [SI] that a panel shows under one name, and the condition of the curve that they are or
+    belong to.  Their kind is ``CURVE``, "band", "turning points", "printed", ..."""
 
     kind: str
     name: str
@@ -98,20 +87,11 @@ def grid_of_axes(
     columns: int = 2,
     below: float = 0.0,
 ) -> Figure:
-    """A figure with axes in rows, above a free strip.
+    """A figure with axes in rows.
 
-    The margins are fixed: to find them from the texts takes longer than to draw.
-
-    Parameters
-    ----------
-    count, columns : int
-        How many axes there are, and in a row.
-    cell : tuple
-        Width and height of the axes with their margins [inches].
-    margins : tuple
-        Left, right, lower and upper margin [inches].
-    below : float
-        Height of the free strip [inches].
+    Each has a ``cell`` of this width and height, with ``margins`` left, right, below and above it; there
+    is room ``below`` all [inches].  Margins are fixed: to find them from the texts takes longer
+    than to draw.
     """
     (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)

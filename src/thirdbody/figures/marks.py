@@ -18,7 +18,6 @@ from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
-STATUS_STEP = 6  # points of a curve from one mark of their status to the next
 # statuses that are marked: text of the key, marker; where there are no values the curve ends
 STATUS_MARKS = {
     "several_separations": ("several balances: the widest", "+"),
@@ -31,7 +30,7 @@ STATUS_MARKS = {
 POINTS = {"linestyle": "none", "zorder": 3.2}
 STATUS_LOOK = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
 STAR = POINTS | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1"}
-SQUARE = POINTS | {"marker": "s", "markersize": 10.0, "markerfacecolor": "none", "zorder": 2.8}
+SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
 # kind of series: text in the key, line properties
 MARKS = {
     TURNING_POINTS: ("turning point (TPCA)", STAR | {"markeredgecolor": "black"}),
@@ -52,18 +51,8 @@ BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Turning points from a file of the table ``tpca_loads``.
-
-    Returns
-    -------
-    list of dict
-        The four conditions (SI), ``load`` and ``peak_ratio`` of each.
-
-    Raises
-    ------
-    OSError
-        If the file is damaged: one line names it.
-    """
+    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load`` and
+    ``peak_ratio`` of each; ``OSError`` in one line if the file is damaged."""
     return [
         {axis.name: row[axis.column] for axis in CONDITION_AXES}
         | {name: row[name] for name in ("load", "peak_ratio")}
@@ -93,23 +82,18 @@ def turning_point_series(
 
 
 def status_series(data: PlainDataset, x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """Points whose status is not plain ``converged``, and the ends of curves without values."""
+    """First and last points whose status is not ``converged``, and ends of curves without values."""
     for status in STATUS_MARKS:
         for curve in curves:
             marked = curve.values(data, STATUS) == SOLUTION_STATUSES.index(status)
             if status in WITHOUT_VALUES:
                 beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
                 marked = beside & np.isfinite(curve.values(data, y))
-            places = _some_of_each_run(np.flatnonzero(marked))
+            places = np.flatnonzero(marked)
             if places.size:
-                points = (curve.values(data, name)[places] for name in (x, y))
+                ends = np.unique(places[[0, -1]])
+                points = (curve.values(data, name)[ends] for name in (x, y))
                 yield Series(status, curve.label, *points, curve.condition)
-
-
-def _some_of_each_run(places):
-    """Of ``places``, the ends of each run without gaps and every ``STATUS_STEP`` within."""
-    runs = np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)
-    return np.concatenate([np.union1d(run[::STATUS_STEP], run[-1:]) for run in runs])
 
 
 def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:

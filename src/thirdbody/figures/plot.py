@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from itertools import product
 from os import PathLike
 from pathlib import Path
@@ -114,27 +114,39 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     """Panels of all variables over one axis, with a curve for each combination of the others."""
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
-    shared = [note(name, float(data[name][0])) for name in others if name not in varying]
+    common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
     names = [name for name in DRAWN if name in data and bool(data[name].notnull().any())]
     if not names:
         raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(DRAWN)}")
-    figure_panels = [
-        Panel(letter, SCALES[name].title, over, name, tuple(_curves(data, name, over, varying)))
+    curves = {}
+    for values in product(*(data[name].values for name in varying)):
+        label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
+        curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
+    panels = [
+        Panel(
+            letter,
+            SCALES[name].title,
+            over,
+            name,
+            tuple(
+                Series(CURVE, label, data[over].values, curve[name].values.astype(float))
+                for label, curve in curves.items()
+            ),
+        )
         for letter, name in zip("ABCD", names, strict=False)
     ]
-    labels = [curve.name for curve in figure_panels[0].series]
-    looks = dict(zip(labels, level_styles(len(labels)), strict=True))
+    looks = dict(zip(curves, level_styles(len(curves)), strict=True))
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
-    title = key_title("", shared)
-    return draw_panels(figure_panels, lambda one: looks[one.name], None, entries, title)
+    return draw_panels(panels, lambda one: looks[one.name], None, entries, key_title("", common))
 
 
-def _curves(data, name, over, varying) -> Iterator[Series]:
-    """The variable ``name`` over one axis, for each combination of those that vary."""
-    for values in product(*(data[axis].values for axis in varying)):
-        curve = data[name].sel(dict(zip(varying, values, strict=True))).squeeze()
-        label = ", ".join(map(note, varying, values))
-        yield Series(CURVE, label, data[over].values, curve.values.astype(float))
+def _note(data, name, value) -> str:
+    """A condition with its symbol and unit; a load in newtons too."""
+    text = note(name, float(value))
+    if name != "load" or "normal_load" not in data:
+        return text
+    newtons = data["normal_load"].values[data["load"].values == value].flat[0]
+    return f"{text} ({newtons:.3g} N)"
 
 
 def _with_all_dimensions(name, data) -> xr.Dataset:

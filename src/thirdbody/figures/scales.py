@@ -17,21 +17,10 @@ NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
 
 @dataclass(frozen=True)
 class Scale:
-    """The axis of one quantity.
+    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI.
 
-    Attributes
-    ----------
-    title : str
-        Title of panels that show it.
-    label : str
-        Label of the axis: symbol and unit.
-    logarithmic : bool
-        Whether the axis is.
-    unit : float
-        Unit of the tick labels in SI.
-    limits, zones : tuple
-        Limits between regimes or contact modes, and the names of these, both from below: the
-        quantity is a fraction, from 0 to 1.
+    A quantity with ``limits`` between regimes or contact modes, and ``zones``, the names of these from
+    below, is a fraction.
     """
 
     title: str
@@ -84,22 +73,25 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
     loads has newtons at the upper edge.
     """
     axes.margins(x=0.02, y=0.04)
-    low, high = axes.dataLim.intervalx
-    logarithmic_x = SCALES[x].logarithmic or 0.0 < 10.0 * low < high
-    for axis, scale, logarithmic in (
-        (axes.xaxis, SCALES[x], logarithmic_x),
-        (axes.yaxis, SCALES[y], SCALES[y].logarithmic),
+    limits = axes.dataLim
+    for axis, name, (low, high) in (
+        (axes.xaxis, x, limits.intervalx),
+        (axes.yaxis, y, limits.intervaly),
     ):
+        scale = SCALES[name]
         axis.set_label_text(scale.label)
+        spreads = 0.0 < 3.0 * low < high if scale.logarithmic else 0.0 < 10.0 * low < high
+        logarithmic = spreads and (scale.logarithmic or axis is axes.xaxis)
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
-            axis.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
-            axis.set_minor_formatter(NullFormatter())
             axis.set_major_formatter(POWERS)
+            axis.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
+            axis.set_minor_formatter(POWERS if high < 20.0 * low else NullFormatter())
         if scale.unit != 1.0:
             axis.set_major_formatter(lambda value, _, unit=scale.unit: f"{value / unit:g}")
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+                axis.set_minor_locator(NullLocator())
     if SCALES[y].is_fraction:
         highest = axes.dataLim.y1
         top = highest if 0.0 < highest < 0.5 else 1.0
@@ -116,12 +108,13 @@ def _draw_limits(axes, scale):
     """Thin lines at the limits of regimes and modes, with their names at the right edge."""
     low, high = axes.get_ylim()
     style = {"transform": axes.get_yaxis_transform(), "va": "center", "fontsize": "small"}
+    right = 1.03  # beside a mark at the last load
     for limit in scale.limits:
         if low < limit < high:
             axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
-            axes.text(1.01, limit, f"{limit / scale.unit:g}", **style)
+            axes.text(right, limit, f"{limit / scale.unit:g}", **style)
     edges = [low, *(min(limit, high) for limit in scale.limits), high]
     for zone, bottom, top in zip(scale.zones, edges, edges[1:], strict=False):
         if bottom < top:
             rotation = 270 if len(zone) > 4 else 0
-            axes.text(1.01, 0.5 * (bottom + top), zone, rotation=rotation, **style)
+            axes.text(right, 0.5 * (bottom + top), zone, rotation=rotation, **style)

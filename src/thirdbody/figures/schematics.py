@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.curves import CELL, add_key, key_title
@@ -14,9 +13,9 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axe
 from thirdbody.figures.naming import label, shared_notes
 from thirdbody.figures.sections import Section
 
-INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]
-INTERFACE_ASPECT, MODE_ASPECT = 0.38, 0.74  # height of a section over its length
-MODE_MARGINS = 0.1, 0.1, 0.1, 0.3  # of a panel of figure 2 [inches]
+INTERFACE, INTERFACE_MARGINS = (7.0, 3.1), (0.1, 0.1, 0.1, 0.3)  # cell of figure 1 [inches]
+MODE, MODE_MARGINS = CELL, (0.1, 0.1, 0.1, 0.3)  # of figure 2
+KEY_INCHES = 0.55  # below figure 1
 MICROMETRE = 1e-6
 
 SURFACE_1, SURFACE_2, LUBRICANT, NO_LUBRICANT = "0.83", "0.70", "#D6ECF8", "white"
@@ -27,8 +26,14 @@ OUTLINE = {"color": "0.2", "linewidth": 0.8}
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
 SPAN = {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
 PUSH = SPAN | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
-LEADER = {"arrowstyle": "-", "color": "0.2", "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
-
+BOX = {"marker": "s", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
+KEY = {
+    "surface 1": BOX | {"markerfacecolor": SURFACE_1},
+    "surface 2": BOX | {"markerfacecolor": SURFACE_2},
+    "lubricant": BOX | {"markerfacecolor": LUBRICANT},
+    "particle that carries load": CARRYING | {"marker": "o"},
+    "free particle": FREE | {"marker": "o"},
+}
 # the modes of figure 2 in the order of its panels
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
 
@@ -45,14 +50,14 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
     state, condition = section.state, section.state.condition
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
-    figure = Figure(figsize=INTERFACE_SIZE, layout="constrained")
-    axes = figure.add_subplot()
+    figure = grid_of_axes(1, INTERFACE, INTERFACE_MARGINS, columns=1, below=KEY_INCHES)
+    (axes,) = figure.axes
     facts = f"d = {state.separation / MICROMETRE:.2f} µm, $L_s$ = {state.solid_load_fraction:.0%}"
     panel = _panel("A", ", ".join((*shared_notes([condition]), facts)), section)
-    draw_section(axes, section, INTERFACE_ASPECT)
     axes.set_title(panel.title, loc="left")
-    axes.set_title("to scale", loc="right")
-    _name_parts(axes, section)
+    _draw_section(axes, section)
+    _draw_arrows(axes, section)
+    add_key(figure, _entries(KEY), "", beside=False)
     return Drawing(figure, (panel,))
 
 
@@ -64,7 +69,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
     ValueError
         If the model finds another mode than the panel is to show.
     """
-    figure = grid_of_axes(len(MODES), CELL, MODE_MARGINS)
+    figure = grid_of_axes(len(MODES), MODE, MODE_MARGINS)
     common = shared_notes([section.state.condition for section in sections])
     panels = []
     for letter, axes, section, mode in zip("ABC", figure.axes, sections, MODES, strict=True):
@@ -76,26 +81,24 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
             )
         own = (text for text in shared_notes([condition]) if text not in common)
         panels.append(_panel(letter, ", ".join((MODES[mode], *own)), section))
-        draw_section(axes, section, MODE_ASPECT)
+        _draw_section(axes, section)
         title_axes(axes, panels[-1])
         facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
         facts += f"$A_{{sa,t}}^*$ = {state.particle_contact_area_ratio:.2f}"
         axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
-    box = {"marker": "s", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
-    looks = {
-        "surface 1": box | {"markerfacecolor": SURFACE_1},
-        "surface 2": box | {"markerfacecolor": SURFACE_2},
-        "particle that carries load": CARRYING | {"marker": "o"},
-        "free particle": FREE | {"marker": "o"},
-    }
+    title = key_title("lengths and heights to one scale", common)
+    looks = {text: look for text, look in KEY.items() if text != "lubricant"}
+    add_key(figure, _entries(looks), title, beside=True)
+    return Drawing(figure, tuple(panels))
+
+
+def _entries(looks) -> list[Line2D]:
+    """Entries of the key."""
     entries = [
         Line2D([], [], label=text, linestyle="none", markersize=9.0, **look)
         for text, look in looks.items()
     ]
-    entries.append(Line2D([], [], label="contact of summits", **TOUCHING))
-    title = key_title("lengths and heights to one scale", common)
-    add_key(figure, entries, title, beside=True)
-    return Drawing(figure, tuple(panels))
+    return [*entries, Line2D([], [], label="contact of summits", **TOUCHING)]
 
 
 def _panel(letter, title, section) -> Panel:
@@ -118,73 +121,39 @@ def _outline(particle):
     return particle.position + radius * np.cos(angle), particle.height + radius * np.sin(angle)
 
 
-def draw_section(axes: Axes, section: Section, aspect: float) -> None:
-    """Draw a section, lengths and heights to one scale, in axes of this height over width."""
-    state, position = section.state, section.position
-    length = position[-1]
-    middle, reach = 0.5 * state.separation, 0.5 * aspect * length
-    axes.set_box_aspect(aspect)
+def _draw_section(axes: Axes, section: Section) -> None:
+    """Draw a section, lengths and heights to one scale."""
+    position, length = section.position, section.position[-1]
+    box = axes.get_window_extent()
+    middle, reach = 0.5 * section.state.separation, 0.5 * length * box.height / box.width
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
-    axes.set_facecolor(NO_LUBRICANT if state.condition.is_dry else LUBRICANT)
+    axes.set_facecolor(NO_LUBRICANT if section.state.condition.is_dry else LUBRICANT)
     bodies = (section.upper, middle + reach, SURFACE_1), (section.lower, middle - reach, SURFACE_2)
     for heights, edge, colour in bodies:
         axes.fill_between(position, heights, edge, color=colour, linewidth=0)
         axes.plot(position, heights, **OUTLINE)
     for particle in section.particles:
         colour, edge, width = (CARRYING if particle.carries_load else FREE).values()
-        axes.fill(
-            *_outline(particle), facecolor=colour, edgecolor=edge, linewidth=width, zorder=2.5
-        )
+        look = {"facecolor": colour, "edgecolor": edge, "linewidth": width}
+        axes.fill(*_outline(particle), **look, zorder=2.5)
     axes.plot(position, np.where(section.touches, section.lower, np.nan), **TOUCHING)
     height, end = middle - 0.9 * reach, 0.97 * length
     axes.plot([end - MICROMETRE, end], [height, height], color="black", linewidth=2.0)
     axes.text(end - MICROMETRE, height, "1 µm  ", ha="right", va="center")
 
 
-def _name_parts(axes, section):
-    """Write what is what into figure 1: surfaces, lubricant, particles, the separation, the load."""
+def _draw_arrows(axes, section):
+    """The separation of the mean planes, and the load on both surfaces."""
     length, d = section.position[-1], section.state.separation
-    bottom, top = axes.get_ylim()
-    above, below = 0.55 * top + 0.45 * d, 0.55 * bottom
-    axes.text(0.04 * length, above, "surface 1", va="center")
-    axes.text(0.04 * length, below, "surface 2", va="center")
-    gap = _open_place(section)
-    _point_out(axes, "lubricant", (gap[0], above), [gap], SURFACE_1)
-    name = 0.68 * length, below
-    near = sorted(section.particles, key=lambda particle: abs(particle.position - name[0]))[:2]
-    _point_out(axes, "particles", name, [(p.position, p.height) for p in near], SURFACE_2)
-    if section.touches.any():
-        middle = np.flatnonzero(section.touches).mean().astype(int)
-        contact = section.position[middle], section.lower[middle]
-        _point_out(axes, "contact of summits", (contact[0], below), [contact], SURFACE_2)
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     place = 0.03 * length
     axes.annotate("", (place, 0.0), (place, d), arrowprops=SPAN)
     axes.text(place, 0.5 * d, "  $d$", va="center")
+    bottom, top = axes.get_ylim()
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
         axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=PUSH)
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
-
-
-def _open_place(section):
-    """Middle of the gap where it is widest, beside particles, arrows and the name of a surface."""
-    position, length = section.position, section.position[-1]
-    free = (position > 0.2 * length) & (position < 0.95 * length)
-    taken = [(0.5 * length, 0.1 * length)]
-    taken += [(p.position, 0.5 * p.diameter) for p in section.particles]
-    for place, reach in taken:
-        free &= np.abs(position - place) > reach
-    widest = int(np.where(free, section.upper - section.lower, 0.0).argmax())
-    return position[widest], 0.5 * (section.lower + section.upper)[widest]
-
-
-def _point_out(axes, name, place, targets, ground):
-    """Write ``name`` at ``place``, on the colour ``ground``, with a thin line to each target."""
-    for target in targets:
-        axes.annotate("", target, place, arrowprops=LEADER, zorder=2.7)
-    box = {"facecolor": ground, "linewidth": 0, "pad": 2}
-    axes.text(*place, name, bbox=box, ha="center", va="center", zorder=3)
 
 
 SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {

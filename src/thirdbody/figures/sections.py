@@ -50,13 +50,7 @@ class State:
 
     @classmethod
     def of(cls, condition: Condition, solution: Any) -> State:
-        """The state at a ``condition`` from the ``Solution`` of this one point.
-
-        Raises
-        ------
-        ValueError
-            If the point has no solution.
-        """
+        """The state from the ``Solution`` of this one point; ``ValueError`` if there is none."""
         if not np.isfinite(solution.separation):
             raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
         numbers = (float(getattr(solution, name)) for name in NUMBERS)
@@ -98,17 +92,9 @@ class Section:
     particles: tuple[Particle, ...]
 
 
-def sections(
-    figure: str, states: Sequence[State], parameters: Parameters, seed: int = SEED
-) -> list[Section]:
-    """The sections that the schematic ``fig01`` or ``fig02`` shows, one for each state.
-
-    Raises
-    ------
-    ValueError
-        If no random section shows its contacts.
-    """
-    return [section_through(state, parameters, LENGTHS[figure], seed) for state in states]
+def sections(figure: str, states: Sequence[State], parameters: Parameters) -> list[Section]:
+    """The sections of the schematic ``fig01`` or ``fig02``, one for each state; errors as below."""
+    return [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
 
 
 def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
@@ -155,10 +141,7 @@ def _reach(state, parameters):
 def correlation_length(state: State, parameters: Parameters) -> float:
     """Correlation length [m] of a Gaussian surface with the model's density of summits.
 
-    References
-    ----------
-    Nayak (1971): a surface with the autocorrelation exp(-x^2/2l^2) has 1/(2 pi sqrt(3) l^2)
-    summits per unit area.
+    Nayak (1971): with the autocorrelation exp(-x^2/2l^2) it is 1/(2 pi sqrt(3) l^2).
     """
     # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
     # cannot both be those of a Gaussian surface
@@ -241,13 +224,7 @@ def _are_apart(particles, contacts, length) -> bool:
 
 
 def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
-    """Write the sections of a schematic, all along the same positions, to a NetCDF-4 file.
-
-    Raises
-    ------
-    OSError
-        If there is no room or no right to write.
-    """
+    """Write the sections of a schematic to a NetCDF-4 file; ``OSError`` if that fails."""
     states = [section.state for section in sections]
     attributes = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
     attributes |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
@@ -283,13 +260,7 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
 
 
 def read_sections(path: str | PathLike) -> list[Section]:
-    """The sections of a file of ``write_sections``, one a panel, as they were written.
-
-    Raises
-    ------
-    OSError
-        If the file is absent, damaged, or holds something else: one line names it.
-    """
+    """The sections of a file of ``write_sections``; ``OSError`` in one line if it cannot be read."""
     needed = (*Condition._fields, *NUMBERS, *LINES, *PARTICLE, "contact_mode", "position")
     data = load(path, (*needed, TOUCHES, CARRIES_LOAD))
     found = []
