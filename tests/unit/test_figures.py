@@ -124,13 +124,24 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
     data = datasets[name]
     count, expected = PANELS[name]
     band = xr.Dataset(
-        {f"{y}_{end}": data[y] for _, y in expected if y in data for end in ("low", "high")}
+        {
+            f"{y}_{end}": factor * data[y]
+            for _, y in expected
+            if y in data
+            for end, factor in (("low", 1.0), ("high", 2.0))
+        }
     )
     windows = [{"roughness_m": 3e-7, "end": "low", "diameter_over_roughness": 0.9}]
-    drawing = plotted(name, datasets, band=band, printed=printed[name], windows=windows)
+    drawing = plotted(name, datasets, ensemble_range=band, printed=printed[name], windows=windows)
     assert [panel.letter for panel in drawing.panels] == list("ABCD"[: len(expected)])
     assert [(panel.x, panel.y) for panel in drawing.panels] == expected
+    over_load = [panel for panel in drawing.panels if panel.x == "load" and panel.y in data]
+    for panel in over_load:
+        curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
+        assert [one.y.max() for one in ranges] == [2.0 * curve.y[::2].max() for curve in curves]
     figure = drawing.figure
+    assert "ensemble range" in key_of(figure)
+    assert "Shaded: ensemble range." in caption(name, drawing.panels).notes
     figure.draw_without_rendering()
     width, height = figure.bbox.size
     box = figure.get_tightbbox().extents * figure.dpi  # [inches]
@@ -202,28 +213,31 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     assert {row["curve"] for row in rows} >= {c.name for c in drawing.panels[0].of_kind(CURVE)}
 
 
-@pytest.mark.parametrize("status", ["outside_film_formula", "load_exceeded"])
-def test_points_that_are_not_plainly_converged_are_marked(status, datasets):
+@pytest.mark.parametrize(
+    ("status", "places", "meaning"),
+    [
+        ("outside_film_formula", [-4, -1], "film outside its formula"),
+        ("load_exceeded", [-5], "none beyond: load not carried"),
+    ],
+)
+def test_points_that_are_not_plainly_converged_are_marked(status, places, meaning, datasets):
     data = datasets["fig11"].load().copy(deep=True)
     attributes = data["solution_status"].attrs
     flags = dict(zip(attributes["flag_meanings"].split(), attributes["flag_values"], strict=True))
-    missing = np.s_[-4:, -1]  # the last loads of the last viscosity
-    data["solution_status"][missing] = flags[status]
-    if status == "load_exceeded":
-        for name in QUANTITIES:
-            data[name][missing] = np.nan
+    last = np.s_[-4:, -1]  # the last loads of the last viscosity
+    data["solution_status"][last] = flags[status]
+    for name in QUANTITIES if status == "load_exceeded" else ():
+        data[name][last] = np.nan
     drawing = CURVE_FIGURES["fig11"].plot(data)
     curve = curves_in(data)[-1]
-    places = [-5] if status == "load_exceeded" else [-4, -1]
     for panel in drawing.panels:
         (marked,) = panel.of_kind(status)
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values(data, name)[places])
-    meaning = {"outside_film_formula": "film outside", "load_exceeded": "none beyond"}[status]
-    assert any(meaning in text for text in key_of(drawing.figure))
+    assert meaning in key_of(drawing.figure)
     assert meaning in caption("fig11", drawing.panels).markdown()
-    assert not any(meaning in text for text in key_of(plotted("fig11", datasets).figure))
+    assert meaning not in key_of(plotted("fig11", datasets).figure)
 
 
 def test_turning_points_and_windows_are_marked(datasets, printed):
@@ -308,17 +322,6 @@ def test_printed_numbers_stand_at_their_loads(datasets, printed):
     flat = datasets["fig05"].assign({SOLID: datasets["fig05"][SOLID] * 0.0 + 1.0})
     mark, *_ = CURVE_FIGURES["fig05"].plot(flat, printed=rows).panels[1].of_kind(PRINTED)
     assert mark.x == rows[0]["load_max"]
-
-
-def test_an_ensemble_range_is_drawn(datasets):
-    data = datasets["fig05"]
-    band = xr.Dataset({f"{SOLID}_low": 0.9 * data[SOLID], f"{SOLID}_high": 1.1 * data[SOLID]})
-    drawing = CURVE_FIGURES["fig05"].plot(data, band=band)
-    assert [len(panel.of_kind(BAND)) for panel in drawing.panels] == [8, 8]
-    highest = max(series.y.max() for series in drawing.panels[0].of_kind(BAND))
-    assert highest == pytest.approx(1.1 * float(data[SOLID][:, :, :, 0].max()))
-    assert "ensemble range" in key_of(drawing.figure)
-    assert "ensemble" in caption("fig05", drawing.panels).markdown()
 
 
 def test_schematics_show_what_carries_the_load(parameters, tmp_path):

@@ -58,7 +58,7 @@ def test_it_shows_the_values_of_the_dataset(grid):
 
 
 @pytest.mark.parametrize(
-    ("given", "shown"),
+    ("given", "expected"),
     [
         ({"viscosity": 0.0}, PANELS[:2]),
         ({"viscosity": 9e-5}, PANELS),
@@ -68,8 +68,8 @@ def test_it_shows_the_values_of_the_dataset(grid):
     ],
     ids=["dry", "one curve", "two surfaces", "many curves", "one variable"],
 )
-def test_panels_are_those_of_what_the_dataset_holds(grid, given, shown):
-    assert panels(tb.plot(grid(**given))) == shown
+def test_panels_are_those_of_what_the_dataset_holds(grid, given, expected):
+    assert panels(tb.plot(grid(**given))) == expected
 
 
 def test_the_panels_of_each_figure_can_be_had(grid):
@@ -85,19 +85,6 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
     piece = curves(tb.plot(grid().sel(viscosity=5e-5)))
     for some, all_ in zip(piece, whole, strict=True):
         np.testing.assert_allclose(some[0], all_[1], rtol=2e-3)
-
-
-def test_a_solution_is_drawn(parameters):
-    given = AXES | {"load": LOADS[:, None]}
-    assert panels(tb.plot(tb.solve(**given, parameters=parameters).to_dataset())) == PANELS
-
-
-def test_turning_points_are_marked(grid):
-    point = {name: AXES[name] for name in ("particle_diameter", "roughness", "particle_density")}
-    point |= {"viscosity": 0.0, "load": LOADS[5], "peak_ratio": 0.4}
-    ratio = tb.plot(grid(), turning_points=[point]).axes[0]
-    (mark,) = (line for line in ratio.lines if line.get_marker() == "*")
-    assert mark.get_xdata() == pytest.approx([LOADS[5]])
 
 
 @pytest.mark.parametrize("count", [2, 3])

@@ -300,13 +300,13 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
         drawing.figure.axes, drawing.panels, (found.value, indices.value), strict=True
     ):
         assert len(panel.series) == (len(base) - 1) * len(INPUTS)
-        told = np.delete(values, 3, axis=0)
-        shown = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
-        assert_allclose(shown, np.sort(told.ravel()), atol=1e-9)
+        expected = np.delete(values, 3, axis=0)
+        drawn = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
+        assert_allclose(drawn, np.sort(expected.ravel()), atol=1e-9)
         # each in a cell of its own, and its number in it where it is not negligible
         assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
         *_, least = SHADES[panel.y]
-        assert len(axes.texts) == (np.abs(told) >= least).sum()
+        assert len(axes.texts) == (np.abs(expected) >= least).sum()
 
 
 def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):

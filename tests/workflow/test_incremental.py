@@ -134,7 +134,7 @@ def test_another_formula_of_the_paper_tables_remakes_these_tables(workspace):
     assert f"these tables are from {workspace.root / module}" in run.stdout + run.stderr
 
 
-@pytest.mark.parametrize("module", ["model/film", "data/tables", "figures/sheet/saving"])
+@pytest.mark.parametrize("module", ["model/film", "data/tables", "figures/drawing"])
 def test_another_library_module_reruns_what_imports_it(workspace, recorded, module):
     path = f"src/thirdbody/{module}.py"
     expected = followers(recorded, path)

@@ -12,20 +12,20 @@ from thirdbody.figures.registry import curve_figure
 from thirdbody.job_log import logged
 
 
-def render(figure, dataset, turning_points, printed, windows, style, stem, band):
+def render(figure, dataset, turning_points, printed, windows, style, stem, ensemble_range):
     """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv and .md.
 
     ``printed`` is the file of the numbers that the paper prints, ``windows`` that of the windows
-    of the turning point, and ``band`` that of the envelope around the curves; the last two may be
-    empty for none.
+    of the turning point, and ``ensemble_range`` that of the range around the curves; the last two
+    may be empty for none.
     """
     data = read_plain(dataset)
     points = read_turning_points(turning_points)
     numbers = read_printed(printed, figure)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    envelope = read_plain(band) if band else None
+    ranges = read_plain(ensemble_range) if ensemble_range else None
     with matplotlib.style.context(style, after_reset=True):
-        drawing = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
+        drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
         save(drawing, stem, caption(figure, drawing.panels, data.attrs["title"]))
     print(f"{figure}: drawn")
 

@@ -31,8 +31,8 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
         for index, (surface, look) in enumerate(zip(surfaces, level_styles(surfaces.size)))
     }
     panels = tuple(
-        Panel(letter, ", ".join(_notes(shown)), "load", name, tuple(_series(shown, looks)))
-        for letter, shown in zip(ascii_uppercase, charts, strict=False)
+        Panel(letter, ", ".join(_notes(chart)), "load", name, tuple(_series(chart, looks)))
+        for letter, chart in zip(ascii_uppercase, charts, strict=False)
     )
     newtons_per_load = float((charts[0]["normal_load"] / charts[0]["load"])[-1])
     entries = [
@@ -42,31 +42,31 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
     entries.append(Line2D([], [], label=RANGE, color="0.82", linewidth=6.0))
     title = parameter_title("roughness")
     figure = draw_panels(panels, lambda one: looks[one.name], newtons_per_load, entries, title)
-    for axes, panel, shown in zip(figure.axes, panels, charts, strict=True):
-        axes.set_xlim(*shown["load"].values[[0, -1]])
+    for axes, panel, chart in zip(figure.axes, panels, charts, strict=True):
+        axes.set_xlim(*chart["load"].values[[0, -1]])
         if not any(np.isfinite(one.y).any() for one in panel.series):
-            axes.set_ylim(*shown.attrs["ends"])
+            axes.set_ylim(*chart.attrs["ends"])
     return Drawing(figure, panels)
 
 
-def _notes(shown) -> list[str]:
+def _notes(chart) -> list[str]:
     """The conditions of a panel."""
-    held = [axis.name for axis in CONDITION_AXES if axis.name in shown.coords.keys() - shown.dims]
-    values = {name: float(shown[name]) for name in held}
+    held = [axis.name for axis in CONDITION_AXES if axis.name in chart.coords.keys() - chart.dims]
+    values = {name: float(chart[name]) for name in held}
     if 0.0 in (values.get("particle_diameter"), values.get("particle_density")):
         return ["without particles"]
     return [note(name, value) for name, value in values.items()]
 
 
-def _series(shown, names) -> Iterator[Series]:
+def _series(chart, names) -> Iterator[Series]:
     """The curve of each roughness and the outlines of its range, within the atlas."""
-    load = shown["load"].values
+    load = chart["load"].values
     for index, name in enumerate(names):
-        surface = shown.isel(roughness=index)
+        surface = chart.isel(roughness=index)
         limit = surface["limit"].values
         known = np.isfinite(limit) & (limit > 0.0)
         yield Series(CURVE, name, load, np.where(known, limit, np.nan))
-        low, high = np.clip(surface["range"].values[[0, -1]], *shown.attrs["ends"])
+        low, high = np.clip(surface["range"].values[[0, -1]], *chart.attrs["ends"])
         places = np.flatnonzero(low < high)
         for run in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1):
             if run.size > 1:

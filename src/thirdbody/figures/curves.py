@@ -52,7 +52,7 @@ class CurveFigure:
     Attributes
     ----------
     parameter : str
-        What its curves are told apart by: an attribute of ``Condition``.
+        What distinguishes its curves: an attribute of ``Condition``.
     contents : tuple of Content
         Its panels, in order.
     each_surface : bool
@@ -75,7 +75,7 @@ class CurveFigure:
         self,
         data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
-        band: PlainDataset | None = None,
+        ensemble_range: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Drawing:
@@ -87,8 +87,8 @@ class CurveFigure:
             Dataset of the figure.
         turning_points : sequence of Mapping
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        band : PlainDataset, optional
-            ``<variable>_low`` and ``_high`` on the axes of ``data``: the ensemble range.
+        ensemble_range : PlainDataset, optional
+            ``<variable>_low`` and ``_high`` on the axes of ``data``.
         printed : sequence of Mapping
             Rows of the table ``printed``: the paper's numbers for this figure.
         windows : sequence of Mapping
@@ -112,7 +112,7 @@ class CurveFigure:
             if content.x == "diameter_ratio":
                 series = _window_series(chosen[0].condition.roughness, points, windows, printed)
             else:
-                series = _curve_series(data, content, chosen, points, band, printed)
+                series = _curve_series(data, content, chosen, points, ensemble_range, printed)
             found = tuple(series)
             if found:
                 letter, title = ascii_uppercase[len(panels)], _title(content, chosen, common)
@@ -149,7 +149,7 @@ class CurveFigure:
         return [replace(each, surface=index) for each in contents for index in indices]
 
 
-def _curve_series(data, content, curves, points, band, printed) -> Iterator[Series]:
+def _curve_series(data, content, curves, points, ranges, printed) -> Iterator[Series]:
     """All that a panel of curves shows."""
     x, y = content.x, content.y
     for curve in curves:
@@ -161,11 +161,11 @@ def _curve_series(data, content, curves, points, band, printed) -> Iterator[Seri
     if content.locus or y == RATIO:
         yield from marks.turning_point_series(data, x, y, points, marks.TURNING_POINTS)
     yield from printed_series(data, x, y, curves, printed, points)
-    if band is not None and x == "load" and f"{y}_low" in band:
+    if ranges is not None and x == "load" and f"{y}_low" in ranges:
         for curve in curves:
-            low, high = (curve.values(band, f"{y}_{end}") for end in ("low", "high"))
+            low, high = (curve.values(ranges, f"{y}_{end}") for end in ("low", "high"))
             some = np.unique([*range(0, low.size, BAND_STEP), low.size - 1])
-            outline = range_outline(band["load"].values[some], low[some], high[some])
+            outline = range_outline(ranges["load"].values[some], low[some], high[some])
             yield Series(marks.BAND, curve.label, *outline, curve.condition)
 
 
@@ -205,7 +205,7 @@ def _on_surface(curves, data, surface):
 
 
 def _title(content, curves, common) -> str:
-    """What the curves of a panel share beyond the others, or else what it shows."""
+    """What the curves of a panel share beyond the others, or else its quantity."""
     shared = shared_notes([curve.condition for curve in curves])
     own = [text for text in shared if text not in common]
     return ", ".join(own) or SCALES[content.y].title

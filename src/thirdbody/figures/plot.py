@@ -68,8 +68,8 @@ def plot(
     Raises
     ------
     ValueError
-        In one line: for data that are no such dataset, that vary in more than one figure can tell
-        apart, or have nothing to draw, and for an unknown axis or figure.
+        In one line: for data that are no such dataset, that vary in more than one figure can
+        distinguish, or have nothing to draw, and for an unknown axis or figure.
     OSError
         If a file cannot be read.
     ModuleNotFoundError

@@ -1,4 +1,4 @@
-"""How curves look: colours, dashes and markers that tell them apart, in grey too."""
+"""How curves look: colours, dashes and markers that differ in grey too."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MARKERS_PER_CURVE = 5
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
 BAND_EDGE = {"linewidth": 0.5, "alpha": 0.6, "zorder": 1.6}
-TINT = 0.13  # of the colour in a band, the rest is white
+TINT = 0.13  # of the colour in a range, the rest is white
 
 
 def level_styles(count: int) -> list[dict]:
