@@ -16,7 +16,7 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
 from thirdbody.figures import charts
-from thirdbody.figures.captions import CAPTIONS, caption
+from thirdbody.figures.captions import CAPTIONS, CONCLUSIONS, caption
 from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW, condition_key
@@ -116,7 +116,7 @@ def test_every_figure_of_the_paper_is_drawn():
     names = [f"fig{number:02d}" for number in range(1, 14)]
     assert sorted(SCHEMATICS | CURVE_FIGURES) == names
     others = {"fronts", "claims", "sensitivity", "accuracy", "largest_particle", "least_viscosity"}
-    assert set(CAPTIONS) == others | set(names)
+    assert set(CAPTIONS | CONCLUSIONS) == others | set(names)
 
 
 @pytest.mark.parametrize("name", PANELS)
@@ -138,7 +138,8 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
     over_load = [panel for panel in drawing.panels if panel.x == "load" and panel.y in data]
     for panel in over_load:
         curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
-        assert [one.y.max() for one in ranges] == [2.0 * curve.y[::2].max() for curve in curves]
+        highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
+        assert [one.y.max() for one in ranges] == highest
     figure = drawing.figure
     assert "ensemble range" in key_of(figure)
     assert "Shaded: ensemble range." in caption(name, drawing.panels).notes
@@ -390,8 +391,10 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     from docutils.core import publish_parts
 
     drawing = plotted(name, datasets, printed=printed[name])
-    text = caption(name, drawing.panels).markdown()
-    assert text.startswith(f"**Figure {int(name[3:])}. ")
+    title = datasets[name].attrs["title"]
+    text = caption(name, drawing.panels, title).markdown()
+    assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
+    assert text.count(f"The paper: {CONCLUSIONS[name]}") == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text

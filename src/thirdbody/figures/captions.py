@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from string import ascii_uppercase
 
 import numpy as np
@@ -62,63 +62,6 @@ CAPTIONS = {
         "Three cuts through two rough surfaces with round particles between them. In A summits touch "
         "and no particle carries load; in B only particles carry it; in C both do.",
     ),
-    "fig03": Caption(
-        "Figure 3. Contact modes in dry contact with particles of various diameters",
-        "The paper: as the load grows, contact with particles larger than 300 nm passes from the "
-        "p-s through the hybrid to the s-s mode, and its area rises to that of two-body contact, "
-        "which is the largest.",
-    ),
-    "fig04": Caption(
-        "Figure 4. Contact with lubricants of various viscosities",
-        "The paper: below 50 cSt a lubricant changes little; above 70 cSt it carries more of "
-        "the load as the load grows, and the slope of the contact area drops where that begins.",
-    ),
-    "fig05": Caption(
-        "Figure 5. Load percentage of solid on a smoother and a rougher surface",
-        "The paper: on the smoother surface a thin lubricant is enough for mixed lubrication; on "
-        "the rougher one more than 70 cSt is needed.",
-    ),
-    "fig06": Caption(
-        "Figure 6. Lubricated beside dry contact with particles of various diameters",
-        "The paper: the larger the particles, the smaller the dry contact area; with a film between "
-        "the surfaces the order is reversed at high loads.",
-    ),
-    "fig07": Caption(
-        "Figure 7. Lubricated beside dry contact with various particle densities",
-        "The paper: more particles make the contact area smaller, but larger at high loads once the "
-        "lubrication is mixed.",
-    ),
-    "fig08": Caption(
-        "Figure 8. Lubricated beside dry contact on surfaces of various roughness",
-        "The paper: in the p-s mode the contact area grows with the roughness, near the s-s mode it "
-        "falls; on the roughest surface the area ratio of particles rises and then falls, which is "
-        "the turning point of the contact area.",
-    ),
-    "fig09": Caption(
-        "Figure 9. Turning point of the contact area in dry contact",
-        "The paper: particles of about 250 to 400 nm have a turning point; larger ones enter the "
-        "p-s mode at low loads.",
-    ),
-    "fig10": Caption(
-        "Figure 10. Turning point of the contact area on a smoother and a rougher surface",
-        "The paper: turning points occur at about the same ratios of diameter to roughness on "
-        "either surface, at loads that fall with that ratio.",
-    ),
-    "fig11": Caption(
-        "Figure 11. Turning point of the contact area with lubricants of various viscosities",
-        "The paper: viscosity shifts the turning point to higher loads once the lubrication is "
-        "mixed, but not its height; over the film thickness all curves coincide.",
-    ),
-    "fig12": Caption(
-        "Figure 12. Turning point on a smoother and a rougher surface with lubricants",
-        "The paper: on the smoother surface there is no turning point from 50 cSt on, as the film "
-        "carries the whole load; on the rougher one viscosity changes nothing.",
-    ),
-    "fig13": Caption(
-        "Figure 13. Turning point of the contact area with various particle densities",
-        "The paper: on the smoothest surface the density hardly changes the load of the turning "
-        "point; the rougher the surface, the more it rises with the density.",
-    ),
     "claims": Caption(
         "Verdict on each statement of the paper",
         "A shaded line has the statements of one figure that hold; every other statement has a line "
@@ -169,19 +112,47 @@ CAPTIONS = {
 }
 
 
-def caption(name: str, panels: Sequence[Panel] = (), title: str = "") -> Caption:
-    """Caption of a figure: one of ``CAPTIONS``, or any other scene with its ``title``.
+# what the paper concludes from its figures of curves; their titles are those of the scenes
+CONCLUSIONS = {
+    "fig03": "as the load grows, contact with particles larger than 300 nm passes from the p-s through "
+    "the hybrid to the s-s mode, and its area rises to that of two-body contact, which is the "
+    "largest.",
+    "fig04": "below 50 cSt a lubricant changes little; above 70 cSt it carries more of the load as the "
+    "load grows, and the slope of the contact area drops where that begins.",
+    "fig05": "on the smoother surface a thin lubricant is enough for mixed lubrication; on the rougher "
+    "one more than 70 cSt is needed.",
+    "fig06": "the larger the particles, the smaller the dry contact area; with a film between the "
+    "surfaces the order is reversed at high loads.",
+    "fig07": "more particles make the contact area smaller, but larger at high loads once the "
+    "lubrication is mixed.",
+    "fig08": "in the p-s mode the contact area grows with the roughness, near the s-s mode it falls; "
+    "on the roughest surface the area ratio of particles rises and then falls, which is the "
+    "turning point of the contact area.",
+    "fig09": "particles of about 250 to 400 nm have a turning point; larger ones enter the p-s mode at "
+    "low loads.",
+    "fig10": "turning points occur at about the same ratios of diameter to roughness on either "
+    "surface, at loads that fall with that ratio.",
+    "fig11": "viscosity shifts the turning point to higher loads once the lubrication is mixed, but "
+    "not its height; over the film thickness all curves coincide.",
+    "fig12": "on the smoother surface there is no turning point from 50 cSt on, as the film carries "
+    "the whole load; on the rougher one viscosity changes nothing.",
+    "fig13": "on the smoothest surface the density hardly changes the load of the turning point; the "
+    "rougher the surface, the more it rises with the density.",
+}
 
-    The ``panels`` are those of a figure of curves; other figures need none.
-    """
-    written = CAPTIONS.get(name) or Caption(title)
-    if written.alternative:
-        return written
-    return replace(
-        written,
+
+def caption(name: str, panels: Sequence[Panel] = (), title: str = "") -> Caption:
+    """Caption of a figure: one of ``CAPTIONS``, or of a scene with this ``title`` and ``panels``."""
+    if name in CAPTIONS:
+        return CAPTIONS[name]
+    if name in CONCLUSIONS:
+        title = f"Figure {int(name.removeprefix('fig'))}. {title}"
+    return Caption(
+        title,
+        f"The paper: {CONCLUSIONS[name]}" if name in CONCLUSIONS else "",
+        alternative=" ".join(map(_description, panels)),
         panels=tuple(map(_content, panels)),
         notes=tuple(_notes(panels)),
-        alternative=" ".join(map(_description, panels)),
     )
 
 
