@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims
-from thirdbody.figures.sheet.saving import drawn_points
+from thirdbody.figures.drawing import STYLE
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 
@@ -27,21 +27,16 @@ PLACES = [
 
 @pytest.fixture(autouse=True, scope="module")
 def style():
-    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
+    with matplotlib.style.context(STYLE, after_reset=True):
         yield
 
 
 @pytest.fixture(scope="module")
-def statements():
-    return load_claims(ROOT / "config" / "claims.yaml")
-
-
-@pytest.fixture(scope="module")
-def rows(statements):
+def rows():
     """Scores over their whole range, with each verdict among them."""
-    scores = np.linspace(0.0, 10.0, len(statements))
+    statements = load_claims(ROOT / "config" / "claims.yaml")
     rows = []
-    for claim, score in zip(statements, scores, strict=True):
+    for claim, score in zip(statements, np.linspace(0.0, 10.0, len(statements)), strict=True):
         verdict = verdicts.HOLDS if score <= 1.0 else verdicts.FAILS
         if claim.aside:
             verdict = verdicts.CONTRADICTED
@@ -49,26 +44,10 @@ def rows(statements):
             verdict = verdicts.NOT_TESTED
         if claim.is_withheld:
             score, verdict = None, verdicts.WITHHELD
-        rows.append(
-            {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
-            | {
-                "cluster": claim.cluster,
-                "score": score,
-                "ensemble_agree": 3.0,
-                "ensemble_size": 12.0,
-            }
-        )
+        row = {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
+        row |= {"cluster": claim.cluster, "score": score}
+        rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
-
-
-@pytest.fixture(scope="module")
-def figure(rows):
-    return claims.plot(rows)
-
-
-def drawn(figure):
-    """Place of each labelled point over all panels."""
-    return {label: x for panel in figure.axes for label, ((x, _),) in drawn_points(panel)}
 
 
 @pytest.mark.parametrize(("place", "part"), PLACES)
@@ -76,44 +55,23 @@ def test_parts_of_the_paper(place, part):
     assert part_of_paper(place) == part
 
 
-def test_every_statement_is_drawn_at_its_score(rows, figure):
-    places = drawn(figure)
-    assert places.keys() == {row["id"] for row in rows}
+def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
+    drawing = claims.plot(rows)
+    (axes,), (panel,) = drawing.figure.axes, drawing.panels
+    texts = [text.get_text() for text in axes.get_yticklabels()]
+    assert {one.name for one in panel.series} == {row["id"] for row in rows}
+    lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
     for row in rows:
-        wanted = claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
-        assert places[row["id"]] == wanted
-
-
-def test_statements_that_do_not_hold_are_named(rows, figure):
-    names = [text.get_text() for panel in figure.axes for text in panel.texts]
-    for row in rows:
-        tail = row["id"].split("-", 1)[-1]
-        named = any(name.endswith(tail) for name in names)
-        assert named or row["verdict"] in (verdicts.HOLDS, verdicts.WITHHELD)
-
-
-def test_counts_stand_beside_their_part(rows, figure):
-    texts = [text.get_text() for panel in figure.axes for text in panel.texts]
-    for part in {part_of_paper(row["place"]) for row in rows}:
-        judged = [
-            row
-            for row in rows
-            if part_of_paper(row["place"]) == part
-            and row["verdict"] in (verdicts.HOLDS, verdicts.FAILS)
-        ]
-        held = sum(row["verdict"] == verdicts.HOLDS for row in judged)
-        assert f"{part}\n{held} of {len(judged)} hold" in texts
-
-
-def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
-    counted = verdicts.counts(rows, "figure")
-    assert [row.pop("figure") for row in counted] == list(claims._groups(rows))
-    assert sum(row[word] for row in counted for word in claims.COLOURS) == len(rows)
-    by_role = {
-        row["role"]: sum(row[word] for word in claims.COLOURS)
-        for row in verdicts.counts(rows, "role")
-    }
-    assert by_role == {role: sum(row["role"] == role for row in rows) for role in by_role}
+        score, text = lines[row["id"]]
+        assert score == (
+            claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
+        )
+        part = part_of_paper(row["place"])
+        words = [one["verdict"] for one in rows if part_of_paper(one["place"]) == part]
+        held = words.count(verdicts.HOLDS)
+        judged = held + words.count(verdicts.FAILS)
+        is_named = row["verdict"] not in (verdicts.HOLDS, verdicts.WITHHELD)
+        assert text == (row["id"] if is_named else f"{part}: {held} of {judged} hold")
 
 
 def test_every_verdict_and_role_has_its_look():
@@ -126,8 +84,9 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
     few = rows[:20]
     sure = [row | {"ensemble_agree": 12.0} for row in few]
     for some, hollow in ((few, True), (sure, False)):
-        lines = [line for panel in claims.plot(some).axes for line in panel.lines]
-        marked = [line for line in lines if not line.get_label().startswith("_")]
+        (axes,) = claims.plot(some).figure.axes
+        marked = [line for line in axes.lines if line.get_marker() in claims.MARKERS.values()]
+        assert len(marked) == len(few)
         assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
 
 

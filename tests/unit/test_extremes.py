@@ -11,7 +11,6 @@ import pytest
 import thirdbody as tb
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
-from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values, is_as_asked
 

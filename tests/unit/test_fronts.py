@@ -8,7 +8,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.figures import fronts as drawing
+from thirdbody.figures.drawing import STYLE
+from thirdbody.figures.fronts import plot as drawing_of
 from thirdbody.study.calibration import Found, Objective, loss
 from thirdbody.study.claims import VALIDATION, load_claims
 from thirdbody.study.fronts import POINTS, Witness, merged
@@ -71,17 +72,18 @@ def test_a_merged_front_falls_and_is_thinned_to_its_ends():
     assert_allclose(front[[0, -1]], [[0.0, 9.0], [3.0, 6.0]])
 
 
-def test_each_chief_statement_has_a_panel_and_each_reading_a_line():
-    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
-        readings = [
-            {"reading": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
-            {"reading": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
-        ]
-        figure = drawing.plot(readings)
-    assert len(figure.axes) == 2
-    lines = {line.get_label(): line for line in figure.axes[0].lines}
-    assert_allclose(lines["one"].get_xydata()[:2], [[0.5, 9.0], [2.0, 4.0]])
-    assert (
-        lines["one"].get_ydata()[-1] == 4.0
-    )  # what is good near the statement is good farther off
-    assert [text.get_text() for text in figure.legends[0].texts] == ["one", "two"]
+def test_each_headline_statement_has_a_panel_and_each_interpretation_a_line():
+    readings = [
+        {"reading": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
+        {"reading": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
+    ]
+    with matplotlib.style.context(STYLE, after_reset=True):
+        drawing = drawing_of(readings)
+    assert [panel.title for panel in drawing.panels] == ["a", "b"]
+    one, two = drawing.panels[0].series
+    assert (one.name, two.name) == ("one", "two")
+    # what is good near the statement is good farther off
+    assert_allclose(np.column_stack([one.x, one.y])[:2], [[0.5, 9.0], [2.0, 4.0]])
+    assert one.y[-1] == 4.0
+    texts = [text.get_text() for text in drawing.figure.legends[0].get_texts()]
+    assert texts == ["one", "two"]

@@ -5,6 +5,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.figures.registry import CURVE_FIGURES
+from thirdbody.figures.scales import SCALES
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -33,13 +34,15 @@ def grid(parameters):
 
 
 def panels(figure):
-    return [panel.y_name for panel in figure.axes]
+    """The variable of each panel, by its axis."""
+    names = {scale.label: name for name, scale in SCALES.items()}
+    return [names[panel.get_ylabel()] for panel in figure.axes]
 
 
 def curves(figure):
-    """Height of each curve of each panel, by its label."""
+    """Heights of the curves of each panel."""
     return [
-        {line.get_label(): line.get_ydata() for line in panel.lines if " cSt" in line.get_label()}
+        [line.get_ydata() for line in panel.lines if len(line.get_xdata()) == LOADS.size]
         for panel in figure.axes
     ]
 
@@ -50,14 +53,12 @@ def test_it_shows_the_values_of_the_dataset(grid):
     assert panels(figure) == PANELS
     for name, drawn in zip(PANELS, curves(figure), strict=True):
         assert len(drawn) == 3
-        for label, heights in drawn.items():
-            viscosity = 1e-6 * float(label.split(" cSt")[0].removeprefix("nu = "))
-            there = data[name].sel(viscosity=viscosity, method="nearest").values.ravel()
-            np.testing.assert_array_equal(heights, there)
+        for index, heights in enumerate(drawn):
+            np.testing.assert_array_equal(heights, data[name][:, index].values.ravel())
 
 
 @pytest.mark.parametrize(
-    ("given", "shown"),
+    ("given", "expected"),
     [
         ({"viscosity": 0.0}, PANELS[:2]),
         ({"viscosity": 9e-5}, PANELS),
@@ -67,15 +68,15 @@ def test_it_shows_the_values_of_the_dataset(grid):
     ],
     ids=["dry", "one curve", "two surfaces", "many curves", "one variable"],
 )
-def test_panels_are_those_of_what_the_dataset_holds(grid, given, shown):
-    assert panels(tb.plot(grid(**given))) == shown
+def test_panels_are_those_of_what_the_dataset_holds(grid, given, expected):
+    assert panels(tb.plot(grid(**given))) == expected
 
 
-@pytest.mark.parametrize("name", CURVE_FIGURES)
-def test_the_panels_of_each_figure_can_be_had(grid, name):
-    shown = panels(tb.plot(grid(particle_diameter=[0.0, 3e-7]), like=name))
-    assert shown
-    assert set(shown) <= {content.y for content in CURVE_FIGURES[name].contents}
+def test_the_panels_of_each_figure_can_be_had(grid):
+    data = grid(particle_diameter=[0.0, 3e-7])
+    for name, figure in CURVE_FIGURES.items():
+        drawn = panels(tb.plot(data, like=name))
+        assert drawn and set(drawn) <= {content.y for content in figure.contents}
 
 
 def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_path):
@@ -83,47 +84,73 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
     whole = curves(tb.plot(tmp_path / "grid.nc"))
     piece = curves(tb.plot(grid().sel(viscosity=5e-5)))
     for some, all_ in zip(piece, whole, strict=True):
-        ((label, heights),) = some.items()
-        np.testing.assert_allclose(heights, all_[label], rtol=2e-3)
+        np.testing.assert_allclose(some[0], all_[1], rtol=2e-3)
 
 
-def test_a_solution_is_drawn(parameters):
-    given = AXES | {"load": LOADS[:, None]}
-    assert panels(tb.plot(tb.solve(**given, parameters=parameters).to_dataset())) == PANELS
-
-
-def test_turning_points_are_marked(grid):
-    point = {name: AXES[name] for name in ("particle_diameter", "roughness", "particle_density")}
-    point |= {"viscosity": 0.0, "load": LOADS[5], "peak_ratio": 0.4}
-    ratio = tb.plot(grid(), turning_points=[point]).axes[0]
-    (mark,) = (line for line in ratio.lines if line.get_label() == "turning points")
-    assert mark.get_xdata() == pytest.approx([LOADS[5]])
+@pytest.mark.parametrize("count", [2, 3])
+@pytest.mark.parametrize("step", [1.05, 2.0, 100.0])
+def test_a_few_loads_are_enough_and_axes_have_numbers(grid, parameters, count, step):
+    loads = 1e-6 * step ** np.arange(count)
+    figure = tb.plot(grid(load=loads))
+    assert panels(figure) == PANELS
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        for axis, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+            ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+            inside = [tick for tick in ticks if limits[0] <= tick.get_loc() <= limits[1]]
+            assert sum(bool(tick.label1.get_text()) for tick in inside) >= 1
+    solution = tb.solve(**(AXES | {"load": loads, "viscosity": 9e-5}), parameters=parameters)
+    assert panels(tb.plot(solution.to_dataset())) == PANELS
 
 
 @pytest.mark.parametrize(
-    ("given", "said"),
+    ("over", "values", "label"),
+    [
+        ("viscosity", [0.0, 5e-5, 9e-5], "Viscosity ν (cSt)"),
+        ("particle_diameter", [1e-7, 2e-7, 3e-7], "Particle diameter xₐ (nm)"),
+        ("roughness", [1e-7, 2e-7, 3e-7], "Roughness σ (nm)"),
+        ("particle_density", [1e10, 1e11, 1e12], "Particle density ηₐ (m⁻²)"),
+    ],
+)
+def test_any_axis_can_be_along_x(grid, over, values, label):
+    data = grid(**({"viscosity": 9e-5, over: values} | {"load": [1e-7, 1e-6]}))
+    figure = tb.plot(data, over=over)
+    assert panels(figure) == PANELS
+    assert {panel.get_xlabel() for panel in figure.axes} == {label}
+    for name, panel in zip(PANELS, figure.axes, strict=True):
+        for index, line in enumerate(panel.lines[:2]):
+            np.testing.assert_array_equal(line.get_xdata(), values)
+            np.testing.assert_array_equal(line.get_ydata(), data[name][index].values.ravel())
+    texts = [text.get_text() for text in figure.legends[0].get_texts()]
+    newtons = [f"({load:.3g} N)" for load in data["normal_load"].values]
+    assert texts == [f"Fₜ* = 10⁻⁷ {newtons[0]}", f"Fₜ* = 10⁻⁶ {newtons[1]}"]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
     [
         ({"load": 1e-5}, "data has one load; allowed: two or more"),
         ({"particle_diameter": [1e-7, 3e-7]}, "viscosity and particle_diameter vary; allowed: one"),
         ({"variables": ["separation"]}, "there is nothing to draw; allowed: points with"),
     ],
 )
-def test_what_cannot_be_drawn_is_refused_in_one_line(grid, given, said):
-    with pytest.raises(ValueError, match=said):
+def test_what_cannot_be_drawn_is_refused_in_one_line(grid, given, message):
+    with pytest.raises(ValueError, match=message):
         tb.plot(grid(**given))
 
 
 def test_what_is_no_such_dataset_is_refused_by_name(grid, tmp_path):
     data = grid()
-    with pytest.raises(ValueError, match="data is of type int; allowed: a dataset of tb.grid"):
-        tb.plot(5)
-    with pytest.raises(ValueError, match="like is 'fig01'; allowed: fig03, "):
-        tb.plot(data, like="fig01")
-    with pytest.raises(ValueError, match="data has no roughness; allowed"):
-        tb.plot(data.squeeze().drop_vars("roughness"))
-    with pytest.raises(ValueError, match="band is of type list; allowed"):
-        tb.plot(data, band=[])
-    with pytest.raises(ValueError, match="data has the dimension 'day'; allowed: load"):
-        tb.plot(data.expand_dims(day=2))
+    for given, options, message in (
+        (5, {}, "data is of type int; allowed: a dataset of tb.grid"),
+        (data, {"like": "fig01"}, "like is 'fig01'; allowed: fig03, "),
+        (data, {"over": "time"}, "over is 'time'; allowed: load, "),
+        (data, {"over": "roughness"}, "data has one roughness; allowed: two or more"),
+        (data.squeeze().drop_vars("roughness"), {}, "data has no roughness; allowed"),
+        (data, {"band": []}, "band is of type list; allowed"),
+        (data.expand_dims(day=2), {}, "data has the dimension 'day'; allowed: load"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            tb.plot(given, **options)
     with pytest.raises(FileNotFoundError, match="data is '.*no.nc', which is no file"):
         tb.plot(tmp_path / "no.nc")

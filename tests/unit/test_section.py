@@ -5,8 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from thirdbody.data.schematic import read_sections, write_sections
-from thirdbody.data.section import section_through, sections, solved_state
+import thirdbody as tb
+from thirdbody.data.conditions import Condition
+from thirdbody.figures.sections import (
+    State,
+    read_sections,
+    section_through,
+    sections,
+    write_sections,
+)
 
 # the s-s, p-s and hybrid modes of figure 2
 MODES = [
@@ -16,15 +23,20 @@ MODES = [
 ]  # fmt: skip
 
 
+def solved_state(given, parameters):
+    condition = Condition.of(given)
+    load = given["load_N"] / parameters.newtons_per_load
+    return State.of(condition, tb.solve(load=load, **condition._asdict(), parameters=parameters))
+
+
 def test_section_has_the_statistics_of_the_model(parameters):
     state = solved_state(MODES[1], parameters)
     drawn = [section_through(state, parameters, 8e-6, seed) for seed in range(60)]
     gaps = np.array([section.upper - section.lower for section in drawn])
     # some 300 independent heights: the mean is known to sigma/17, sigma to 4 %; three times that
-    assert gaps.mean() == pytest.approx(
-        state.separation, abs=3.0 * state.condition.roughness / 17.0
-    )
-    assert gaps.std() == pytest.approx(state.condition.roughness, rel=0.12)
+    roughness = state.condition.roughness
+    assert gaps.mean() == pytest.approx(state.separation, abs=3.0 * roughness / 17.0)
+    assert gaps.std() == pytest.approx(roughness, rel=0.12)
     diameters = np.array([p.diameter for section in drawn for p in section.particles])
     largest = parameters.truncation * parameters.spread_ratio * state.condition.particle_diameter
     assert diameters.min() > 0.0 and diameters.max() < largest * (1 + 1e-12)
@@ -35,12 +47,10 @@ def test_particles_rest_on_the_lower_surface_or_are_held(parameters):
     for particle in section.particles:
         reach = np.hypot(section.position - particle.position, section.lower - particle.height)
         dent = 0.5 * particle.diameter - reach.min()
-        assert particle.bears_load or abs(dent) < 0.02 * particle.diameter
+        assert particle.carries_load or abs(dent) < 0.02 * particle.diameter
 
 
-def test_particles_smaller_than_the_gap_bear_load_where_the_printed_elastic_zone_is_wide(
-    parameters,
-):
+def test_where_the_elastic_zone_is_wide_particles_carry_load_in_wider_gaps(parameters):
     wide = replace(
         parameters,
         summit_offset="as_rough",
@@ -50,42 +60,34 @@ def test_particles_smaller_than_the_gap_bear_load_where_the_printed_elastic_zone
         elastic_depth_ratio=2.5,
     )
     section = section_through(solved_state(MODES[1], wide), wide, 8e-6, 1)
-    bearing = [particle for particle in section.particles if particle.bears_load]
+    carrying = [particle for particle in section.particles if particle.carries_load]
     reach = wide.elastic_depth_ratio * section.state.condition.particle_diameter
     reach += wide.surface(section.state.condition.roughness).summit_offset
-    for particle in bearing:
+    for particle in carrying:
         gap = np.interp(particle.position, section.position, section.upper - section.lower)
         assert particle.diameter < gap < particle.diameter + reach
-    assert bearing
+    assert carrying
 
 
-def test_a_file_keeps_every_digit(parameters, tmp_path):
+def test_a_file_keeps_every_digit_in_the_same_bytes_every_time(parameters, tmp_path):
     fewer = MODES[1] | {"particle_density_per_m2": 2e10}  # than in the other panels
-    written = sections("fig02", [MODES[0], fewer, MODES[2]], parameters)
-    write_sections(tmp_path / "sections.nc", written)
-    again = read_sections(tmp_path / "sections.nc")
+    states = [solved_state(one, parameters) for one in (MODES[0], fewer, MODES[2])]
+    for name in ("a.nc", "b.nc"):
+        written = sections("fig02", states, parameters)
+        write_sections(tmp_path / name, written)
+    assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
     assert len({len(section.particles) for section in written}) > 1
-    for one, other in zip(written, again, strict=True):
+    for one, other in zip(written, read_sections(tmp_path / "a.nc"), strict=True):
         assert one.state == other.state and one.particles == other.particles
         for name in ("position", "lower", "upper", "touches"):
             given, found = getattr(one, name), getattr(other, name)
             assert given.dtype == found.dtype and np.array_equal(given, found)
-
-
-def test_the_same_sections_give_the_same_bytes(parameters, tmp_path):
-    for name in "ab":
-        write_sections(tmp_path / name, sections("fig02", MODES, parameters))
-    assert (tmp_path / "a").read_bytes() == (tmp_path / "b").read_bytes()
-
-
-def test_another_file_is_refused_in_one_line(tmp_path):
-    (tmp_path / "sections.nc").write_text("no data")
-    with pytest.raises(OSError, match=r"sections.nc cannot be read \(\w+\); remake it"):
-        read_sections(tmp_path / "sections.nc")
+    (tmp_path / "a.nc").write_text("no data")
+    with pytest.raises(OSError, match=r"a.nc cannot be read \(\w+\); remake it"):
+        read_sections(tmp_path / "a.nc")
 
 
 def test_conditions_without_a_solution_are_refused(parameters):
-    # particles that cover the interface
-    crowded = MODES[1] | {"particle_density_per_m2": 1e15}
+    crowded = MODES[1] | {"particle_density_per_m2": 1e15}  # particles cover the interface
     with pytest.raises(ValueError, match="schematic conditions .* have no solution"):
         solved_state(crowded, parameters)

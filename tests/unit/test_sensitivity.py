@@ -14,8 +14,8 @@ from thirdbody.configuration.schema import read_schema, validate
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.conditions import Condition
 from thirdbody.data.tables import TABLES, read_csv, write_csv
+from thirdbody.figures.drawing import STYLE
 from thirdbody.figures.sensitivity import SHADES, plot
-from thirdbody.figures.sheet.saving import drawn_points
 from thirdbody.solver.solve import solve
 from thirdbody.study.checks import Curve
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
@@ -294,27 +294,27 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
     rows += sensitivity_rows(subject, base, INPUTS, indices)
     path = tmp_path / "sensitivity.csv"
     write_csv(path, rows, TABLES["sensitivity"])
-    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
-        figure = plot(read_csv(path, TABLES["sensitivity"]))
-    for panel, values in zip(figure.axes, (found.value, indices.value), strict=True):
-        drawn = dict(drawn_points(panel))
-        assert len(drawn) == (len(base) - 1) * len(INPUTS)
-        told = np.delete(values, 3, axis=0)
-        shown = np.sort([float(name.split("; ")[-1]) for name in drawn])
-        assert_allclose(shown, np.sort(told.ravel()), atol=1e-9)
+    with matplotlib.style.context(STYLE, after_reset=True):
+        drawing = plot(read_csv(path, TABLES["sensitivity"]))
+    for axes, panel, values in zip(
+        drawing.figure.axes, drawing.panels, (found.value, indices.value), strict=True
+    ):
+        assert len(panel.series) == (len(base) - 1) * len(INPUTS)
+        expected = np.delete(values, 3, axis=0)
+        drawn = np.sort([float(series.name.split("; ")[-1]) for series in panel.series])
+        assert_allclose(drawn, np.sort(expected.ravel()), atol=1e-9)
         # each in a cell of its own, and its number in it where it is not negligible
-        assert len({tuple(points.min(axis=0)) for points in drawn.values()}) == len(drawn)
-        numbers = [t for t in panel.texts if t.get_text().replace("−", "-")[-1].isdigit()]
-        *_, least = SHADES[panel.y_name]
-        assert sum(t.get_ha() == "center" for t in numbers) == (np.abs(told) >= least).sum()
+        assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
+        *_, least = SHADES[panel.y]
+        assert len(axes.texts) == (np.abs(expected) >= least).sum()
 
 
 def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):
     base, found = found_of(subject, INPUTS)
     rows = sensitivity_rows(subject, base, INPUTS, found)
-    with matplotlib.style.context(ROOT / "src/thirdbody/figures/paper.mplstyle", after_reset=True):
-        panel, _ = plot(rows).axes
-    signs = [t.get_text()[0] == "−" for t in panel.texts if t.get_ha() == "center"]
+    with matplotlib.style.context(STYLE, after_reset=True):
+        axes, _ = plot(rows).figure.axes
+    signs = [text.get_text()[0] == "−" for text in axes.texts]
     assert any(signs)
     assert not all(signs)
 

@@ -131,7 +131,7 @@ def test_another_film_formula_remakes_curves_and_windows_but_no_table_of_the_pap
 
 
 def test_another_way_to_save_figures_draws_them_and_solves_nothing(workspace):
-    workspace.rewrite("src/thirdbody/figures/sheet/saving.py", commented)
+    workspace.rewrite("src/thirdbody/figures/drawing.py", commented)
     assert workspace.pending() == workspace.products("figures/*", *PAGE)
 
 

@@ -1,18 +1,29 @@
 """Solve the interfaces of one schematic and draw lots for the sections through them."""
 
+from thirdbody.data.conditions import Condition
 from thirdbody.data.files import whole
-from thirdbody.data.schematic import write_sections
-from thirdbody.data.section import sections
+from thirdbody.figures.sections import State, sections, write_sections
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
 
 
 def compute(figure, panels, parameters, path):
     """Write the sections of ``figure``, one at the conditions of each of its ``panels``."""
-    computed = sections(figure, panels, Parameters(**parameters))
+    inputs = Parameters(**parameters)
+    states = [solved_state(conditions, inputs) for conditions in panels]
+    computed = sections(figure, states, inputs)
     with whole(path) as part:
         write_sections(part, computed)
     print(f"{figure}: {len(computed)} sections")
+
+
+def solved_state(conditions, parameters):
+    """The state of the interface at ``conditions`` of the configuration."""
+    condition = Condition.of(conditions)
+    load = conditions["load_N"] / parameters.newtons_per_load
+    solution = solve(load=load, **condition._asdict(), parameters=parameters)
+    return State.of(condition, solution)
 
 
 if __name__ == "__main__":

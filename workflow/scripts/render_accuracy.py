@@ -6,8 +6,8 @@ from benchmarks.targets import target_rows
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.accuracy import plot
-from thirdbody.figures.captions import caption_text
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
 from thirdbody.job_log import logged
 
 MEASURED = "errors", "extremes", "oracle", "times", "uses"
@@ -20,8 +20,7 @@ def render(paths, style, stem, targets):
     with whole(targets) as part:
         write_csv(part, rows, TABLES["targets"])
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(tables["errors"], tables["times"])
-        save(drawn, stem, caption_text("accuracy", drawn))
+        save(plot(tables["errors"], tables["times"]), stem, caption("accuracy"))
     print(f"{sum(row['verdict'] == 'reached' for row in rows)} of {len(rows)} targets are reached")
 
 

@@ -4,9 +4,9 @@ import matplotlib.style
 
 from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import CHARTS, chart_panels
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
 from thirdbody.figures.charts import plot
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 from thirdbody.job_log import logged
 
 
@@ -15,8 +15,7 @@ def render(chart, catalogue, charts, style, stem):
     with open_atlas(catalogue) as atlas:
         panels = chart_panels(atlas, chart, charts)
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(CHARTS[chart], panels)
-        save(drawn, stem, caption_text(chart, drawn))
+        save(plot(CHARTS[chart], panels), stem, caption(chart))
     print(f"{chart}: {len(panels)} panels drawn")
 
 

@@ -3,9 +3,9 @@
 import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
 from thirdbody.figures.claims import plot
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.drawing import save
 from thirdbody.job_log import logged
 
 
@@ -13,8 +13,7 @@ def render(claims, style, stem):
     """Draw the rows of ``claims`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     rows = read_csv(claims, TABLES["claims"])
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(rows)
-        save(drawn, stem, caption_text("claims", drawn))
+        save(plot(rows), stem, caption("claims"))
     print(f"{len(rows)} statements drawn")
 
 

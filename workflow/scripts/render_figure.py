@@ -4,29 +4,29 @@ import matplotlib.style
 
 from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
-from thirdbody.figures.sheet.saving import save
 from thirdbody.job_log import logged
 
 
-def render(figure, dataset, turning_points, printed, windows, style, stem, band):
+def render(figure, dataset, turning_points, printed, windows, style, stem, ensemble_range):
     """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv and .md.
 
     ``printed`` is the file of the numbers that the paper prints, ``windows`` that of the windows
-    of the turning point, and ``band`` that of the envelope around the curves; the last two may be
-    empty for none.
+    of the turning point, and ``ensemble_range`` that of the range around the curves; the last two
+    may be empty for none.
     """
     data = read_plain(dataset)
     points = read_turning_points(turning_points)
     numbers = read_printed(printed, figure)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    envelope = read_plain(band) if band else None
+    ranges = read_plain(ensemble_range) if ensemble_range else None
     with matplotlib.style.context(style, after_reset=True):
-        drawn = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
-        save(drawn, stem, caption_text(figure, drawn, data))
+        drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
+        save(drawing, stem, caption(figure, drawing.panels, data.attrs["title"]))
     print(f"{figure}: drawn")
 
 

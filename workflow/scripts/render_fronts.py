@@ -5,9 +5,9 @@ from pathlib import Path
 import matplotlib.style
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
 from thirdbody.figures.fronts import plot
-from thirdbody.figures.sheet.saving import save
 from thirdbody.job_log import logged
 
 
@@ -16,8 +16,7 @@ def render(default, calibrated, style, stem):
     files = sorted(calibrated, key=lambda path: Path(path).stem != default)
     readings = [read_yaml(path) for path in files]
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(readings)
-        save(drawn, stem, caption_text("fronts", drawn))
+        save(plot(readings), stem, caption("fronts"))
     print(f"{len(readings)} readings drawn")
 
 

@@ -2,18 +2,17 @@
 
 import matplotlib.style
 
-from thirdbody.data.schematic import read_sections
-from thirdbody.figures.captions import caption_text
-from thirdbody.figures.registry import SCHEMATICS
-from thirdbody.figures.sheet.saving import save
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
+from thirdbody.figures.schematics import SCHEMATICS
+from thirdbody.figures.sections import read_sections
 from thirdbody.job_log import logged
 
 
 def render(figure, sections, style, stem):
     """Draw ``figure`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv and .md."""
     with matplotlib.style.context(style, after_reset=True):
-        drawn = SCHEMATICS[figure](read_sections(sections))
-        save(drawn, stem, caption_text(figure, drawn))
+        save(SCHEMATICS[figure](read_sections(sections)), stem, caption(figure))
     print(f"{figure}: drawn")
 
 

@@ -3,9 +3,9 @@
 import matplotlib.style
 
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.captions import caption_text
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
 from thirdbody.figures.sensitivity import plot
-from thirdbody.figures.sheet.saving import save
 from thirdbody.job_log import logged
 
 
@@ -13,8 +13,7 @@ def render(table, style, stem):
     """Draw the rows of ``table`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
     rows = read_csv(table, TABLES["sensitivity"])
     with matplotlib.style.context(style, after_reset=True):
-        drawn = plot(rows)
-        save(drawn, stem, caption_text("sensitivity", drawn))
+        save(plot(rows), stem, caption("sensitivity"))
     print(f"{len(rows)} rows drawn")
 
 

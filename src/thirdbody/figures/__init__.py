@@ -1,10 +1,9 @@
 """The figures, drawn from datasets and tables: nothing is solved or judged here.
 
-This room knows what each figure shows (``registry``: the paper's; ``claims``,
-``sensitivity``, ``accuracy``: those about this reproduction) and how it is drawn (``curves``,
-``schematics``, and ``sheet`` for what all share).  Each is a function of data that returns a
-matplotlib figure; ``sheet.saving`` alone writes files.  It may import ``thirdbody.data`` and the
-limits and names of regimes in ``thirdbody.model``.  Begin with ``registry``.
+``registry`` lists the figures of the paper; ``claims``, ``fronts``, ``sensitivity``, ``accuracy`` and
+``charts`` show the reproduction.  Each figure is a function of data that returns a ``Drawing``: the
+matplotlib figure and what its panels show, as data.  ``drawing.save`` writes the files, and
+``captions.caption`` returns the caption.  Begin with ``registry``.
 """
 
 from thirdbody.extras import require

@@ -1,124 +1,85 @@
-"""What an error costs: largest error against time per point, a curve a class of points."""
+"""What accuracy costs: largest error against time per point, a curve a class of points."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
+import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.sheet.naming import power_text
-from thirdbody.figures.sheet.panel import FURNITURE, Panel
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, title_axes
+from thirdbody.figures.naming import power_text
 
 SIZE = (7.0, 4.3)  # inches
-# span: letter, title, axes as shares of the figure
-PANELS = {
-    "usual": ("A", "Usual ranges (Table 2)", (0.085, 0.265, 0.405, 0.665)),
-    "extremes": ("B", "Extremes", (0.585, 0.265, 0.405, 0.665)),
-}
+SPANS = {"usual": "Usual ranges (Table 2)", "extremes": "Extremes"}  # with titles of panels
 LOOKS = {
     ("dry", "two_body"): {"color": "C0", "marker": "o"},
     ("dry", "three_body"): {"color": "C4", "marker": "s"},
     ("lubricated", "two_body"): {"color": "C2", "marker": "^"},
     ("lubricated", "three_body"): {"color": "C1", "marker": "D"},
 }
+# method: text of the key, line properties
 METHODS = {
-    "library": {"linestyle": "-", "fillstyle": "full"},
-    "library_grid": {"linestyle": ":", "fillstyle": "full", "markersize": 3},
-    "elementwise_roots": {"linestyle": "--", "fillstyle": "none", "linewidth": 0.7},
-    "nested_roots": {"linestyle": "none", "fillstyle": "full", "marker": "*", "markersize": 9},
-}
-NAMES = {
-    "library": "library, points, each rtol",
-    "library_grid": "library, grids",
-    "elementwise_roots": "find_root, arrays",
-    "nested_roots": "quad, brentq, one by one",
+    "library": ("library, points, each rtol", {"linestyle": "-"}),
+    "library_grid": ("library, grids", {"linestyle": ":", "markersize": 3}),
+    "elementwise_roots": ("find_root, arrays", {"linestyle": "--", "fillstyle": "none"}),
+    "nested_roots": (
+        "quad, brentq, one by one",
+        {"linestyle": "none", "marker": "*", "markersize": 9},
+    ),
 }
 NO_DIGIT, ALL_DIGITS = 1.0, 1e-16  # errors beyond these are drawn there
-LABELLED = ("lubricated", "three_body")  # whose points are labelled with some of their rtol
+LABELLED = (
+    "library",
+    "lubricated",
+    "three_body",
+)  # whose points have some of their rtol beside them
 LABELS = (1e-2, 1e-3, 1e-6, 1e-9, 1e-11)
-LABEL_HEIGHT = 4.0  # ratio of errors
+LABEL = {"xytext": (7, 0), "textcoords": "offset points", "va": "center", "zorder": 5} | {
+    "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+    "fontsize": 7,
+}
 
 
-def plot(errors: Sequence[Mapping], times: Sequence[Mapping]) -> Figure:
-    """Largest error against time per point, both axes logarithmic.
-
-    Parameters
-    ----------
-    errors, times : sequence of Mapping
-        Rows of the tables of these names.
-    """
+def plot(errors: Sequence[Mapping], times: Sequence[Mapping]) -> Drawing:
+    """Largest error against time per point, from rows of the tables ``errors`` and ``times``."""
     cost = {_key(row): row["microseconds_per_point"] for row in times}
     worst = dict.fromkeys(cost, 0.0)
     for row in errors:
         worst[_key(row)] = max(worst[_key(row)], row["largest_error"])
-    figure = Figure(figsize=SIZE)
-    for span, (letter, title, box) in PANELS.items():
-        panel = figure.add_axes(
-            Panel(figure, box, letter, "microseconds_per_point", "largest_error")
-        )
-        for contact, look in LOOKS.items():
-            for method, style in METHODS.items():
-                points = [
-                    (rtol, cost[key], min(max(error, ALL_DIGITS), NO_DIGIT))
-                    for key, error in worst.items()
-                    for rtol in [key[1]]
-                    if (key[0], *key[2:]) == (method, *contact, span)
-                ]
-                _draw(panel, points, f"{' '.join(contact)}; {method}", look | style)
-                if method == "library" and contact == LABELLED:
-                    _label(panel, points, look["color"])
-        _frame(panel, title, (0.5 * min(cost.values()), 2.0 * max(cost.values())))
-    _draw_key(figure)
-    return figure
+    figure = Figure(figsize=SIZE, layout="constrained")
+    panels = []
+    all_axes = figure.subplots(1, 2, sharex=True, sharey=True)
+    for letter, axes, (span, title) in zip("AB", all_axes, SPANS.items(), strict=True):
+        lines: dict[tuple, list] = {}
+        for method, rtol, *contact, where in cost:
+            if where == span:
+                lines.setdefault((method, *contact), []).append((method, rtol, *contact, where))
+        series = []
+        for (method, *contact), keys in lines.items():
+            x = np.array([cost[key] for key in keys])
+            y = np.clip([worst[key] for key in keys], ALL_DIGITS, NO_DIGIT)
+            series.append(Series(CURVE, f"{' '.join(contact)}; {method}", x, y))
+            look = LOOKS[tuple(contact)]
+            axes.plot(x, y, **look | METHODS[method][1])
+            for (_, rtol, *_), *point in zip(keys, x, y, strict=True):
+                if (method, *contact) == LABELLED and rtol in LABELS:
+                    axes.annotate(power_text(rtol), point, color=look["color"], **LABEL)
+        quantities = "microseconds_per_point", "largest_error"
+        panels.append(Panel(letter, title, *quantities, tuple(series)))
+        title_axes(axes, panels[-1])
+        axes.set(xscale="log", yscale="log", ylim=(0.2 * ALL_DIGITS, 5.0 * NO_DIGIT))
+        axes.grid(True, color="0.9", linewidth=0.5)
+        axes.set_xlabel("processor time a point (µs)")
+    all_axes[0].set_ylabel("largest relative error")
+    # classes by colour and marker, methods by line and filling
+    looks = {" ".join(contact).replace("_", "-"): look for contact, look in LOOKS.items()}
+    looks |= {text: {"color": "0.4", "marker": "o"} | look for text, look in METHODS.values()}
+    entries = [Line2D([], [], label=text, **look) for text, look in looks.items()]
+    figure.legend(handles=entries, loc="outside lower center", ncols=4)
+    return Drawing(figure, tuple(panels))
 
 
 def _key(row):
     return row["method"], row["rtol"], row["medium"], row["bodies"], row["span"]
-
-
-def _draw(panel, points, label, style):
-    if points:
-        _, x, y = zip(*points, strict=True)
-        panel.add_line(Line2D(x, y, label=label, **style))
-
-
-def _label(panel, points, colour):
-    """The rtol asked for beside some of the points, one where two would overlap."""
-    above = math.inf
-    for rtol, x, y in sorted(points, key=lambda point: -point[2]):
-        if rtol not in LABELS or y > above / LABEL_HEIGHT:
-            continue
-        above = y
-        place = {"xytext": (7, 0), "textcoords": "offset points", "va": "center", "zorder": 5}
-        paper = {"facecolor": "white", "edgecolor": "none", "pad": 0.6}
-        panel.annotate(power_text(rtol), (x, y), color=colour, fontsize=6, bbox=paper, **place)
-
-
-def _frame(panel, title, times):
-    panel.set_xscale("log")
-    panel.set_yscale("log")
-    panel.set_xlim(times)
-    panel.set_ylim(0.2 * ALL_DIGITS, 5.0 * NO_DIGIT)
-    grid = {"color": "0.9", "linewidth": 0.5, "label": FURNITURE}
-    panel.grid(True, **grid)
-    panel.set_axisbelow(True)
-    panel.xaxis.set_visible(True)
-    panel.yaxis.set_visible(True)
-    panel.set_xlabel("processor time a point (µs)", fontsize=8)
-    panel.set_ylabel("largest relative error", fontsize=8)
-    panel.add_title(title)
-
-
-def _draw_key(figure):
-    """Classes by colour and marker, methods by line and filling."""
-    handles = [
-        Line2D([], [], linestyle="-", label=" ".join(contact).replace("_", "-"), **look)
-        for contact, look in LOOKS.items()
-    ]
-    grey = {"color": "0.4", "marker": "o"}
-    handles += [
-        Line2D([], [], label=NAMES[name], **grey | style) for name, style in METHODS.items()
-    ]
-    figure.legend(handles=handles, loc="lower center", ncols=4)

@@ -1,28 +1,22 @@
-"""The verdicts at a glance: one line a statement of the paper, grouped by where it stands."""
+"""The verdicts at a glance: the statements of each figure of the paper in a row, misses by name."""
 
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib import rcParams
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.figures.sheet.panel import FURNITURE, POINTS_PER_INCH, NamedPoints, Panel
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 
-COLUMNS = 2
-WIDTH = 7.0  # inches
-LINE_POINTS = 5.2  # height of a statement's line
-GAP = 1.4  # lines between two groups
-MARGINS = {"top": 0.3, "bottom": 1.12, "left": 0.78, "right": 0.08}  # inches
-NAME_SIZE = 4.6  # of the names of statements that do not hold, points
-LETTER_WIDTH = 0.55  # of the size of type
-NO_SCORE = -0.35  # where a statement without a score is put
-AGREEMENT = 0.75  # share of the ensemble from which a marker is filled
+WIDTH = 7.2  # inches
+LINE_INCHES = 0.17  # height of a line
+KEY_INCHES = 1.4  # of the key and the axis
+NO_SCORE = -0.35  # where a statement without a score stands
+AGREEMENT = 0.75  # fraction of the ensemble from which a marker is filled
 # verdict: colour of its marker; dark and light, so that grey tells hit and miss apart
 COLOURS = {
     "holds": "C5",
@@ -32,34 +26,8 @@ COLOURS = {
     "value withheld": "0.45",
 }
 MARKERS = {"calibration": "o", "validation": "D", "withheld": "x"}
-# distance from the paper in tolerances; a score is that up to 1, and 1 + ln(distance) beyond
-DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)
-PREFIX = re.compile(r"fig0?(\d+)|conclusion|abstract-")  # of the statements' ids, before a panel
-
-
-def plot(rows: Sequence[Mapping]) -> Figure:
-    """The score of each statement of the paper.
-
-    Parameters
-    ----------
-    rows : sequence of Mapping
-        Rows of the table ``claims``.
-
-    Notes
-    -----
-    Colour tells the verdict, the marker the role and, if hollow, that the ensemble of inputs is
-    divided; statements that do not hold are named.
-    """
-    columns = _halves(_groups(rows))
-    lines = max(sum(_height(group) for group in column.values()) for column in columns)
-    height = MARGINS["top"] + MARGINS["bottom"] + lines * LINE_POINTS / POINTS_PER_INCH
-    figure = Figure(figsize=(WIDTH, height))
-    for index, column in enumerate(columns):
-        panel = _panel(figure, index, lines)
-        _draw_groups(panel, column)
-        _frame(panel, lines)
-    _draw_key(figure, rows)
-    return figure
+UNNAMED = ("holds", "value withheld")  # these statements stand in the row of their figure
+DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
 def score_of(distance: float) -> float:
@@ -67,140 +35,69 @@ def score_of(distance: float) -> float:
     return distance if distance <= 1.0 else 1.0 + math.log(distance)
 
 
-LAST = score_of(DISTANCES[-1])  # scores beyond it, and missing evidence, are drawn here
+LAST = score_of(DISTANCES[-1])  # scores beyond it are drawn here
 
 
-def _groups(rows) -> dict:
-    """Rows by the part of the paper that they belong to, in the order of the paper."""
-    groups: dict[str, list] = {}
+def plot(rows: Sequence[Mapping]) -> Drawing:
+    """The score of each statement of the paper, from rows of the table ``claims``.
+
+    The statements that hold stand in one line for each figure of the paper, all others below it in a
+    line of their own.  The colour is the verdict, the marker the role.  Hollow markers: less than
+    three quarters of the ensemble give this verdict.
+    """
+    lines = _lines(rows)
+    height = len(lines) * LINE_INCHES + KEY_INCHES
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    axes = figure.add_subplot()
+    series = []
+    for line, (text, found) in enumerate(lines):
+        if text not in {row["id"] for row in found}:
+            axes.axhspan(line - 0.5, line + 0.5, color="0.94", linewidth=0, zorder=0)
+        for row in found:
+            missing = row["score"] is None or math.isnan(row["score"])
+            score = NO_SCORE if missing else min(row["score"], LAST)
+            series.append(Series(CURVE, row["id"], np.array([score]), np.array([line])))
+            colour = COLOURS[row["verdict"]]
+            divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
+            look = {"color": colour, "markerfacecolor": "white" if divided else colour}
+            axes.plot(score, line, marker=MARKERS[row["role"]], zorder=2, **look)
+    axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
+    axes.set(xlim=(2.0 * NO_SCORE, LAST - NO_SCORE), ylim=(len(lines) - 0.5, -0.5))
+    axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
+    axes.set_yticks(range(len(lines)), [text for text, _ in lines])
+    axes.tick_params(axis="y", length=0)
+    axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
+    figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
+    return Drawing(figure, (Panel("A", "", "score", "line", tuple(series)),))
+
+
+def _lines(rows) -> list[tuple[str, list[Mapping]]]:
+    """Text and statements of each line, in the order of the paper."""
+    parts: dict[str, list] = {}
     for row in rows:
-        groups.setdefault(part_of_paper(row["place"]), []).append(row)
-    return groups
+        parts.setdefault(part_of_paper(row["place"]), []).append(row)
+    lines = []
+    for part, group in parts.items():
+        verdicts = [row["verdict"] for row in group]
+        held = verdicts.count("holds")
+        judged = held + verdicts.count("fails")
+        together = [row for row in group if row["verdict"] in UNNAMED]
+        lines.append((f"{part}: {held} of {judged} hold", together))
+        lines += [(row["id"], [row]) for row in group if row["verdict"] not in UNNAMED]
+    return lines
 
 
-def _height(group) -> float:
-    return len(group) + GAP
-
-
-def _halves(groups: dict) -> list[dict]:
-    """The groups in ``COLUMNS`` columns of about equal height, none divided."""
-    share = sum(map(_height, groups.values())) / COLUMNS
-    columns = [{} for _ in range(COLUMNS)]
-    passed = 0.0
-    for name, group in groups.items():
-        middle = passed + 0.5 * _height(group)
-        columns[min(int(middle / share), COLUMNS - 1)][name] = group
-        passed += _height(group)
-    return columns
-
-
-def _panel(figure, index, lines) -> Panel:
-    width, height = figure.get_size_inches()
-    column = width / COLUMNS
-    box = (
-        (index * column + MARGINS["left"]) / width,
-        MARGINS["bottom"] / height,
-        (column - MARGINS["left"] - MARGINS["right"]) / width,
-        lines * LINE_POINTS / POINTS_PER_INCH / height,
-    )
-    panel = Panel(figure, box, "AB"[index], "score", "line")
-    figure.add_axes(panel)
-    panel.set_xlim(2.0 * NO_SCORE, LAST - 2.0 * NO_SCORE)
-    panel.set_ylim(lines, 0.0)
-    return panel
-
-
-def _draw_groups(panel, groups):
-    """The statements of each group on lines of their own, beside the count of those that hold."""
-    line = 0.5 * GAP
-    drawn = []
-    for index, (name, group) in enumerate(groups.items()):
-        end = line + len(group)
-        if index % 2 == 0:
-            shade = {"color": "0.955", "linewidth": 0, "zorder": 0, "label": FURNITURE}
-            panel.axhspan(line - 0.5 * GAP, end + 0.5 * GAP, **shade)
-        judged = [row for row in group if row["verdict"] in ("holds", "fails")]
-        held = sum(row["verdict"] == "holds" for row in judged)
-        text = f"{name}\n{held} of {len(judged)} hold"
-        style = {"ha": "right", "va": "center", "fontsize": 6.5, "linespacing": 1.25}
-        panel.text(-0.02, 0.5 * (line + end), text, transform=panel.get_yaxis_transform(), **style)
-        drawn += [(_score(row), line + place + 0.5, row) for place, row in enumerate(group)]
-        line = end + GAP
-    _draw_statements(panel, drawn)
-
-
-def _score(row) -> float:
-    """Where the marker of ``row`` stands."""
-    withheld = row["score"] is None or math.isnan(row["score"])
-    return NO_SCORE if withheld else min(row["score"], LAST)
-
-
-def _draw_statements(panel, drawn):
-    """Markers at the scores of ``drawn``, triples of score, line and row; a statement that does not
-    hold is named beside its marker."""
-    looks: dict[tuple, list] = {}
-    for score, line, row in drawn:
-        divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
-        colour = COLOURS[row["verdict"]]
-        looks.setdefault((MARKERS[row["role"]], colour, divided), []).append((score, line, row))
-        if row["verdict"] not in ("holds", "value withheld"):
-            _write_name(panel, score, line, row)
-    size = {"markersize": 3.1, "markeredgewidth": 0.8, "zorder": 2}
-    for (marker, colour, divided), alike in looks.items():
-        scores, lines, rows = zip(*alike, strict=True)
-        ends = np.maximum(scores, 0.0)
-        panel.hlines(lines, 0.0, ends, color=colour, linewidth=0.6, label=FURNITURE, zorder=1)
-        look = {"marker": marker, "color": colour, **size}
-        look |= {"markerfacecolor": "white"} if divided else {}
-        names = [row["id"] for row in rows]
-        panel.add_line(NamedPoints(list(zip(scores, lines, strict=True)), names, **look))
-
-
-def _write_name(panel, score, line, row):
-    """The id of ``row`` without its figure, behind the marker or, where that is too near the edge,
-    before it."""
-    prefix = PREFIX.match(row["id"])
-    same = prefix and prefix[1] in (None, part_of_paper(row["place"]).split()[-1])
-    name = row["id"][prefix.end() :].lstrip("-") if same else row["id"]
-    left, right = panel.get_xlim()
-    room = panel.bbox.width / panel.figure.dpi * POINTS_PER_INCH * (right - score) / (right - left)
-    behind = len(name) * LETTER_WIDTH * NAME_SIZE < room or score < 0.5 * (left + right)
-    panel.annotate(
-        name,
-        (score, line),
-        (3.5 if behind else -3.5, -0.3),
-        textcoords="offset points",
-        ha="left" if behind else "right",
-        va="center",
-        fontsize=NAME_SIZE,
-        bbox=None if behind else {"facecolor": "white", "edgecolor": "none", "pad": 0.2},
-    )
-
-
-def _frame(panel, lines):
-    """The line up to which a statement holds, and ticks in tolerances."""
-    panel.axvline(1.0, color="black", linewidth=0.7, label=FURNITURE, zorder=1.5)
-    panel.xaxis.set_visible(True)
-    panel.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000\nor more"])
-    panel.tick_params(labelsize=6)
-    panel.set_xlabel("deviation in tolerances; logarithmic beyond 1", fontsize=7)
-    panel.write(0.0, 1.0, f"({panel.letter})", y_points=4, va="bottom")
-
-
-def _draw_key(figure, rows):
+def _key(rows) -> list[Line2D]:
     """Verdicts by colour and roles by marker, each with its number of statements."""
-    entries = [
-        Line2D([], [], color=colour, marker="s", label=f"{verdict} ({count})")
-        for verdict, colour in COLOURS.items()
-        if (count := sum(row["verdict"] == verdict for row in rows))
-    ]
-    entries += [
-        Line2D([], [], color="black", marker=marker, label=f"{role} ({count})")
-        for role, marker in MARKERS.items()
-        if (count := sum(row["role"] == role for row in rows))
-    ]
-    hollow = {"color": "black", "markerfacecolor": "white", "marker": "o"}
-    entries.append(Line2D([], [], label="ensemble divided", **hollow))
-    for entry in entries:
-        entry.set(linestyle="none", markersize=rcParams["lines.markersize"])
-    figure.legend(handles=entries, loc="lower center", ncols=4, borderpad=0.5, fontsize=7)
+    looks = {}
+    for name, values, property_name in (
+        ("verdict", COLOURS, "color"),
+        ("role", MARKERS, "marker"),
+    ):
+        found = [row[name] for row in rows]
+        for value, look in values.items():
+            if value in found:
+                default = {"color": "black", "marker": "s"}
+                looks[f"{value} ({found.count(value)})"] = default | {property_name: look}
+    looks["ensemble divided"] = {"color": "black", "markerfacecolor": "white", "marker": "o"}
+    return [Line2D([], [], label=text, linestyle="none", **look) for text, look in looks.items()]

@@ -1,60 +1,42 @@
-"""Figures of curves: the combinations that a dataset shows, drawn into panels."""
+"""Figures of curves: what their panels show of a dataset, and how that is drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from string import ascii_uppercase
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.figures.marks import (
-    TURNING_POINTS,
-    WINDOW,
-    mark_entries,
-    mark_statuses,
-    mark_turning_points,
-    turning_points_of,
-)
-from thirdbody.figures.printed import draw_printed, draw_printed_windows
-from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import parameter_title, shared_notes
-from thirdbody.figures.sheet.panel import Panel, panel_figure
-from thirdbody.figures.sheet.scales import SCALES
-from thirdbody.figures.sheet.styles import Styles
-from thirdbody.figures.shown import Curve, shown_curves, with_relative_area
+from thirdbody.figures import marks
+from thirdbody.figures.dataset_curves import curves_in, with_relative_area
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.naming import parameter_title, shared_notes
+from thirdbody.figures.printed import printed_series, printed_window_series
+from thirdbody.figures.scales import SCALES, set_scales
+from thirdbody.figures.styles import BAND_EDGE, Styles, band_style
 
-MARKERS_PER_CURVE = 7
-PARTED = 1.6  # points between curves that are told apart
-WINDOW_HEIGHT = 0.5  # of windows in their panel, where no turning point is near their ends
-BAND_STEP = 2  # every second load is fine enough for the edge of a band
-# of the key: the text, and a line about as wide as a band
-BAND_ENTRY = (
-    "calibrated ensemble",
-    {"color": "0.82", "linewidth": 6.0, "solid_capstyle": "butt"},
-)
+RATIO = "particle_contact_area_ratio"
+BAND_STEP = 2  # every second load is fine enough for the edge of a range
+KEY_COLUMNS = 5  # of a key below the panels
+KEY_ROWS = 11  # of a key in the free cell beside the last panel
+KEY_INCHES = 0.5, 0.17  # height of a key without entries, and of a row of entries
+CELL = 3.5, 2.9  # of a panel with its labels [inches]
+MARGINS = 0.68, 0.42, 0.48, 0.44
+TITLE_PAD = 17.0  # points; newtons stand below the title
+TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
 
 
 @dataclass(frozen=True)
 class Content:
-    """What a panel shows.
+    """What a panel shows: a quantity ``y`` over ``x``, two of ``SCALES``.
 
-    Attributes
-    ----------
-    y, x : str
-        Variables against each other; one of ``SCALES``.
-    surface : int, optional
-        Curves of one surface alone: 0 for the smoothest of the dataset, -1 for the roughest.
-    locus : bool
-        Whether the turning points of the curves are joined.
-
-    Notes
-    -----
-    Over ``diameter_ratio`` it shows no curves but where they have their turning points.
+    Over ``diameter_ratio`` it shows turning points alone.  A ``surface`` restricts it to the smoothest (0)
+    or the roughest (-1) of the dataset; ``locus`` joins the turning points of the curves.
     """
 
     y: str
@@ -70,13 +52,13 @@ class CurveFigure:
     Attributes
     ----------
     parameter : str
-        What its curves are told apart by: an attribute of ``Condition``.
+        What distinguishes its curves: an attribute of ``Condition``.
     contents : tuple of Content
         Its panels, in order.
     each_surface : bool
         Whether each panel stands once for each roughness of the dataset.
     two_body : bool
-        Whether two-body contact is among the curves, or only what areas are held against.
+        Whether two-body contact is among the curves, or only what areas are compared with.
     """
 
     parameter: str
@@ -93,20 +75,20 @@ class CurveFigure:
         self,
         data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
-        band: PlainDataset | None = None,
+        ensemble_range: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
-    ) -> Figure:
+    ) -> Drawing:
         """Draw it.
 
         Parameters
         ----------
         data : PlainDataset
-            One of ``read_plain``.
+            Dataset of the figure.
         turning_points : sequence of Mapping
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        band : PlainDataset, optional
-            ``<variable>_low`` and ``_high`` on the axes of ``data``, drawn behind the curves.
+        ensemble_range : PlainDataset, optional
+            ``<variable>_low`` and ``_high`` on the axes of ``data``.
         printed : sequence of Mapping
             Rows of the table ``printed``: the paper's numbers for this figure.
         windows : sequence of Mapping
@@ -115,48 +97,42 @@ class CurveFigure:
         Raises
         ------
         ValueError
-            In one line, if ``data`` hold nothing that it shows.
+            In one line, if ``data`` have nothing that the figure shows.
         """
-        curves = [each for each in shown_curves(data) if self._shows(each.condition)]
-        data = with_relative_area(data)
-        contents = self._panels(data, curves)
-        if not contents:
-            names = ", ".join(dict.fromkeys(each.y for each in self.contents))
-            raise ValueError(f"there is nothing to draw; allowed: points with {names}")
+        curves = [one for one in curves_in(data) if self.two_body or not one.condition.is_two_body]
+        # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
-        styles = Styles(conditions, self.parameter)
         common = shared_notes(conditions)
+        data = with_relative_area(data)
+        panels: list[Panel] = []
+        for content in self._contents(data, curves):
+            chosen = _on_surface(curves, data, content.surface)
+            points = marks.turning_points_of(chosen, turning_points)
+            if content.x == "diameter_ratio":
+                series = _window_series(chosen[0].condition.roughness, points, windows, printed)
+            else:
+                series = _curve_series(data, content, chosen, points, ensemble_range, printed)
+            found = tuple(series)
+            if found:
+                letter, title = ascii_uppercase[len(panels)], _title(content, chosen, common)
+                panels.append(Panel(letter, title, content.x, content.y, found))
+        if not panels:
+            names = ", ".join(dict.fromkeys(each.y for each in self.contents))
+            raise ValueError(f"there is nothing to draw; allowed: points with {names}")
+        styles = Styles(conditions, self.parameter)
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        figure = panel_figure([(content.x, content.y) for content in contents])
-        marked: set[Condition] = set()
-        for panel, content in zip(figure.axes, contents, strict=True):
-            chosen = _on_surface(curves, data, content.surface)
-            panel.add_title(_title(content, chosen, common))
-            points = turning_points_of(chosen, turning_points)
-            if content.x == "diameter_ratio":
-                draw_windows(panel, chosen, points, windows, printed)
-                panel.frame(newtons_per_load)
-                continue
-            if band is not None and content.x == "load" and f"{content.y}_low" in band:
-                draw_bands(panel, band, chosen, styles)
-            lines = [draw_curve(panel, data, curve, styles) for curve in chosen]
-            mark_statuses(panel, data, chosen)
-            _draw_marks(panel, data, content, points)
-            draw_printed(panel, data, chosen, printed, points, styles)
-            panel.frame(newtons_per_load)
-            marked |= place_markers(panel, chosen, lines, styles)
-        marks = mark_entries(figure) + [BAND_ENTRY] * (band is not None)
-        title = parameter_title(self.parameter)
-        draw_key(figure, title, ", ".join(common), styles.key(conditions, marked), marks)
-        return figure
+        entries = styles.key() + marks.mark_entries(panels)
+        title = key_title(parameter_title(self.parameter), common)
+        figure = draw_panels(panels, styles.of_series, newtons_per_load, entries, title)
+        return Drawing(figure, tuple(panels))
 
-    def _panels(self, data, curves) -> Sequence[Content]:
-        """Panels of what ``data`` hold along ``curves``."""
+    def _contents(self, data, curves) -> list[Content]:
+        """The contents for which ``data`` have values along ``curves``."""
 
-        def holds(name):
+        def has(name):
             return name in data and any(
                 np.isfinite(each.values(data, name)).any() for each in curves
             )
@@ -165,135 +141,59 @@ class CurveFigure:
         contents = [
             each
             for each in self.contents
-            if (sizes > 1 if each.x == "diameter_ratio" else holds(each.x) and holds(each.y))
+            if (sizes > 1 if each.x == "diameter_ratio" else has(each.x) and has(each.y))
         ]
         if not self.each_surface:
             return contents
         indices = range(data.sizes["roughness"])
         return [replace(each, surface=index) for each in contents for index in indices]
 
-    def _shows(self, condition):
-        return self.two_body or not condition.is_two_body
 
-
-def draw_curve(panel: Panel, data: PlainDataset, curve: Curve, styles: Styles) -> Line2D:
-    """Draw ``curve`` into ``panel``."""
-    x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
-    return panel.add_line(Line2D(x, y, label=curve.label, **styles.of(curve.condition)))
-
-
-def place_markers(
-    panel: Panel, curves: Sequence[Curve], lines: Sequence[Line2D], styles: Styles
-) -> set[Condition]:
-    """Leave markers to ``lines`` only where they part from those of other levels.
-
-    Parameters
-    ----------
-    panel : Panel
-        One that has its frame.
-    curves, lines : sequence
-        Its curves, and how they are drawn.
-    styles : Styles
-        What tells the curves apart.
-
-    Returns
-    -------
-    set of Condition
-        Those of the curves that show markers.
-    """
-    paths = [panel.in_points(line) for line in lines]
-    marked = set()
-    for curve, line, path in zip(curves, lines, paths, strict=True):
-        if "marker" not in styles.of(curve.condition):
-            continue
-        rivals = [
-            other
-            for rival, other in zip(curves, paths, strict=True)
-            if rival is not curve and styles.are_rivals(curve.condition, rival.condition)
-        ]
-        places = _staggered(_parted(path, rivals), styles.stagger(curve.condition))
-        line.set(**({"markevery": places} if places else {"marker": "none"}))
-        if places:
-            marked.add(curve.condition)
-    return marked
-
-
-def _parted(path, rivals) -> NDArray[np.bool_]:
-    """Where ``path`` is farther than ``PARTED`` from all ``rivals``; paths in points."""
-    x, y = path.T
-    gaps = np.full(x.size, np.inf)
-    for other in rivals:
-        there, height = other.T if other[0, 0] <= other[-1, 0] else other[::-1].T
-        gap = np.abs(np.interp(x, there, height, left=np.inf, right=np.inf) - y)
-        gaps = np.fmin(gaps, gap)
-    steepness = np.gradient(y) / np.where(np.gradient(x) == 0.0, np.inf, np.gradient(x))
-    return gaps > PARTED * np.hypot(1.0, steepness)
-
-
-def _staggered(free, stagger) -> list[int]:
-    """Places of markers in equal steps where ``free`` allows, or else one where it ever does."""
-    step = max(free.size // MARKERS_PER_CURVE, 1)
-    places = [place for place in range(int(step * stagger), free.size, step) if free[place]]
-    if places or not free.any():
-        return places
-    starts = np.flatnonzero(np.diff(free, prepend=False, append=False)).reshape(-1, 2)
-    longest = starts[np.argmax(starts[:, 1] - starts[:, 0])]
-    return [int(longest.mean())]
-
-
-def draw_bands(panel: Panel, band: PlainDataset, curves: Sequence[Curve], styles: Styles) -> None:
-    """Draw the envelopes of ``curves`` at each load, in a tint of their colours.
-
-    The tints are opaque: many curves lie on one another, and so would their bands.
-    """
-    load = band[panel.x_name].values
-    some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-    outlines = []
+def _curve_series(data, content, curves, points, ranges, printed) -> Iterator[Series]:
+    """All that a panel of curves shows."""
+    x, y = content.x, content.y
     for curve in curves:
-        low, high = (curve.values(band, f"{panel.y_name}_{end}")[some] for end in ("low", "high"))
-        there, back = (np.column_stack((load[some], edge)) for edge in (low, high))
-        known = np.isfinite(low) & np.isfinite(high)
-        outlines.append(np.concatenate((there[known], back[known][::-1])))
-    names = [f"band; {curve.label}" for curve in curves]
-    tints = [styles.tint(curve.condition) for curve in curves]
-    panel.add_outlines(outlines, names, facecolors=tints, linewidths=0.0, zorder=1.5)
+        values = (curve.values(data, name) for name in (x, y))
+        yield Series(CURVE, curve.label, *values, curve.condition)
+    yield from marks.status_series(data, x, y, curves)
+    if content.locus:
+        yield from marks.turning_point_series(data, x, y, points, marks.LOCUS)
+    if content.locus or y == RATIO:
+        yield from marks.turning_point_series(data, x, y, points, marks.TURNING_POINTS)
+    yield from printed_series(data, x, y, curves, printed, points)
+    if ranges is not None and x == "load" and f"{y}_low" in ranges:
+        for curve in curves:
+            low, high = (curve.values(ranges, f"{y}_{end}") for end in ("low", "high"))
+            some = np.unique([*range(0, low.size, BAND_STEP), low.size - 1])
+            outline = range_outline(ranges["load"].values[some], low[some], high[some])
+            yield Series(marks.BAND, curve.label, *outline, curve.condition)
 
 
-def draw_windows(
-    panel: Panel,
-    curves: Sequence[Curve],
-    turning_points: Sequence[tuple[Curve, Mapping]],
-    windows: Sequence[Mapping],
-    printed: Sequence[Mapping],
-) -> None:
-    """Draw between which diameters there are turning points: those of curves, and the ends.
+def range_outline(x, low, high):
+    """The closed outline of a range where it is known: along its lower, back along its upper end."""
+    known = np.isfinite(low) & np.isfinite(high)
+    x, low, high = x[known], low[known], high[known]
+    return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
 
-    Parameters
-    ----------
-    panel : Panel
-        Where to draw.
-    curves : sequence of Curve
-        Those of one surface.
-    turning_points : sequence of (Curve, Mapping)
-        Pairs of ``turning_points_of``.
-    windows, printed : sequence of Mapping
-        Rows of the tables ``tpca_windows`` and ``printed``.
+
+def _window_series(roughness, turning_points, windows, printed) -> Iterator[Series]:
+    """Turning points over x_a/σ, and the computed and printed ends of the range where they occur.
+
+    The ends have no height: their ``y`` is 0.
     """
-    roughness = curves[0].condition.roughness
-    panel.update_datalim([(curve.condition.diameter_ratio, 0.0) for curve in curves])
-    panel.update_datalim([(curves[0].condition.diameter_ratio, 1.0)])
-    points = [(curve.condition.diameter_ratio, row["peak_ratio"]) for curve, row in turning_points]
-    if points:
-        panel.add_line(Line2D(*np.transpose(points), label="turning points", **TURNING_POINTS))
+    if turning_points:
+        ratios = np.array([curve.condition.diameter_ratio for curve, _ in turning_points])
+        peaks = np.array([row["peak_ratio"] for _, row in turning_points])
+        yield Series(marks.TURNING_POINTS, "", ratios, peaks)
     ends = [
-        (row["diameter_over_roughness"], WINDOW_HEIGHT)
+        row["diameter_over_roughness"]
         for row in windows
         if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
         and np.isfinite(row["diameter_over_roughness"])
     ]
     if ends:
-        panel.add_line(Line2D(*np.transpose(ends), label="window", zorder=3, **WINDOW))
-    draw_printed_windows(panel, printed, roughness, WINDOW_HEIGHT)
+        yield Series(marks.WINDOW, "", np.array(ends), np.zeros(len(ends)))
+    yield from printed_window_series(printed, roughness)
 
 
 def _on_surface(curves, data, surface):
@@ -304,15 +204,79 @@ def _on_surface(curves, data, surface):
     return [curve for curve in curves if curve.condition.roughness == roughness]
 
 
-def _title(content, chosen, common) -> str:
-    """What the curves of a panel share beyond the others, or else what it shows."""
-    shared = shared_notes([curve.condition for curve in chosen])
+def _title(content, curves, common) -> str:
+    """What the curves of a panel share beyond the others, or else its quantity."""
+    shared = shared_notes([curve.condition for curve in curves])
     own = [text for text in shared if text not in common]
     return ", ".join(own) or SCALES[content.y].title
 
 
-def _draw_marks(panel, data, content, marked):
-    if content.locus:
-        mark_turning_points(panel, data, marked, "locus of the turning points")
-    if content.locus or content.y == "particle_contact_area_ratio":
-        mark_turning_points(panel, data, marked)
+def draw_panels(
+    panels: Sequence[Panel],
+    style_of: Callable[[Series], dict],
+    newtons_per_load: float | None = None,
+    entries: Sequence[Line2D] = (),
+    key_title: str = "",
+) -> Figure:
+    """Draw panels of curves, and a key in the cell that they leave free or below them.
+
+    ``style_of`` gives line properties of the curve that a series is or belongs to, or an empty dict.
+    With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
+    """
+    beside = len(panels) % 2 == 1
+    rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
+    below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
+    figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
+    for axes, panel in zip(figure.axes, panels, strict=True):
+        draw = _draw_vertical if panel.is_over_sizes else _draw_series
+        for series in panel.series:
+            draw(axes, series, style_of(series))
+        title_axes(axes, panel, TITLE_PAD)
+        set_scales(axes, panel.x, panel.y, newtons_per_load)
+    if entries:
+        add_key(figure, entries, key_title, beside)
+    return figure
+
+
+def key_title(title: str, conditions: Sequence[str]) -> str:
+    """Title of a key, and below it the conditions that all curves share."""
+    return "\n".join(filter(None, (title, ", ".join(conditions))))
+
+
+def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool) -> None:
+    """Explain the lines of a figure beside its last panel or below all."""
+    if beside:
+        height = figure.get_figheight()
+        columns = -(-len(entries) // KEY_ROWS)
+        place = {"loc": "center", "bbox_to_anchor": (0.76, 0.5 * CELL[1] / height)}
+    else:
+        columns = KEY_COLUMNS
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.0)}
+    figure.legend(handles=entries, title=title or None, ncols=columns, **place)
+
+
+def _draw_series(axes: Axes, series: Series, style: dict) -> None:
+    """Draw a series in the ``style`` of its curve."""
+    colour = {"color": style["color"]} if style else {}
+    if series.kind == marks.BAND:
+        axes.fill(series.x, series.y, **band_style(style["color"]))
+        axes.plot(series.x, series.y, **BAND_EDGE, **colour)
+    elif series.kind == CURVE:
+        axes.plot(series.x, series.y, **style)
+    elif series.kind == marks.TOLERANCE:
+        axes.plot(series.x, series.y, **TOLERANCE_LOOK, **colour)
+    else:
+        look = marks.MARKS[series.kind][1]
+        axes.plot(series.x, series.y, **(look | colour if series.kind == marks.PRINTED else look))
+
+
+def _draw_vertical(axes: Axes, series: Series, style: dict) -> None:
+    """Draw turning points, and what has no height as vertical lines and their tolerances as areas."""
+    if series.kind == marks.TURNING_POINTS:
+        _draw_series(axes, series, style)
+    elif series.kind == marks.TOLERANCE:
+        axes.axvspan(*series.x, color="black", alpha=0.07, linewidth=0)
+    else:
+        look = marks.PRINTED_LIMIT if series.kind == marks.PRINTED else marks.MARKS[series.kind]
+        for end in series.x:
+            axes.axvline(end, **look[1])

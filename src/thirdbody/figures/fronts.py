@@ -1,91 +1,69 @@
-"""What it costs the other statements that one of them holds, under every reading."""
+"""Pareto fronts: what each headline statement costs all others, for every interpretation."""
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
+from string import ascii_uppercase
 
 import numpy as np
 from matplotlib import rcParams
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.sheet.panel import FURNITURE, Panel
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 
 COLUMNS = 3
-CELL = 3.1, 1.9  # inches of a panel with its labels
-MARGINS = {"left": 0.5, "right": 0.1, "bottom": 0.42, "top": 0.28}  # inches
-KEY_LINE = 0.15  # inches of a line of the key
-DISTANCES = (0, 0.5, 1, 2, 5, 20)  # in tolerances, on the axis
+CELL = 2.4, 1.55  # of a panel with its labels [inches]
+MARGINS = 0.42, 0.08, 0.2, 0.38
+BELOW = 0.75  # inches for the labels of the axes and the key
+LETTERS = 30  # of a title in a line
+DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to so much above the least
 DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
 
 
-def plot(readings: Sequence[Mapping]) -> Figure:
-    """The front of each chief statement against all others, a line a reading.
+def plot(readings: Sequence[Mapping]) -> Drawing:
+    """The front of each headline statement against all others, a line an interpretation.
 
-    Parameters
-    ----------
-    readings : sequence of Mapping
-        Contents of the calibrated files; the first one is drawn above the others.
+    ``readings`` are contents of the calibrated files; the first one is drawn above the others.
     """
     statements = list(dict.fromkeys(name for each in readings for name in each["fronts"]))
-    rows, lines = -(-len(statements) // COLUMNS), -(-len(readings) // COLUMNS)
-    key = KEY_LINE * (lines + 1)
-    size = COLUMNS * CELL[0], rows * CELL[1] + key
-    figure = Figure(figsize=size)
-    for place, statement in enumerate(statements):
-        row, column = divmod(place, COLUMNS)
-        corner = column * CELL[0] + MARGINS["left"], size[1] - (row + 1) * CELL[1]
-        box = (
-            corner[0] / size[0],
-            (corner[1] + MARGINS["bottom"]) / size[1],
-            (CELL[0] - MARGINS["left"] - MARGINS["right"]) / size[0],
-            (CELL[1] - MARGINS["bottom"] - MARGINS["top"]) / size[1],
-        )
-        letter = chr(ord("A") + place)
-        panel = figure.add_axes(Panel(figure, box, letter, "score", "objective_without_it"))
-        _draw_fronts(panel, statement, readings)
-        panel.write(0.0, 1.0, f"({letter})  {statement}", y_points=4, va="bottom")
-    figure.legend(
-        handles=[
-            Line2D([], [], label=each["reading"], **_look(n)) for n, each in enumerate(readings)
-        ],
-        loc="lower center",
-        ncols=COLUMNS,
-        borderpad=0.3,
-        fontsize=6.5,
-    )
-    return figure
+    figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
+    panels = []
+    for letter, axes, statement in zip(ascii_uppercase, figure.axes, statements, strict=False):
+        series = tuple(_front(each, statement) for each in readings)
+        title = "\n".join(textwrap.wrap(statement, LETTERS))
+        panels.append(Panel(letter, title, "score", "objective_without_it", series))
+        for place, front in enumerate(series):
+            axes.plot(front.x, front.y, drawstyle="steps-post", **_look(place))
+        axes.axvline(1.0, color="black", linewidth=0.7, zorder=1.5)
+        axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
+        least = min(front.y.min() for front in series if front.y.size)
+        axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(least - 1.0, least + ABOVE))
+        title_axes(axes, panels[-1])
+    style = {"fontsize": rcParams["axes.labelsize"]}
+    bottom = BELOW / figure.get_figheight()
+    figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
+    figure.supylabel("objective of all other statements", x=0.008, **style)
+    entries = [
+        Line2D([], [], label=each["reading"], **_look(place)) for place, each in enumerate(readings)
+    ]
+    figure.legend(handles=entries, loc="lower center", ncols=2)
+    return Drawing(figure, tuple(panels))
 
 
 def _look(place) -> dict:
-    """How the line of a reading looks: the first is heavy."""
+    """Line properties of an interpretation: the first is heavy."""
     colours = rcParams["axes.prop_cycle"].by_key()["color"]
     turn, colour = divmod(place, len(colours))
-    width = 1.6 if place == 0 else 0.9
-    return {"color": colours[colour], "linestyle": DASHES[turn % 2], "linewidth": width}
+    look = {"linewidth": 1.6, "zorder": 3} if place == 0 else {"linewidth": 0.9, "zorder": 2}
+    return look | {"color": colours[colour], "linestyle": DASHES[turn % 2]}
 
 
-def _draw_fronts(panel, statement, readings):
-    """The fronts of one statement, and the line up to which it holds."""
-    fronts = [np.array(each["fronts"].get(statement, ())).reshape(-1, 2) for each in readings]
-    last, least = score_of(DISTANCES[-1]), min(front[:, 1].min() for front in fronts if front.size)
-    for place, (reading, front) in enumerate(zip(readings, fronts, strict=True)):
-        # what was seen this near the statement is good for all that is farther
-        line = np.vstack([front, [last, front[-1, 1]]]) if front.size else front
-        panel.plot(
-            *line.T,
-            drawstyle="steps-post",
-            label=reading["reading"],
-            zorder=3 if place == 0 else 2,
-            **_look(place),
-        )
-    panel.axvline(1.0, color="black", linewidth=0.7, label=FURNITURE, zorder=1.5)
-    for axis in (panel.xaxis, panel.yaxis):
-        axis.set_visible(True)
-    panel.set_xticks([score_of(each) for each in DISTANCES], list(map(str, DISTANCES)))
-    panel.set(xlim=(-0.05, last), ylim=(least - 1.0, least + ABOVE))
-    panel.tick_params(labelsize=6)
-    panel.set_xlabel("deviation in tolerances", fontsize=7, labelpad=1)
-    panel.set_ylabel("objective of all others", fontsize=7, labelpad=2)
+def _front(reading, statement) -> Series:
+    """The front of one statement; what was found this near the statement is good for all farther."""
+    front = np.array(reading["fronts"].get(statement, ())).reshape(-1, 2)
+    if front.size:
+        front = np.vstack([front, [score_of(DISTANCES[-1]), front[-1, 1]]])
+    return Series(CURVE, reading["reading"], *front.T)

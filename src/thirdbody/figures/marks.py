@@ -1,78 +1,58 @@
-"""Turning points of the contact area (TPCA): read, matched to their curves, marked."""
+"""What panels show beside curves: turning points of the contact area (TPCA), statuses of points."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.plain import PlainDataset
+from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.sheet.key import Entry
-from thirdbody.figures.sheet.panel import NamedPoints, Panel
-from thirdbody.figures.shown import Curve
-from thirdbody.model.regimes import WITHOUT_VALUES
+from thirdbody.figures.dataset_curves import Curve
+from thirdbody.figures.drawing import Panel, Series
+from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
 
-TURNING_POINTS = {
-    "linestyle": "none",
-    "marker": "*",
-    "markersize": 8.0,
-    "markerfacecolor": "C1",
-    "markeredgecolor": "black",
-}
-LOCUS = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1"}
-STATUS_STEP = 6  # points of a curve from one mark of their status to the next
-# where the status of a point is not plain ``converged``: text of the key, marker; points without
-# values have it at the end of the curve beside them
+TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
+WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
+# statuses that are marked: text of the key, marker; where there are no values the curve ends
 STATUS_MARKS = {
     "several_separations": ("several balances: the widest", "+"),
     "outside_film_formula": ("film outside its formula", "x"),
     "area_exceeded": ("contact area above 1", "1"),
-    "not_converged": ("less exact than asked", "2"),
+    "not_converged": ("less accurate than asked", "2"),
     "coverage_exceeded": ("none beyond: particles cover all", "3"),
-    "load_exceeded": ("none beyond: load not borne", "4"),
+    "load_exceeded": ("none beyond: load not carried", "4"),
 }
-STATUS_LOOK = {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A", "zorder": 3.2}
-# open marks of what the paper prints, over bars as far as its tolerance
-PRINTED = {
-    "linestyle": "none",
-    "marker": "s",
-    "markersize": 5.2,
-    "markerfacecolor": "white",
-    "markeredgewidth": 1.1,
-    "color": "black",
-}
-WINDOW = {"linestyle": "-", "linewidth": 1.1, "marker": "d", "markersize": 6.0, "color": "C5"}
-# label of what is drawn: its text in the key, its style
+POINTS = {"linestyle": "none", "zorder": 3.2}
+STATUS_LOOK = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
+STAR = POINTS | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1"}
+SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
+# kind of series: text in the key, line properties
 MARKS = {
-    "turning points": ("turning point (TPCA)", TURNING_POINTS),
-    "locus of the turning points": ("their locus", LOCUS),
-    "window": ("their window", WINDOW),
-    "printed": ("printed, with tolerance", PRINTED),
+    TURNING_POINTS: ("turning point (TPCA)", STAR | {"markeredgecolor": "black"}),
+    LOCUS: (
+        "locus of turning points",
+        {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9},
+    ),
+    WINDOW: ("limits of turning points", {"color": "C5", "linewidth": 1.8}),
+    PRINTED: (
+        "printed, with tolerance",
+        SQUARE | {"markeredgewidth": 1.1, "color": "black", "clip_on": False},
+    ),
 } | {
-    meaning: (text, STATUS_LOOK | {"marker": marker, "linestyle": "none"})
-    for meaning, (text, marker) in STATUS_MARKS.items()
+    kind: (text, STATUS_LOOK | {"marker": marker}) for kind, (text, marker) in STATUS_MARKS.items()
 }
+PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
+BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Turning points from a file of the table ``tpca_loads``.
-
-    Returns
-    -------
-    list of dict
-        The four conditions (SI), ``load`` and ``peak_ratio`` of each.
-
-    Raises
-    ------
-    OSError
-        If the file is damaged: one line names it.
-    """
+    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load`` and
+    ``peak_ratio`` of each; ``OSError`` in one line if the file is damaged."""
     return [
         {axis.name: row[axis.column] for axis in CONDITION_AXES}
         | {name: row[name] for name in ("load", "peak_ratio")}
@@ -91,73 +71,39 @@ def turning_points_of(
     return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
 
 
-def mark_turning_points(
-    panel: Panel,
-    data: PlainDataset,
-    marked: Sequence[tuple[Curve, Mapping]],
-    label: str = "turning points",
-) -> None:
-    """Draw a mark at turning points, if there are any.
-
-    Parameters
-    ----------
-    panel : Panel
-        Where to draw.
-    data : PlainDataset
-        The dataset of the curves.
-    marked : sequence of (Curve, Mapping)
-        Pairs of ``turning_points_of``.
-    label : str
-        Which of ``MARKS``.
-    """
-    if marked:
-        load = np.log(data["load"].values)
-        x, y = (
-            [
-                np.interp(np.log(point["load"]), load, curve.values(data, name))
-                for curve, point in marked
-            ]
-            for name in (panel.x_name, panel.y_name)
-        )
-        panel.add_line(Line2D(x, y, label=label, zorder=3, **MARKS[label][1]))
+def turning_point_series(
+    data: PlainDataset, x: str, y: str, marked: Sequence[tuple[Curve, Mapping]], kind: str
+) -> list[Series]:
+    """The turning points in a panel of ``x`` and ``y`` as one series, if there are any."""
+    if not marked:
+        return []
+    places = [[curve.at(data, name, point["load"]) for curve, point in marked] for name in (x, y)]
+    return [Series(kind, "", *np.array(places))]
 
 
-def mark_statuses(panel: Panel, data: PlainDataset, curves: Sequence[Curve]) -> None:
-    """Draw marks along ``curves`` where the status of their points is not plain ``converged``, and at
-    the ends next to points without values."""
-    status = data["solution_status"].attrs
-    values = dict(zip(status["flag_meanings"].split(), status["flag_values"], strict=True))
-    for meaning, (_, marker) in STATUS_MARKS.items():
-        points, names = [], []
+def status_series(data: PlainDataset, x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
+    """First and last points whose status is not ``converged``, and ends of curves without values."""
+    for status in STATUS_MARKS:
         for curve in curves:
-            marked = curve.values(data, "solution_status") == values[meaning]
-            if meaning in WITHOUT_VALUES:
-                marked = _beside(marked) & np.isfinite(curve.values(data, panel.y_name))
+            marked = curve.values(data, STATUS) == SOLUTION_STATUSES.index(status)
+            if status in WITHOUT_VALUES:
+                beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
+                marked = beside & np.isfinite(curve.values(data, y))
             places = np.flatnonzero(marked)
-            for place in _some_of_each_run(places):
-                names.append(f"{meaning}; {curve.label}")
-                points.append(
-                    [curve.values(data, name)[place] for name in (panel.x_name, panel.y_name)]
-                )
-        if points:
-            panel.add_line(NamedPoints(points, names, label=meaning, marker=marker, **STATUS_LOOK))
+            if places.size:
+                ends = np.unique(places[[0, -1]])
+                points = (curve.values(data, name)[ends] for name in (x, y))
+                yield Series(status, curve.label, *points, curve.condition)
 
 
-def _beside(these) -> NDArray[np.bool_]:
-    """Which points are next to some of ``these``."""
-    return np.convolve(these, [1, 0, 1], "same") > 0
-
-
-def _some_of_each_run(places) -> NDArray[np.intp]:
-    """Of ``places``, the ends of each run without gaps and every ``STATUS_STEP`` within."""
-    runs = np.split(places, np.flatnonzero(np.diff(places) > 1) + 1)
-    return np.concatenate([np.union1d(run[::STATUS_STEP], run[-1:]) for run in runs])
-
-
-def mark_entries(figure: Figure) -> list[Entry]:
-    """Text and style of the marks that ``figure`` shows, for its key."""
-    drawn = {line.get_label() for panel in figure.axes for line in panel.lines}
-    return [entry for label, entry in MARKS.items() if label in drawn]
+def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
+    """Entries of the key for the marks that ``panels`` show."""
+    kinds = {series.kind for panel in panels if not panel.is_over_sizes for series in panel.series}
+    limits = {series.kind for panel in panels if panel.is_over_sizes for series in panel.series}
+    entries = [entry for kind, entry in MARKS.items() if kind in kinds | limits - {PRINTED}]
+    entries += [PRINTED_LIMIT] if PRINTED in limits else []
+    entries += [BAND_ENTRY] if BAND in kinds else []
+    return [Line2D([], [], label=text, **look) for text, look in entries]
 
 
 def condition_key(values: Iterable[float]) -> tuple[str, ...]:

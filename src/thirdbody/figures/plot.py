@@ -1,48 +1,64 @@
-"""``plot``: the panels of the paper for a dataset of one's own."""
+"""``plot``: the panels of the paper for any dataset, over the load or over another axis."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import product
 from os import PathLike
 from pathlib import Path
 
 import matplotlib.style
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
+from thirdbody.figures.curves import draw_panels, key_title
+from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series
 from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.naming import note
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
+from thirdbody.figures.scales import SCALES
+from thirdbody.figures.styles import level_styles
 
-STYLE = Path(__file__).with_name("paper.mplstyle")
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
+DRAWN = (
+    "particle_contact_area_ratio",
+    "total_contact_area",
+    "solid_load_fraction",
+    "film_thickness",
+)
 
 
 def plot(
     data: xr.Dataset | str | PathLike,
     *,
+    over: str = "load",
     like: str | None = None,
     turning_points: Sequence[Mapping] | str | PathLike = (),
     band: xr.Dataset | str | PathLike | None = None,
 ) -> Figure:
-    """Draw the panels of the paper for any dataset of solved points: curves over the load.
+    """Draw A_sa,t*, A_t*, L_s and H_c of any dataset of solved points over one of its axes.
 
     Parameters
     ----------
     data : xarray.Dataset or path
         Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
-        Besides the load one of viscosity, particle diameter and density may vary, beside dry and
-        lubricated contact, and any number of roughnesses; ``.sel`` picks from a larger one.
+        ``.sel`` picks from a larger one.
+    over : str, optional
+        The axis along x: "load", "viscosity", "particle_diameter", "roughness" or
+        "particle_density".  Over the load, besides it one of viscosity, particle diameter and density
+        may vary, beside dry and lubricated contact, and any number of roughnesses.  Over another axis,
+        all others may vary: each combination is a curve.
     like : str, optional
-        A figure of the paper, "fig03" to "fig13", whose panels are drawn.  By default A_sa,t*, A_t*
-        and, unless all is dry, L_s and H_c, as far as the dataset has them.
+        A figure of the paper, "fig03" to "fig13", whose panels are drawn; only over the load.
     turning_points : sequence of mapping, or path, optional
-        Turning points to be marked, as mappings of the four conditions [SI], ``load`` [1] and
-        ``peak_ratio`` [1], or a file of the workflow's table ``tpca_loads``.
+        Turning points to be marked over the load, as mappings of the four conditions [SI], ``load``
+        [1] and ``peak_ratio`` [1], or a file of the workflow's table ``tpca_loads``.
     band : xarray.Dataset or path, optional
-        Envelope of the ensemble on the axes of ``data``: a file in ``results/bands/``.
+        Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
 
     Returns
     -------
@@ -52,8 +68,8 @@ def plot(
     Raises
     ------
     ValueError
-        In one line: for data that are no such dataset, that vary in more than one figure can tell
-        apart, or hold nothing to draw, and for an unknown figure.
+        In one line: for data that are no such dataset, that vary in more than one figure can
+        distinguish, or have nothing to draw, and for an unknown axis or figure.
     OSError
         If a file cannot be read.
     ModuleNotFoundError
@@ -72,18 +88,65 @@ def plot(
     ...     parameters=tb.load_parameters(),
     ... )
     >>> figure = tb.plot(points)
-    >>> [panel.y_name for panel in figure.axes[:2]]
-    ['particle_contact_area_ratio', 'total_contact_area']
+    >>> [axes.get_title(loc="left") for axes in figure.axes[:2]]
+    ['(A)  Contact area ratio of particles', '(B)  Real contact area']
+    >>> tb.plot(points, over="viscosity").axes[0].get_xlabel()
+    'Viscosity ν (cSt)'
     """
+    if over not in DIMENSIONS:
+        raise ValueError(f"over is {over!r}; allowed: {', '.join(DIMENSIONS)}")
     if like is not None and like not in CURVE_FIGURES:
         raise ValueError(f"like is {like!r}; allowed: {', '.join(CURVE_FIGURES)}")
     complete = _with_all_dimensions("data", data)
-    envelope = None if band is None else _with_all_dimensions("band", band)
-    if isinstance(turning_points, str | PathLike):
-        turning_points = read_turning_points(turning_points)
-    drawn = curve_figure(like or "data", complete)
+    if complete.sizes[over] < 2:
+        raise ValueError(f"data has one {over}; allowed: two or more, which curves are drawn over")
     with matplotlib.style.context(STYLE, after_reset=True):
-        return drawn.plot(complete, turning_points, envelope)
+        if over != "load":
+            return _plot_over(complete, over)
+        ranges = None if band is None else _with_all_dimensions("band", band)
+        if isinstance(turning_points, str | PathLike):
+            turning_points = read_turning_points(turning_points)
+        drawn = curve_figure(like or "data", complete)
+        return drawn.plot(complete, turning_points, ranges).figure
+
+
+def _plot_over(data: xr.Dataset, over: str) -> Figure:
+    """Panels of all variables over one axis, with a curve for each combination of the others."""
+    others = [name for name in DIMENSIONS if name != over]
+    varying = [name for name in others if data.sizes[name] > 1]
+    common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
+    names = [name for name in DRAWN if name in data and bool(data[name].notnull().any())]
+    if not names:
+        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(DRAWN)}")
+    curves = {}
+    for values in product(*(data[name].values for name in varying)):
+        label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
+        curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
+    panels = [
+        Panel(
+            letter,
+            SCALES[name].title,
+            over,
+            name,
+            tuple(
+                Series(CURVE, label, data[over].values, curve[name].values.astype(float))
+                for label, curve in curves.items()
+            ),
+        )
+        for letter, name in zip("ABCD", names, strict=False)
+    ]
+    looks = dict(zip(curves, level_styles(len(curves)), strict=True))
+    entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
+    return draw_panels(panels, lambda one: looks[one.name], None, entries, key_title("", common))
+
+
+def _note(data, name, value) -> str:
+    """A condition with its symbol and unit; a load in newtons too."""
+    text = note(name, float(value))
+    if name != "load" or "normal_load" not in data:
+        return text
+    newtons = data["normal_load"].values[data["load"].values == value].flat[0]
+    return f"{text} ({newtons:.3g} N)"
 
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
@@ -102,8 +165,6 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     data = data.expand_dims([each for each in DIMENSIONS if data[each].ndim == 0])
     other = [each for each in data.dims if each not in DIMENSIONS]
     if other:
-        told = "allowed: load, viscosity, particle_diameter, roughness and particle_density"
-        raise ValueError(f"{name} has the dimension {other[0]!r}; {told}")
-    if name == "data" and data.sizes["load"] < 2:
-        raise ValueError("data has one load; allowed: two or more, which curves are drawn over")
+        allowed = "load, viscosity, particle_diameter, roughness and particle_density"
+        raise ValueError(f"{name} has the dimension {other[0]!r}; allowed: {allowed}")
     return data.transpose(*DIMENSIONS)

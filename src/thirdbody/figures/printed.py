@@ -1,4 +1,4 @@
-"""The paper's printed numbers: open marks with their tolerances, where the curves should pass.
+"""The numbers that the paper prints, with their tolerances, where curves should pass through them.
 
 A number that stands for a place on a curve (``A_sa,t*`` at the turning point, say) is drawn at the
 other number that the paper prints of this place, or else where the curve has it.
@@ -6,26 +6,24 @@ other number that the paper prints of this place, or else where the curve has it
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 
 import numpy as np
 
-from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.marks import PRINTED, condition_key
-from thirdbody.figures.sheet.panel import NamedPoints, Panel
-from thirdbody.figures.sheet.scales import SCALES
-from thirdbody.figures.sheet.styles import Styles
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY, Curve
+from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
+from thirdbody.figures.drawing import Series
+from thirdbody.figures.marks import PRINTED, TOLERANCE, condition_key
+from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 
 RATIO, SOLID, AREA = "particle_contact_area_ratio", "solid_load_fraction", "total_contact_area"
-STACKED = 0.055  # height from one printed window to the next
 # panels over the load that show a number which is no variable of theirs
-SHOWN_ON = {
+DRAWN_ON = {
     "turning_point_load": (RATIO,),
     "turning_point_ratio": (RATIO,),
     "turning_point_solid_load_fraction": (SOLID,),
@@ -38,102 +36,58 @@ SHOWN_ON = {
 
 @dataclass(frozen=True)
 class Mark:
-    """A printed number in a panel: its place, and how far its tolerance reaches along an axis."""
+    """A printed number in a panel: its place, and the ends of its tolerance along ``x`` or ``y``."""
 
-    name: str
     x: float
     y: float
-    reach: tuple[float, float]
-    along: str  # "x" or "y"
+    ends: tuple[float, float]
+    along: str
+
+    def series(self, name: str, is_fraction: bool = False, condition: Condition | None = None):
+        """Its place and its tolerance as series; that of a fraction ends at 0 and 1."""
+        low, high = np.clip(self.ends, 0.0, 1.0) if is_fraction and self.along == "y" else self.ends
+        bar = ((low, high), (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, (low, high))
+        yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
+        yield Series(TOLERANCE, name, *np.array(bar), condition)
 
 
 def read_printed(path: str | PathLike, figure: str) -> list[dict]:
-    """Rows of the table ``printed`` that belong to ``figure``.
-
-    Raises
-    ------
-    OSError
-        If the file is damaged: one line names it.
-    """
+    """Rows of the table ``printed`` that belong to ``figure``; ``OSError`` if the file is damaged."""
     return [row for row in read_csv(path, TABLES["printed"]) if row["figure"] == figure]
 
 
-def draw_printed(
-    panel: Panel,
+def printed_series(
     data: PlainDataset,
+    x: str,
+    y: str,
     curves: Sequence[Curve],
     printed: Sequence[Mapping],
     turning_points: Sequence[tuple[Curve, Mapping]],
-    styles: Styles,
-) -> None:
-    """Draw the printed numbers that ``panel`` has room for, in the colours of their curves.
+) -> Iterator[Series]:
+    """Printed numbers of ``curves`` that a panel of ``x`` and ``y`` can show.
 
-    Parameters
-    ----------
-    panel : Panel
-        Where to draw; its curves must stand in it.
-    data : PlainDataset
-        The dataset of the curves.
-    curves : sequence of Curve
-        Those of the panel.
-    printed : sequence of Mapping
-        Rows of ``read_printed``.
-    turning_points : sequence of (Curve, Mapping)
-        Pairs of ``turning_points_of``.
-    styles : Styles
-        What tells the curves apart.
+    ``printed`` are rows of ``read_printed``, ``turning_points`` pairs of ``turning_points_of``.
     """
-    of_curve: dict[tuple, list] = {}
+    rows_of: dict[tuple, list] = {}
     for row in printed:
         conditions = [row[axis.column] for axis in CONDITION_AXES]
         if None not in conditions:
-            of_curve.setdefault(condition_key(conditions), []).append(row)
+            rows_of.setdefault(condition_key(conditions), []).append(row)
     turning = {curve.place: point for curve, point in turning_points}
     drawn = set()
     for curve in curves:
-        rows = of_curve.get(condition_key(curve.condition), ())
-        place = _Places(data, curve, rows, turning.get(curve.place))
-        marks = [mark for row in rows for mark in place.marks(row, panel.x_name, panel.y_name)]
-        new = [mark for mark in marks if (mark.x, mark.y, mark.reach) not in drawn]
-        drawn.update((mark.x, mark.y, mark.reach) for mark in new)
-        draw_marks(panel, new, styles.of(curve.condition)["color"])
-
-
-def draw_marks(panel: Panel, marks: Sequence[Mark], colour) -> None:
-    """Draw ``marks`` as open squares over bars that reach as far as their tolerances."""
-    if not marks:
-        return
-    names = [f"printed; {mark.name}" for mark in marks]
-    points = [(mark.x, mark.y) for mark in marks]
-    bars = [_bar(mark, SCALES[panel.y_name].share) for mark in marks]
-    tolerances = [f"tolerance; {mark.name}" for mark in marks]
-    panel.add_bars(bars, tolerances, colour, linewidths=PRINTED["markeredgewidth"], zorder=3.5)
-    look = PRINTED | {"color": colour, "label": "printed", "zorder": 3.4}
-    panel.add_line(NamedPoints(points, names, **look))
-
-
-def _bar(mark, share) -> list[tuple[float, float]]:
-    """Both ends of the tolerance of ``mark``; that of a ``share`` ends with it."""
-    if mark.along == "x":
-        return [(end, mark.y) for end in mark.reach]
-    low, high = mark.reach
-    return [(mark.x, max(low, 0.0) if share else low), (mark.x, min(high, 1.0) if share else high)]
+        rows = rows_of.get(condition_key(curve.condition), ())
+        places = _Places(data, curve, rows, turning.get(curve.place, {}))
+        before = set(drawn)
+        for row in rows:
+            mark = places.mark(row, x, y)
+            if mark is not None and mark not in before:
+                drawn.add(mark)
+                yield from mark.series(row["id"], SCALES[y].is_fraction, curve.condition)
 
 
 class _Places:
-    """Where the printed numbers of one curve belong.
-
-    Parameters
-    ----------
-    data : PlainDataset
-        The dataset of the curve.
-    curve : Curve
-        The curve.
-    rows : sequence of Mapping
-        Its rows of the table ``printed``.
-    turning_point : Mapping, optional
-        Its turning point, if it has one.
-    """
+    """Where the printed ``rows`` of one curve belong, which has this turning point or none."""
 
     def __init__(self, data, curve, rows, turning_point):
         self.data, self.curve = data, curve
@@ -141,57 +95,39 @@ class _Places:
         self.printed = {row["quantity"]: row["value"] for row in reversed(rows)}
         self.turning_point = turning_point
 
-    def marks(self, row, x_name, y_name):
-        """The mark of ``row`` in a panel of these variables, if it shows what the row tells."""
-        quantity, reach = row["quantity"], (row["low"], row["high"])
+    def mark(self, row, x_name, y_name) -> Mark | None:
+        """The mark of ``row`` in a panel of these quantities, None if they do not show it."""
+        quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
         if x_name == quantity == "film_thickness":
-            y = self.at(y_name, self.extreme(row))
-            return [Mark(row["id"], row["value"], y, reach, "x")]
+            return Mark(value, self.at(y_name, self.extreme(row)), ends, "x")
         if x_name != "load":
-            return []
+            return None
         if y_name == quantity:
-            return [Mark(row["id"], self.where(row), row["value"], reach, "y")]
+            return Mark(self.load_of(row), value, ends, "y")
         if quantity == "load" and y_name == row["at_quantity"]:
-            return [Mark(row["id"], row["value"], row["at_level"], reach, "x")]
-        if y_name not in SHOWN_ON.get(quantity, ()):
-            return []
+            return Mark(value, row["at_level"], ends, "x")
+        if y_name not in DRAWN_ON.get(quantity, ()):
+            return None
         if quantity == "bend_load_over_mixed_load":
             mixed = self.falls_to(SOLID, BOUNDARY_LIMIT)
-            x, low, high = (mixed * value for value in (row["value"], *reach))
-            return [Mark(row["id"], x, self.at(y_name, x), (low, high), "x")]
-        if quantity.endswith("_load") and quantity != "turning_point_solid_load":
-            y = self.at(y_name, row["value"])
-            if quantity == "turning_point_load":
-                y = self.turning_ratio(y)
-            return [Mark(row["id"], row["value"], y, reach, "x")]
-        x = self.turning_load()
-        scale = 1.0 / x if quantity == "turning_point_solid_load" else 1.0  # L_s = L_s F_t*/F_t*
-        low, high = scale * reach[0], scale * reach[1]
-        return [Mark(row["id"], x, scale * row["value"], (low, high), "y")]
+            x, low, high = (mixed * factor for factor in (value, *ends))
+            return Mark(x, self.at(y_name, x), (low, high), "x")
+        if quantity == "turning_point_load":
+            found = self.turning_point.get("peak_ratio", self.at(y_name, value))
+            return Mark(value, self.printed.get("turning_point_ratio", found), ends, "x")
+        if quantity in ("bend_load", "total_contact_area_reversal_load"):
+            return Mark(value, self.at(y_name, value), ends, "x")
+        highest = self.load[np.argmax(self.curve.values(self.data, RATIO))]
+        found = self.turning_point.get("load", float(highest))
+        x = self.printed.get("turning_point_load", found)
+        # L_s = L_s F_t*/F_t*
+        scale = 1.0 / x if quantity == "turning_point_solid_load" else 1.0
+        return Mark(x, scale * value, (scale * ends[0], scale * ends[1]), "y")
 
     def at(self, name, load) -> float:
-        """The curve's value of the variable ``name`` at ``load``."""
-        return float(np.interp(np.log(load), np.log(self.load), self.values(name)))
+        return self.curve.at(self.data, name, load)
 
-    def values(self, name):
-        """The variable ``name`` along the curve."""
-        return self.curve.values(self.data, name)
-
-    def turning_load(self) -> float:
-        """Load of the turning point: as printed, or as found, or where A_sa,t* is largest."""
-        if "turning_point_load" in self.printed:
-            return self.printed["turning_point_load"]
-        if self.turning_point is not None:
-            return self.turning_point["load"]
-        return float(self.load[np.argmax(self.values(RATIO))])
-
-    def turning_ratio(self, otherwise) -> float:
-        """A_sa,t* at the turning point: as printed, or as found, or else another."""
-        if "turning_point_ratio" in self.printed:
-            return self.printed["turning_point_ratio"]
-        return otherwise if self.turning_point is None else self.turning_point["peak_ratio"]
-
-    def where(self, row) -> float:
+    def load_of(self, row) -> float:
         """The load at which the number of ``row`` is printed."""
         if row["at_quantity"] == "load":
             return row["at_level"]
@@ -201,41 +137,28 @@ class _Places:
 
     def falls_to(self, name, level) -> float:
         """The load at which the variable ``name`` last falls below ``level``, or the last load."""
-        below = self.values(name) < level
+        below = self.curve.values(self.data, name) < level
         falls = np.flatnonzero(below[1:] & ~below[:-1])
         return float(self.load[falls[-1] + 1 if falls.size else -1])
 
     def extreme(self, row) -> float:
-        """The load of the curve's extreme that ``row`` speaks of."""
+        """The load of the extreme of the curve that ``row`` names."""
         within = self.load <= (row["load_max"] or np.inf)
         within &= self.data["normal_load"].values <= (row["load_max_N"] or np.inf)
-        values = self.values(row["quantity"])[within]
-        found = np.flatnonzero(
-            values == (values.min() if row["extreme"] == "minimum" else values.max())
-        )
-        # A constant curve has it everywhere: the end of what the paper speaks of tells most, or high
-        # loads of a least share, as shares of the solid and of particles fall with the load.
+        values = self.curve.values(self.data, row["quantity"])[within]
+        wanted = values.min() if row["extreme"] == "minimum" else values.max()
+        found = np.flatnonzero(values == wanted)
+        # A constant curve has it everywhere.  The paper speaks of loads up to the last one, and
+        # fractions of the solid and of particles fall with the load.
         is_last = row["load_max"] or row["extreme"] == "minimum"
         return float(self.load[found[-1 if is_last else 0]])
 
 
-def draw_printed_windows(
-    panel: Panel, printed: Sequence[Mapping], roughness: float, height: float
-) -> None:
-    """Draw the printed windows on the surface of ``roughness`` [m], below each other from ``height``."""
-    here = [
-        row for row in printed if row["quantity"].startswith("window") and _is_at(row, roughness)
-    ]
-    heights = {
-        name: height - STACKED * rank
-        for rank, name in enumerate(dict.fromkeys(row["id"] for row in here), start=1)
-    }
-    marks = [
-        Mark(row["id"], row["value"], heights[row["id"]], (row["low"], row["high"]), "x")
-        for row in here
-    ]
-    draw_marks(panel, marks, "black")
-
-
-def _is_at(row, roughness) -> bool:
-    return bool(np.isclose(row["roughness_m"], roughness, rtol=1e-9))
+def printed_window_series(printed: Sequence[Mapping], roughness: float) -> Iterator[Series]:
+    """Printed ends of the range of x_a/σ with turning points on the surface of ``roughness`` [m]; they
+    have no height: ``y`` is 0."""
+    for row in printed:
+        if row["quantity"].startswith("window") and np.isclose(
+            row["roughness_m"], roughness, rtol=1e-9
+        ):
+            yield from Mark(row["value"], 0.0, (row["low"], row["high"]), "x").series(row["id"])

@@ -1,22 +1,18 @@
-"""The figures of the paper, and what each panel of theirs shows.
+"""The figures of the paper that show curves, and what each of their panels shows.
 
-A figure of curves is a row here; what its curves are computed for stands under the same name in
-``config/scenes.yaml``.  A scene that is not the paper's needs no row.
+A figure is a row here; what its curves are computed for stands under the same name in
+``config/scenes.yaml``.  A scene that is not the paper's needs no row.  Figures 1 and 2 are in
+``schematics``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import replace
-
-from matplotlib.figure import Figure
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.schematic import Section
-from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
-from thirdbody.figures.shown import AREA_OVER_TWO_BODY, shown_curves
+from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, curves_in
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
@@ -26,10 +22,6 @@ RELATIVE = Content(AREA_OVER_TWO_BODY)  # A_t* over that of dry two-body contact
 WINDOW = Content("turning_point_ratio", x="diameter_ratio")
 SMOOTHEST, ROUGHEST = 0, -1
 
-SCHEMATICS: dict[str, Callable[[Sequence[Section]], Figure]] = {
-    "fig01": schematics.plot_interface,
-    "fig02": schematics.plot_modes,
-}
 CURVE_FIGURES = {
     # dry: from the p-s over the hybrid to the s-s mode
     "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE)),
@@ -67,19 +59,9 @@ CURVE_FIGURES = {
 def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
     """What a figure of curves shows.
 
-    Parameters
-    ----------
-    name : str
-        Of a figure of the paper, its row; any other is that of a scene of one's own.
-    data : PlainDataset
-        Its dataset.
-
-    Returns
-    -------
-    CurveFigure
-        Of a scene of one's own: areas, and shares of the load and the film unless all is dry, over
-        the load, on each surface, with curves that differ in the one condition that varies.  Dry
-        and lubricated contact are told apart beside that.
+    A figure of the paper is its row.  Any other scene of a ``data`` set has areas, and fractions of the
+    load and the film unless all is dry, over the load, on each surface, with curves that differ in
+    the one condition that varies, beside dry and lubricated contact.
 
     Raises
     ------
@@ -88,7 +70,7 @@ def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
     """
     if name in CURVE_FIGURES:
         return CURVE_FIGURES[name]
-    conditions = [curve.condition for curve in shown_curves(data)]
+    conditions = [curve.condition for curve in curves_in(data)]
     levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
     absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
     varying = [axis for axis, none in absent.items() if len(levels[axis] - none) > 1]

@@ -2,211 +2,161 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
+from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from thirdbody.data.schematic import Section
-from thirdbody.figures.sheet.key import draw_key
-from thirdbody.figures.sheet.naming import label, notes, shared_notes
-from thirdbody.figures.sheet.panel import FURNITURE, Panel, panel_figure
+from thirdbody.figures.curves import CELL, add_key, key_title
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.naming import label, shared_notes
+from thirdbody.figures.sections import Section
 
-MODE_EDGES = {"left": 0.03, "right": 0.97, "bottom": 0.03, "top": 0.89}
-INTERFACE_SIZE = (7.0, 3.0)  # of figure 1 [inches]
-INTERFACE_BOX = (0.02, 0.03, 0.96, 0.88)
-SCALE_BAR = 1e-6  # [m]
+INTERFACE, INTERFACE_MARGINS = (7.0, 3.1), (0.1, 0.1, 0.1, 0.3)  # cell of figure 1 [inches]
+MODE, MODE_MARGINS = CELL, (0.1, 0.1, 0.1, 0.3)  # of figure 2
+KEY_INCHES = 0.55  # below figure 1
 MICROMETRE = 1e-6
 
 SURFACE_1, SURFACE_2, LUBRICANT, NO_LUBRICANT = "0.83", "0.70", "#D6ECF8", "white"
-FREE = {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7}
-BEARING = {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8}
+FREE = {"markerfacecolor": "#F6D58A", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
+CARRYING = {"markerfacecolor": "C4", "markeredgecolor": "C1", "markeredgewidth": 1.8}
 TOUCHING = {"color": "C1", "linewidth": 3.2, "solid_capstyle": "butt"}
 OUTLINE = {"color": "0.2", "linewidth": 0.8}
-MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3)), "label": FURNITURE}
-LEADER = {"color": "0.2", "linewidth": 0.6, "label": FURNITURE}
-ARROW = {"color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-
+MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
+SPAN = {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+PUSH = SPAN | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
+BOX = {"marker": "s", "markeredgecolor": "0.2", "markeredgewidth": 0.7}
+KEY = {
+    "surface 1": BOX | {"markerfacecolor": SURFACE_1},
+    "surface 2": BOX | {"markerfacecolor": SURFACE_2},
+    "lubricant": BOX | {"markerfacecolor": LUBRICANT},
+    "particle that carries load": CARRYING | {"marker": "o"},
+    "free particle": FREE | {"marker": "o"},
+}
 # the modes of figure 2 in the order of its panels
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
 
 
-def plot_interface(sections: Sequence[Section]) -> Figure:
-    """Figure 1: the lubricated three-body interface.
-
-    Parameters
-    ----------
-    sections : sequence of Section
-        The one to draw.
+def plot_interface(sections: Sequence[Section]) -> Drawing:
+    """Figure 1: one section of the lubricated three-body interface.
 
     Raises
     ------
     ValueError
-        Where there is no lubricant or there are no particles.
+        If there is no lubricant or there are no particles.
     """
     (section,) = sections
     state, condition = section.state, section.state.condition
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
-    figure = Figure(figsize=INTERFACE_SIZE)
-    panel = figure.add_axes(Panel(figure, INTERFACE_BOX, "A", "position", "height"))
-    draw_section(panel, section)
-    facts = f"d = {state.separation / MICROMETRE:.2f} µm, Lₛ = {state.solid_load_fraction:.0%}"
-    title = ", ".join((*notes(condition), facts))
-    panel.write(0.0, 1.0, title, y_points=4, va="bottom")
-    panel.write(1.0, 1.0, "lengths and heights to one scale", y_points=4, va="bottom", ha="right")
-    _name_parts(panel, section)
-    return figure
+    figure = grid_of_axes(1, INTERFACE, INTERFACE_MARGINS, columns=1, below=KEY_INCHES)
+    (axes,) = figure.axes
+    facts = f"d = {state.separation / MICROMETRE:.2f} µm, $L_s$ = {state.solid_load_fraction:.0%}"
+    panel = _panel("A", ", ".join((*shared_notes([condition]), facts)), section)
+    axes.set_title(panel.title, loc="left")
+    _draw_section(axes, section)
+    _draw_arrows(axes, section)
+    add_key(figure, _entries(KEY), "", beside=False)
+    return Drawing(figure, (panel,))
 
 
-def plot_modes(sections: Sequence[Section]) -> Figure:
-    """Figure 2: the s-s, p-s and hybrid modes.
-
-    Parameters
-    ----------
-    sections : sequence of Section
-        One in each of ``MODES``, in this order.
+def plot_modes(sections: Sequence[Section]) -> Drawing:
+    """Figure 2: a section in each of ``MODES``, in this order.
 
     Raises
     ------
     ValueError
-        Where the model finds another mode than the panel is to show.
+        If the model finds another mode than the panel is to show.
     """
-    figure = panel_figure([("position", "height")] * len(MODES), MODE_EDGES)
+    figure = grid_of_axes(len(MODES), MODE, MODE_MARGINS)
     common = shared_notes([section.state.condition for section in sections])
-    for panel, section, mode in zip(figure.axes, sections, MODES, strict=True):
+    panels = []
+    for letter, axes, section, mode in zip("ABC", figure.axes, sections, MODES, strict=True):
         state, condition = section.state, section.state.condition
         if state.contact_mode != mode:
             raise ValueError(
-                f"figure 2{panel.letter} shows the {mode} mode; at its conditions "
+                f"figure 2{letter} shows the {mode} mode; at its conditions "
                 f"({label(condition)}) the model finds {state.contact_mode}"
             )
-        draw_section(panel, section)
-        own = (text for text in notes(condition) if text not in common)
-        panel.add_title(", ".join((MODES[mode], *own)))
+        own = (text for text in shared_notes([condition]) if text not in common)
+        panels.append(_panel(letter, ", ".join((MODES[mode], *own)), section))
+        _draw_section(axes, section)
+        title_axes(axes, panels[-1])
         facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
-        facts += f"Aₛₐ,ₜ* = {state.particle_contact_area_ratio:.2f}"
-        panel.write(0.03, 0.96, facts, va="top")
-    draw_key(figure, "lengths and heights to one scale", ", ".join(common), _mode_key())
-    return figure
+        facts += f"$A_{{sa,t}}^*$ = {state.particle_contact_area_ratio:.2f}"
+        axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
+    title = key_title("lengths and heights to one scale", common)
+    looks = {text: look for text, look in KEY.items() if text != "lubricant"}
+    add_key(figure, _entries(looks), title, beside=True)
+    return Drawing(figure, tuple(panels))
 
 
-def _mode_key():
-    round_mark = {"linestyle": "none", "marker": "o", "markersize": 9.0}
-    marks = [
-        round_mark
-        | {"markerfacecolor": style["facecolor"], "markeredgecolor": style["edgecolor"]}
-        | {"markeredgewidth": style["linewidth"]}
-        for style in (BEARING, FREE)
+def _entries(looks) -> list[Line2D]:
+    """Entries of the key."""
+    entries = [
+        Line2D([], [], label=text, linestyle="none", markersize=9.0, **look)
+        for text, look in looks.items()
     ]
-    square = {"linestyle": "none", "marker": "s", "markersize": 9.0, "markeredgecolor": "0.2"}
-    return [
-        ("surface 1", square | {"markerfacecolor": SURFACE_1}),
-        ("surface 2", square | {"markerfacecolor": SURFACE_2}),
-        ("contact of summits", TOUCHING),
-        ("particle that bears load", marks[0]),
-        ("free particle", marks[1]),
-    ]
+    return [*entries, Line2D([], [], label="contact of summits", **TOUCHING)]
 
 
-def draw_section(panel: Panel, section: Section) -> None:
-    """Fill ``panel`` with the section, lengths and heights to one scale."""
-    state = section.state
-    length = section.position[-1]
-    width, height = panel.bbox.size
-    reach = 0.5 * length * height / width
-    bottom, top = 0.5 * state.separation - reach, 0.5 * state.separation + reach
-    panel.set(xlim=(0.0, length), ylim=(bottom, top))
-    panel.spines[:].set_visible(True)
-    panel.patch.set_facecolor(NO_LUBRICANT if state.condition.is_dry else LUBRICANT)
-    _draw_body(panel, section.position, section.upper, top, "surface 1", SURFACE_1)
-    _draw_body(panel, section.position, section.lower, bottom, "surface 2", SURFACE_2)
-    _draw_particles(panel, section.particles)
+def _panel(letter, title, section) -> Panel:
+    """The lines of a section: surfaces, the contact of summits, outlines of particles."""
+    lines = {"surface 1": section.upper, "surface 2": section.lower}
     if section.touches.any():
-        contact = np.where(section.touches, section.lower, np.nan)
-        panel.add_line(Line2D(section.position, contact, label="contact of summits", **TOUCHING))
-    _draw_scale_bar(panel, length, bottom, top)
+        lines["contact of summits"] = np.where(section.touches, section.lower, np.nan)
+    series = [Series(CURVE, name, section.position, heights) for name, heights in lines.items()]
+    for particle in section.particles:
+        state = "carries load" if particle.carries_load else "free"
+        name = f"particle of {particle.diameter:.4g} m; {state}"
+        series.append(Series(CURVE, name, *_outline(particle)))
+    return Panel(letter, title, "position", "height", tuple(series))
 
 
-def _draw_body(panel, position, heights, end, name, colour):
-    """The solid between its surface at ``heights`` and the edge of the panel at ``end``."""
-    panel.fill_between(position, heights, end, color=colour, linewidth=0, label=FURNITURE)
-    panel.add_line(Line2D(position, heights, label=name, **OUTLINE))
-
-
-def _draw_particles(panel, particles):
-    """Undeformed particles, which dent the surfaces where they are held."""
+def _outline(particle):
+    """Circle of an undeformed particle, which dents the surfaces where it is held."""
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
-    circle = np.column_stack((np.cos(angle), np.sin(angle)))
-    looks = [BEARING if p.bears_load else FREE for p in particles]
-    states = ["bears load" if p.bears_load else "free" for p in particles]
-    panel.add_outlines(
-        [(p.position, p.height) + 0.5 * p.diameter * circle for p in particles],
-        [f"particle of {p.diameter:.4g} m; {s}" for p, s in zip(particles, states, strict=True)],
-        **{f"{name}s": [look[name] for look in looks] for name in FREE},
-        zorder=2.5,
-    )
+    radius = 0.5 * particle.diameter
+    return particle.position + radius * np.cos(angle), particle.height + radius * np.sin(angle)
 
 
-def _draw_scale_bar(panel, length, bottom, top):
-    end, height = 0.97 * length, bottom + 0.05 * (top - bottom)
-    start = end - SCALE_BAR
-    bar = {"color": "black", "linewidth": 2.0, "label": FURNITURE}
-    panel.add_line(Line2D([start, end], [height, height], **bar))
-    text = f"{SCALE_BAR / MICROMETRE:g} µm  "
-    panel.text(start, height, text, ha="right", va="center")
-
-
-def _name_parts(panel, section):
-    """Write what is what into figure 1."""
-    length, d = section.position[-1], section.state.separation
-    bottom, top = panel.get_ylim()
-    above, below = 0.55 * top + 0.45 * d, 0.55 * bottom
-    for height, name in ((above, "surface 1"), (below, "surface 2")):
-        panel.text(0.04 * length, height, name, va="center")
-    lubricant = _open_place(section)
-    _point_out(panel, "lubricant", (lubricant[0], above), [lubricant], SURFACE_1)
-    name = 0.68 * length, below
-    near = sorted(section.particles, key=lambda particle: abs(particle.position - name[0]))[:2]
-    _point_out(panel, "particles", name, [(p.position, p.height) for p in near], SURFACE_2)
-    if section.touches.any():
-        middle = np.flatnonzero(section.touches).mean().astype(int)
-        contact = section.position[middle], section.lower[middle]
-        _point_out(panel, "contact of summits", (contact[0], below), [contact], SURFACE_2)
-    _draw_arrows(panel, length, d)
-
-
-def _draw_arrows(panel, length, separation):
-    """The separation between the mean planes, and the load on both surfaces."""
-    for height in (0.0, separation):
-        panel.axhline(height, **MEAN_PLANE)
-    place = 0.03 * length
-    span = ARROW | {"arrowstyle": "<|-|>"}
-    panel.annotate("", (place, 0.0), (place, separation), arrowprops=span)
-    panel.text(place, 0.5 * separation, "  d", style="italic", va="center")
-    bottom, top = panel.get_ylim()
-    push = ARROW | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
-    for end, start in ((0.5 * (separation + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
-        panel.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=push)
-        panel.text(0.5 * length, 0.5 * (start + end), "   Fₜ", style="italic", va="center")
-
-
-def _open_place(section):
-    """Middle of the gap where it is widest, beside particles, arrows and the name of a surface."""
+def _draw_section(axes: Axes, section: Section) -> None:
+    """Draw a section, lengths and heights to one scale."""
     position, length = section.position, section.position[-1]
-    free = (position > 0.2 * length) & (position < 0.95 * length)
-    taken = [(0.5 * length, 0.1 * length)]
-    taken += [(p.position, 0.5 * p.diameter) for p in section.particles]
-    for place, reach in taken:
-        free &= np.abs(position - place) > reach
-    widest = int(np.where(free, section.upper - section.lower, 0.0).argmax())
-    return position[widest], 0.5 * (section.lower + section.upper)[widest]
+    box = axes.get_window_extent()
+    middle, reach = 0.5 * section.state.separation, 0.5 * length * box.height / box.width
+    axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
+    axes.set_facecolor(NO_LUBRICANT if section.state.condition.is_dry else LUBRICANT)
+    bodies = (section.upper, middle + reach, SURFACE_1), (section.lower, middle - reach, SURFACE_2)
+    for heights, edge, colour in bodies:
+        axes.fill_between(position, heights, edge, color=colour, linewidth=0)
+        axes.plot(position, heights, **OUTLINE)
+    for particle in section.particles:
+        colour, edge, width = (CARRYING if particle.carries_load else FREE).values()
+        look = {"facecolor": colour, "edgecolor": edge, "linewidth": width}
+        axes.fill(*_outline(particle), **look, zorder=2.5)
+    axes.plot(position, np.where(section.touches, section.lower, np.nan), **TOUCHING)
+    height, end = middle - 0.9 * reach, 0.97 * length
+    axes.plot([end - MICROMETRE, end], [height, height], color="black", linewidth=2.0)
+    axes.text(end - MICROMETRE, height, "1 µm  ", ha="right", va="center")
 
 
-def _point_out(panel, name, place, targets, ground):
-    """Write ``name`` at ``place``, on the colour ``ground``, with a thin line to each target."""
-    for target in targets:
-        panel.add_line(Line2D(*zip(place, target, strict=True), zorder=2.7, **LEADER))
-    box = {"facecolor": ground, "linewidth": 0, "pad": 2}
-    panel.text(*place, name, bbox=box, ha="center", va="center")
+def _draw_arrows(axes, section):
+    """The separation of the mean planes, and the load on both surfaces."""
+    length, d = section.position[-1], section.state.separation
+    for height in (0.0, d):
+        axes.axhline(height, **MEAN_PLANE)
+    place = 0.03 * length
+    axes.annotate("", (place, 0.0), (place, d), arrowprops=SPAN)
+    axes.text(place, 0.5 * d, "  $d$", va="center")
+    bottom, top = axes.get_ylim()
+    for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=PUSH)
+        axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
+
+
+SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {
+    "fig01": plot_interface,
+    "fig02": plot_modes,
+}

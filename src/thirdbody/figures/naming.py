@@ -23,10 +23,13 @@ def power_text(value: float) -> str:
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
 
 
-def parameter_title(parameter: str) -> str:
-    """Title of a key whose curves differ in ``parameter``, with its sign and unit.
+def unit_text(parameter: str) -> str:
+    """Engineering unit of one of the four conditions."""
+    return AXES[parameter].unit.translate(SUPERSCRIPTS)
 
-    ``parameter`` is one of the four conditions, or the ``diameter_ratio``.
+
+def parameter_title(parameter: str) -> str:
+    """Title of a key whose curves differ in ``parameter``: a condition, or the ``diameter_ratio``.
 
     Examples
     --------
@@ -35,21 +38,20 @@ def parameter_title(parameter: str) -> str:
     """
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
-    axis = AXES[parameter]
-    name = axis.name.replace("_", " ").capitalize()
-    return f"{name} {axis.sign} ({axis.unit.translate(SUPERSCRIPTS)})"
+    name = parameter.replace("_", " ").capitalize()
+    return f"{name} {AXES[parameter].sign} ({unit_text(parameter)})"
 
 
 def value_text(parameter: str, value: float) -> str:
     """``value`` [SI] of ``parameter`` in the unit of its title."""
-    if parameter == "particle_density":
+    if parameter in ("particle_density", "load") and value:
         return power_text(value)
-    shown = AXES[parameter].from_si(value) if parameter in AXES else value
-    return f"{shown:.10g}"
+    number = AXES[parameter].from_si(value) if parameter in AXES else value
+    return f"{number:.10g}"
 
 
 def note(parameter: str, value: float) -> str:
-    """``value`` [SI] of a condition with its sign and unit.
+    """``value`` [SI] of a condition with its symbol and unit.
 
     Examples
     --------
@@ -58,19 +60,18 @@ def note(parameter: str, value: float) -> str:
     """
     if parameter == "viscosity" and value == 0.0:
         return "dry"
-    axis = AXES[parameter]
-    return f"{axis.sign} = {value_text(parameter, value)} {axis.unit.translate(SUPERSCRIPTS)}"
-
-
-def notes(condition: Condition) -> list[str]:
-    """Each of the four conditions by itself."""
-    return [note(name, getattr(condition, name)) for name in NOTED]
+    unit = "" if parameter == "load" else f" {unit_text(parameter)}"
+    return f"{AXES[parameter].sign} = {value_text(parameter, value)}{unit}"
 
 
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
     """The notes that all of ``conditions`` with particles have in common."""
-    columns = zip(*(notes(one) for one in conditions if not one.is_two_body), strict=True)
-    return [column[0] for column in columns if len(set(column)) == 1]
+    rows = [
+        [note(name, getattr(one, name)) for name in NOTED]
+        for one in conditions
+        if not one.is_two_body
+    ]
+    return [column[0] for column in zip(*rows, strict=True) if len(set(column)) == 1]
 
 
 def label(condition: Condition) -> str:

@@ -1,4 +1,4 @@
-"""The curves that a dataset shows: not every combination of its axes belongs to the figure."""
+"""The curves of a dataset: not every combination of its axes belongs to the figure."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import shown_combinations
-from thirdbody.figures.sheet.naming import label
+from thirdbody.figures.naming import label
 
 AREA = "total_contact_area"
 AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"
@@ -25,7 +25,7 @@ class Curve:
 
     @property
     def label(self) -> str:
-        """What the file of the drawn data calls it."""
+        """Name in the file of the drawn data."""
         return label(self.condition)
 
     def values(self, data: PlainDataset, name: str) -> NDArray[np.float64]:
@@ -33,9 +33,14 @@ class Curve:
         values = data[name].values
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
+    def at(self, data: PlainDataset, name: str, load: float) -> float:
+        """The variable ``name`` at a ``load``, interpolated over its logarithm."""
+        loads = np.log(data["load"].values)
+        return float(np.interp(np.log(load), loads, self.values(data, name)))
 
-def shown_curves(data: PlainDataset) -> list[Curve]:
-    """The curves that ``data`` shows, in the order of its axes."""
+
+def curves_in(data: PlainDataset) -> list[Curve]:
+    """The curves of ``data``, in the order of its axes."""
     axes = [data[name].values for name in Condition._fields]
     return [
         Curve(
@@ -53,7 +58,7 @@ def with_relative_area(data: PlainDataset) -> PlainDataset:
     """
     if AREA not in data:
         return data
-    curves = shown_curves(data)
+    curves = curves_in(data)
     references = {
         curve.condition.roughness: curve.values(data, AREA)
         for curve in curves

@@ -1,0 +1,146 @@
+"""A drawing: a figure, the data that it shows panel by panel, and the files written of both."""
+
+from __future__ import annotations
+
+import csv
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from thirdbody.data.conditions import Condition
+from thirdbody.data.files import whole
+from thirdbody.data.tables import DRAWN_POINTS
+
+if TYPE_CHECKING:
+    from thirdbody.figures.captions import Caption
+
+STYLE = Path(__file__).with_name("paper.mplstyle")
+# without dates, so that the same figure gives the same bytes
+FORMATS = {
+    "svg": {"metadata": {"Date": None}},
+    "pdf": {"metadata": {"CreationDate": None}},
+    "png": {"metadata": {"Software": None}, "pil_kwargs": {"compress_level": 1}},
+}
+SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
+CURVE = "curve"
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """Points [SI] that a panel shows under one name, and the condition of the curve that they are or
+    belong to.  Their kind is ``CURVE``, "band", "turning points", "printed", ..."""
+
+    kind: str
+    name: str
+    x: NDArray[np.float64]
+    y: NDArray[np.float64]
+    condition: Condition | None = None
+
+    @property
+    def label(self) -> str:
+        """Name in the file of the drawn data."""
+        if self.kind == CURVE:
+            return self.name
+        return f"{self.kind}; {self.name}" if self.name else self.kind
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """A panel: its letter and title, the names of the quantities on its axes, and what it shows."""
+
+    letter: str
+    title: str
+    x: str
+    y: str
+    series: tuple[Series, ...]
+
+    @property
+    def is_over_sizes(self) -> bool:
+        """Whether it shows turning points over x_a/σ."""
+        return self.x == "diameter_ratio"
+
+    def of_kind(self, kind: str) -> list[Series]:
+        """The series of one kind."""
+        return [one for one in self.series if one.kind == kind]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """A figure and its panels, in the order of ``figure.axes``."""
+
+    figure: Figure
+    panels: tuple[Panel, ...]
+
+
+def grid_of_axes(
+    count: int,
+    cell: tuple[float, float],
+    margins: tuple[float, float, float, float],
+    columns: int = 2,
+    below: float = 0.0,
+) -> Figure:
+    """A figure with axes in rows.
+
+    Each has a ``cell`` of this width and height, with ``margins`` left, right, below and above it; there
+    is room ``below`` all [inches].  Margins are fixed: to find them from the texts takes longer
+    than to draw.
+    """
+    (width, height), (left, right, bottom, top) = cell, margins
+    rows = math.ceil(count / columns)
+    size = columns * width, rows * height + below
+    figure = Figure(figsize=size)
+    for place in range(count):
+        row, column = divmod(place, columns)
+        x, y = column * width + left, below + (rows - 1 - row) * height + bottom
+        inches = np.array([x, y, width - left - right, height - bottom - top])
+        figure.add_axes(tuple(inches / (*size, *size)))
+    return figure
+
+
+def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
+    """Write the letter and the title of a panel ``pad`` points above its axes."""
+    axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
+
+
+def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md.
+
+    Raises
+    ------
+    OSError
+        If there is no room or no right to write.
+    """
+    if drawing.figure.get_layout_engine() is not None:
+        drawing.figure.get_layout_engine().execute(drawing.figure)
+        drawing.figure.set_layout_engine(None)  # once for all formats
+    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
+        for image, kind in zip(images, FORMATS, strict=True):
+            save_image(drawing.figure, image, kind)
+        write_points(drawing.panels, data)
+        Path(text).write_text(caption.markdown(), encoding="utf-8")
+
+
+def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
+    """Write a figure as one of ``FORMATS``: the same figure gives the same bytes."""
+    figure.savefig(path, format=kind, **FORMATS[kind])
+
+
+def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
+    """Write every point drawn as a row of ``DRAWN_POINTS``, in SI, with ten significant digits."""
+    with open(path, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(column.name for column in DRAWN_POINTS)
+        for panel in panels:
+            for series in panel.series:
+                known = np.isfinite(series.x) & np.isfinite(series.y)
+                for x, y in zip(series.x[known], series.y[known], strict=True):
+                    x_y = panel.x, f"{x:.10g}", panel.y, f"{y:.10g}"
+                    writer.writerow((panel.letter, series.label, *x_y))

@@ -1,0 +1,120 @@
+"""How each quantity stands on an axis: title, label, unit, scale, and the limits of regimes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
+
+from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.figures.naming import parameter_title, power_text
+from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+
+POWERS = FuncFormatter(lambda value, _: power_text(value))
+NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
+
+
+@dataclass(frozen=True)
+class Scale:
+    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI.
+
+    A quantity with ``limits`` between regimes or contact modes, and ``zones``, the names of these from
+    below, is a fraction.
+    """
+
+    title: str
+    label: str
+    logarithmic: bool = False
+    unit: float = 1.0
+    limits: tuple[float, ...] = ()
+    zones: tuple[str, ...] = ()
+
+    @property
+    def is_fraction(self) -> bool:
+        """Whether the quantity runs from 0 to 1."""
+        return bool(self.limits)
+
+
+MODES = {"limits": (SURFACE_LIMIT, PARTICLE_LIMIT), "zones": ("s-s", "hybrid", "p-s")}
+REGIMES = {"limits": (FULL_FILM_LIMIT, BOUNDARY_LIMIT), "zones": ("F.L.", "M.L.", "B.L.")}
+SCALES = {
+    "load": Scale("Dimensionless normal load", "$F_t^*$", logarithmic=True),
+    "normal_load": Scale("Normal load", "Normal load $F_t$ (N)", logarithmic=True),
+    "total_contact_area": Scale("Real contact area", "$A_t^*$", logarithmic=True),
+    "particle_contact_area_ratio": Scale(
+        "Contact area ratio of particles", "$A_{sa,t}^*$", **MODES
+    ),
+    "solid_load_fraction": Scale("Load percentage of solid", "$L_s$ (%)", unit=0.01, **REGIMES),
+    "film_thickness": Scale("Film thickness", "$H_c$ ($10^{-4}$)", unit=1e-4),
+    "total_contact_area_over_two_body": Scale(
+        "Area over that of dry two-body contact", "$A_t^*$ over dry two-body"
+    ),
+    "largest_particle_diameter": Scale(
+        "Largest particle out of the p-s mode", "$x_a$ (nm)", logarithmic=True, unit=1e-9
+    ),
+    "least_viscosity": Scale(
+        "Least viscosity out of boundary lubrication", "$ν$ (cSt)", logarithmic=True, unit=1e-6
+    ),
+    "diameter_ratio": Scale("Ratio of particle diameter to roughness", r"$x_a/\sigma$"),
+    "turning_point_ratio": Scale(
+        "Where turning points occur", "$A_{sa,t}^*$ at the turning point", **MODES
+    ),
+} | {
+    axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
+    for axis in CONDITION_AXES
+}
+
+
+def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
+    """Set scales, ticks, labels and limits of axes in which all data have been drawn.
+
+    ``x`` and ``y`` are quantities of ``SCALES``.  With ``newtons_per_load``, F_t/F_t* [N], an axis of
+    loads has newtons at the upper edge.
+    """
+    axes.margins(x=0.02, y=0.04)
+    limits = axes.dataLim
+    for axis, name, (low, high) in (
+        (axes.xaxis, x, limits.intervalx),
+        (axes.yaxis, y, limits.intervaly),
+    ):
+        scale = SCALES[name]
+        axis.set_label_text(scale.label)
+        spreads = 0.0 < 3.0 * low < high if scale.logarithmic else 0.0 < 10.0 * low < high
+        logarithmic = spreads and (scale.logarithmic or axis is axes.xaxis)
+        if logarithmic:
+            axes.set(**{f"{axis.axis_name}scale": "log"})
+            axis.set_major_formatter(POWERS)
+            axis.set_minor_locator(LogLocator(subs=(2.0, 5.0)))
+            axis.set_minor_formatter(POWERS if high < 20.0 * low else NullFormatter())
+        if scale.unit != 1.0:
+            axis.set_major_formatter(lambda value, _, unit=scale.unit: f"{value / unit:g}")
+            if logarithmic:
+                axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+                axis.set_minor_locator(NullLocator())
+    if SCALES[y].is_fraction:
+        highest = axes.dataLim.y1
+        top = highest if 0.0 < highest < 0.5 else 1.0
+        axes.set_ylim(-0.08 * top, 1.08 * top)
+        _draw_limits(axes, SCALES[y])
+    if x == "load" and newtons_per_load is not None:
+        functions = (lambda load: load * newtons_per_load, lambda force: force / newtons_per_load)
+        top = axes.secondary_xaxis("top", functions=functions)
+        top.xaxis.set_major_formatter(NEWTONS)
+        top.xaxis.set_minor_locator(NullLocator())
+
+
+def _draw_limits(axes, scale):
+    """Thin lines at the limits of regimes and modes, with their names at the right edge."""
+    low, high = axes.get_ylim()
+    style = {"transform": axes.get_yaxis_transform(), "va": "center", "fontsize": "small"}
+    right = 1.03  # beside a mark at the last load
+    for limit in scale.limits:
+        if low < limit < high:
+            axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
+            axes.text(right, limit, f"{limit / scale.unit:g}", **style)
+    edges = [low, *(min(limit, high) for limit in scale.limits), high]
+    for zone, bottom, top in zip(scale.zones, edges, edges[1:], strict=False):
+        if bottom < top:
+            rotation = 270 if len(zone) > 4 else 0
+            axes.text(right, 0.5 * (bottom + top), zone, rotation=rotation, **style)
