@@ -4,6 +4,7 @@ from pathlib import Path
 
 import matplotlib.style
 import numpy as np
+import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
@@ -47,12 +48,11 @@ def rows(statements):
             verdict = verdicts.CONTRADICTED
         elif 3.0 < score < 3.5:
             verdict = verdicts.NOT_TESTED
-        if claim.is_withheld:
-            score, verdict = None, verdicts.WITHHELD
         rows.append(
-            {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
+            {"id": claim.id, "place": claim.place, "verdict": verdict}
             | {
                 "cluster": claim.cluster,
+                "predicted": "holds" if score < 0.5 else "fails",
                 "score": score,
                 "ensemble_agree": 3.0,
                 "ensemble_size": 12.0,
@@ -89,7 +89,7 @@ def test_statements_that_do_not_hold_are_named(rows, figure):
     for row in rows:
         tail = row["id"].split("-", 1)[-1]
         named = any(name.endswith(tail) for name in names)
-        assert named or row["verdict"] in (verdicts.HOLDS, verdicts.WITHHELD)
+        assert named or row["verdict"] == verdicts.HOLDS
 
 
 def test_counts_stand_beside_their_part(rows, figure):
@@ -106,20 +106,18 @@ def test_counts_stand_beside_their_part(rows, figure):
 
 
 def test_the_page_counts_by_the_parts_that_the_figure_draws(rows):
-    counted = verdicts.counts(rows, "figure")
-    assert [row.pop("figure") for row in counted] == list(claims._groups(rows))
-    assert sum(row[word] for row in counted for word in claims.COLOURS) == len(rows)
-    by_role = {
-        row["role"]: sum(row[word] for word in claims.COLOURS)
-        for row in verdicts.counts(rows, "role")
-    }
-    assert by_role == {role: sum(row["role"] == role for row in rows) for role in by_role}
+    counted = verdicts.counts_by_figure(pd.DataFrame(rows))
+    assert counted["figure"].tolist() == list(claims._groups(rows))
+    assert counted[list(claims.COLOURS)].to_numpy().sum() == len(rows)
 
 
-def test_every_verdict_and_role_has_its_look():
-    words = verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED
-    assert list(claims.COLOURS) == [*words, verdicts.CONTRADICTED, verdicts.WITHHELD]
-    assert claims.MARKERS.keys() == {"calibration", "validation", "withheld"}
+def test_a_statement_that_is_not_predicted_is_a_diamond(rows, figure):
+    diamonds = set()
+    for panel in figure.axes:
+        for line in panel.lines:
+            if line.get_marker() == claims.OTHER_MARKER:
+                diamonds |= set(line.names)
+    assert diamonds == {row["id"] for row in rows if row["predicted"] == "fails"}
 
 
 def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):

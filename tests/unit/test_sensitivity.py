@@ -10,15 +10,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import read_schema, validate
-from thirdbody.curves.transitions import LIMITS, transitions
-from thirdbody.data.conditions import Condition
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.figures.sheet.saving import drawn_points
-from thirdbody.solver.solve import solve
-from thirdbody.study.checks import Curve
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Curve
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -74,14 +69,6 @@ def test_an_input_at_its_upper_bound_is_stepped_inwards():
     assert error.max() < 1e-4
 
 
-def test_error_of_an_elasticity_shows_a_function_that_is_not_smooth():
-    def kinked(changes):
-        return np.array([1.0 + abs(changes["first"] / INPUTS["first"] - 1.0001)])
-
-    _, error = elasticities(kinked, np.array([1.0001]), {"first": INPUTS["first"]})
-    assert error > 0.01
-
-
 def test_outputs_that_do_not_occur_have_no_elasticity():
     def values(changes):
         return np.append(power_laws(changes), np.nan)
@@ -89,16 +76,6 @@ def test_outputs_that_do_not_occur_have_no_elasticity():
     found, error = elasticities(values, values({}), INPUTS)
     assert np.isnan(found[-1]).all() and np.isnan(error[-1]).all()
     assert np.isfinite(found[:-1]).all()
-
-
-def test_step_balances_both_errors():
-    assert_allclose(FULL_EFFORT.rtol / STEP, STEP**2)
-
-
-def test_inputs_of_zero_are_left_out(parameters):
-    names = ["mean_ratio", "spread_ratio", "summit_parameter_exponent", "gap_ratio"]
-    given = varied_inputs(parameters, names)
-    assert given == {"spread_ratio": 1.6, "summit_parameter_exponent": -0.8}
 
 
 def curve_of(solid_fraction, particle_ratio, load):
@@ -137,23 +114,6 @@ def test_a_crossing_next_to_a_bend_is_found_from_the_side_where_the_share_is_kno
     assert np.isnan(found[2:]).all()
 
 
-def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
-    loads = np.geomspace(0.04, 80.0, FULL_EFFORT.loads) / parameters.newtons_per_load
-    condition = subject.transitions[0]
-    solved = solve(load=loads, **Condition(*condition)._asdict(), parameters=parameters)
-    curve = curve_of(solved.solid_load_fraction, solved.particle_contact_area_ratio, loads)
-    column = np.array(condition)[:, None]
-    compared = 0
-    for (quantity, level), found in zip(LIMITS, last_crossings(curve), strict=True):
-        values = {quantity: getattr(solved, quantity)[:, None]}
-        limits = [(quantity, level)]
-        _, _, exact, _, _ = transitions(loads, values, column, parameters, 1e-9, limits)
-        if exact.size:
-            compared += 1
-            assert_allclose(found, exact.max(), rtol=1e-5)
-    assert compared
-
-
 def test_values_belong_to_their_outputs(subject, parameters):
     values = subject.values(parameters, QUICK_EFFORT)
     outputs = subject.outputs
@@ -180,15 +140,6 @@ def test_what_cannot_respond_does_not(subject, parameters):
     assert_allclose(found.error, 0.0, atol=1e-3)
 
 
-def test_local_search_follows_the_end_of_a_window(subject, parameters):
-    one = replace(subject, turning_points=(), transitions=(), window_roughness=(300e-9,))
-    base = one.values(parameters, FULL_EFFORT)
-    searches = one.local_searches(base)
-    assert_allclose(one.values(parameters, FULL_EFFORT, searches), base, rtol=1e-3)
-    (unknown,) = one.local_searches(np.array([np.nan, np.nan]))
-    assert unknown is FULL_EFFORT.window
-
-
 @pytest.mark.parametrize("input_name", ["spread_ratio", "apparent_area", "summit_radius"])
 def test_loads_about_the_results_give_the_results_of_all_loads(subject, parameters, input_name):
     few = replace(subject, window_roughness=())
@@ -203,15 +154,6 @@ def test_loads_about_the_results_give_the_results_of_all_loads(subject, paramete
     assert few.local_places(np.full_like(base, np.nan), parameters).tolist() == ends
 
 
-def test_response_surface_knows_its_own_kind():
-    rng = np.random.default_rng(1)
-    terms = quadratic_terms(rng.uniform(-1.0, 1.0, (80, 4)))
-    coefficients = rng.normal(size=terms.shape[1])
-    surface = ResponseSurface(terms, np.exp(terms @ coefficients))
-    assert surface.unexplained < 1e-20
-    assert_allclose(surface(terms), np.exp(terms @ coefficients))
-
-
 def test_response_surface_tells_what_it_misses():
     rng = np.random.default_rng(2)
     positions = rng.uniform(-1.0, 1.0, (400, 3))
@@ -221,13 +163,6 @@ def test_response_surface_tells_what_it_misses():
     wanted = fresh[:, 0] + 0.5 * np.sign(fresh[:, 1] * fresh[:, 2] - 0.3)
     residual = wanted - np.log(surface(quadratic_terms(fresh)))
     assert_allclose(surface.unexplained, residual.var() / wanted.var(), rtol=0.25)
-
-
-def test_response_surface_refuses_too_few_sets():
-    terms = quadratic_terms(np.random.default_rng(3).uniform(-1.0, 1.0, (30, 4)))
-    values = np.where(np.arange(30) < 17, 1.0, np.nan)
-    with pytest.raises(ValueError, match="occurs in 17 sets"):
-        ResponseSurface(terms, values)
 
 
 def test_an_input_at_its_bound_is_varied_within_it(parameters):
@@ -254,13 +189,6 @@ def test_total_indices_of_known_variances():
     found, half_width = samples.total_indices(a * b)
     assert (np.abs(found - [1.0, 1.0, 0.0]) <= half_width).all()
     assert (half_width < 0.12).all() and c.size == 1024 * 5
-
-
-def test_sampling_repeats_itself():
-    one, other = (Sampling(["a", "b"], 64, 3) for _ in range(2))
-    values = one.positions @ [1.0, 2.0]
-    assert (one.positions == other.positions).all()
-    assert (one.total_indices(values)[1] == other.total_indices(values)[1]).all()
 
 
 def found_of(subject, inputs):
@@ -317,14 +245,6 @@ def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):
     signs = [t.get_text()[0] == "−" for t in panel.texts if t.get_ha() == "center"]
     assert any(signs)
     assert not all(signs)
-
-
-def test_settings_are_closed():
-    schema = read_schema("sensitivity")
-    validate(SETTINGS, schema, "sensitivity.yaml")
-    for wrong in ({"windows": [100]}, {"load_N": [0.04]}, {"also": ["elastic_depth"]}):
-        with pytest.raises(ValueError, match=next(iter(wrong))):
-            validate(SETTINGS | wrong, schema, "sensitivity.yaml")
 
 
 def test_unpublished_inputs_exist(parameters):

@@ -125,12 +125,10 @@ CAPTIONS = {
         "the statements beyond the line of one tolerance are named.",
     ),
     "fronts": Caption(
-        "What it costs the other statements that one of them holds",
-        "A panel is a chief statement, then one of the validation, which searches do not minimise; a line "
-        "is a reading of the equations. To the left of the vertical line the statement holds; the lower a "
-        "line is there, the better all others are explained together with it. Each line joins the best "
-        "that any evaluation of the searches has found, so that what is really possible lies on it or "
-        "below.",
+        "What the headline numbers cost the other statements",
+        "A panel is a headline number of the paper, a line an interpretation of the equations: the least "
+        "objective of all other statements over the distance from this number. To the left of the vertical "
+        "line the number is met. What is possible lies on a line or below.",
         "Panels with falling steps, one line a reading, and a vertical line at one tolerance.",
     ),
     "sensitivity": Caption(

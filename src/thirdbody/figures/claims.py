@@ -29,9 +29,10 @@ COLOURS = {
     "fails": "C1",
     "not tested": "C3",
     "contradicted by the paper itself": "C4",
-    "value withheld": "0.45",
 }
-MARKERS = {"calibration": "o", "validation": "D", "withheld": "x"}
+# marker by the verdict when the figure of a statement is left out of the search
+MARKERS = {"holds": "o", "": "o"}
+OTHER_MARKER = "D"
 # distance from the paper in tolerances; a score is that up to 1, and 1 + ln(distance) beyond
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)
 PREFIX = re.compile(r"fig0?(\d+)|conclusion|abstract-")  # of the statements' ids, before a panel
@@ -47,8 +48,9 @@ def plot(rows: Sequence[Mapping]) -> Figure:
 
     Notes
     -----
-    Colour tells the verdict, the marker the role and, if hollow, that the ensemble of inputs is
-    divided; statements that do not hold are named.
+    The colour is the verdict; a diamond is a statement that does not hold when its figure is left out
+    of the search for inputs; a hollow marker is one on which the ensemble of inputs is divided.
+    Statements that do not hold are named.
     """
     columns = _halves(_groups(rows))
     lines = max(sum(_height(group) for group in column.values()) for column in columns)
@@ -131,8 +133,8 @@ def _draw_groups(panel, groups):
 
 def _score(row) -> float:
     """Where the marker of ``row`` stands."""
-    withheld = row["score"] is None or math.isnan(row["score"])
-    return NO_SCORE if withheld else min(row["score"], LAST)
+    missing = row["score"] is None or math.isnan(row["score"])
+    return NO_SCORE if missing else min(row["score"], LAST)
 
 
 def _draw_statements(panel, drawn):
@@ -142,8 +144,8 @@ def _draw_statements(panel, drawn):
     for score, line, row in drawn:
         divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
         colour = COLOURS[row["verdict"]]
-        looks.setdefault((MARKERS[row["role"]], colour, divided), []).append((score, line, row))
-        if row["verdict"] not in ("holds", "value withheld"):
+        looks.setdefault((_marker(row), colour, divided), []).append((score, line, row))
+        if row["verdict"] != "holds":
             _write_name(panel, score, line, row)
     size = {"markersize": 3.1, "markeredgewidth": 0.8, "zorder": 2}
     for (marker, colour, divided), alike in looks.items():
@@ -154,6 +156,10 @@ def _draw_statements(panel, drawn):
         look |= {"markerfacecolor": "white"} if divided else {}
         names = [row["id"] for row in rows]
         panel.add_line(NamedPoints(list(zip(scores, lines, strict=True)), names, **look))
+
+
+def _marker(row) -> str:
+    return MARKERS.get(row["predicted"] or "", OTHER_MARKER)
 
 
 def _write_name(panel, score, line, row):
@@ -188,17 +194,15 @@ def _frame(panel, lines):
 
 
 def _draw_key(figure, rows):
-    """Verdicts by colour and roles by marker, each with its number of statements."""
+    """Verdicts by colour, each with its number of statements, and the markers."""
     entries = [
         Line2D([], [], color=colour, marker="s", label=f"{verdict} ({count})")
         for verdict, colour in COLOURS.items()
         if (count := sum(row["verdict"] == verdict for row in rows))
     ]
-    entries += [
-        Line2D([], [], color="black", marker=marker, label=f"{role} ({count})")
-        for role, marker in MARKERS.items()
-        if (count := sum(row["role"] == role for row in rows))
-    ]
+    if count := sum(_marker(row) == OTHER_MARKER for row in rows):
+        label = f"not predicted ({count})"
+        entries.append(Line2D([], [], color="black", marker=OTHER_MARKER, label=label))
     hollow = {"color": "black", "markerfacecolor": "white", "marker": "o"}
     entries.append(Line2D([], [], label="ensemble divided", **hollow))
     for entry in entries:
