@@ -30,7 +30,7 @@ from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.study.calibration import Interpretation, Unknown
-from thirdbody.study.verdicts import counts_by_figure
+from thirdbody.study.verdicts import held_once
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
@@ -42,9 +42,13 @@ ACCURACY = RESULTS / "accuracy"
 
 
 def claims_block() -> str:
-    """Counts of the verdicts by figure."""
+    """Counts of the verdicts."""
     rows = pd.DataFrame(read_csv(RESULTS / "claims" / "claims.csv", TABLES["claims"]))
-    return counts_by_figure(rows).to_markdown(index=False)
+    counts = rows["verdict"].value_counts().to_frame().T
+    held, predicted = held_once(rows), held_once(rows, "predicted")
+    counts["hold, repeats once"] = "{} of {}".format(*held)
+    counts["predicted without their figure"] = "{} of {}".format(*predicted)
+    return counts.to_markdown(index=False)
 
 
 def turning_points_block() -> str:

@@ -20,6 +20,7 @@ from thirdbody.study.verdicts import (
     count_once,
     counts_by_figure,
     headline_table,
+    held_once,
     judge_everything,
     outcome,
     statements_table,
@@ -101,6 +102,8 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
     (row,) = counts.to_dict("records")
     assert row["figure"] == "Figure 4"
     assert row["hold, repeats once"] == "{} of {}".format(*count)
+    as_read = statements_table(judged(main)).replace("", None)  # from a CSV file
+    assert held_once(as_read) == count
 
 
 def test_the_page_has_the_score_and_the_contradictions_apart():

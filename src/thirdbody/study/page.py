@@ -43,7 +43,7 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
     table = statements_table(judged)
     failing = table[table["verdict"] == FAILS]
     failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
-    names = failing["cluster"].where(failing["cluster"] != "", failing["id"])
+    names = failing["cluster"].replace("", None).fillna(failing["id"])
     return (
         _environment(escaped=False)
         .get_template("claims.md.j2")

@@ -391,7 +391,7 @@ def held_once(table: pd.DataFrame, column: str = "verdict") -> tuple[int, int]:
     (1, 2)
     """
     tested = table[table[column].isin([HOLDS, FAILS])]
-    names = tested["cluster"].where(tested["cluster"] != "", tested["id"])
+    names = tested["cluster"].replace("", None).fillna(tested["id"])
     held = (tested[column] == HOLDS).groupby(names).all()
     return int(held.sum()), len(held)
 
