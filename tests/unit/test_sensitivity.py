@@ -10,10 +10,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.figures.sheet.saving import drawn_points
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Curve
+from thirdbody.solver.solve import solve
+from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -78,40 +80,19 @@ def test_outputs_that_do_not_occur_have_no_elasticity():
     assert np.isfinite(found[:-1]).all()
 
 
-def curve_of(solid_fraction, particle_ratio, load):
-    """A curve with these courses; what crossings do not need is filled up."""
-    one = np.ones_like(load)
-    return Curve(
-        load, load, one, particle_ratio, solid_fraction, 1 - solid_fraction, one, one, one > 0
-    )
-
-
-def logistic(x):
-    return 1.0 / (1.0 + np.exp(-x))
-
-
-def test_crossings_of_known_courses():
-    load = np.geomspace(1e-7, 1e-4, 60)
-    x = np.log(load / 1e-5)
-    found = last_crossings(curve_of(logistic(2 * x), logistic(-x), load))
-    wanted = [1e-5 * np.exp(np.log(level / (1 - level)) / 2) for level in (0.9, 0.03)]
-    assert_allclose(found[:2], wanted, rtol=1e-12)
-    # odds of 19 are crossed at x = -2.9; those of 1/19, at x = 2.9, lie beyond the loads
-    assert_allclose(found[2], 1e-5 / 19.0, rtol=1e-12)
-    assert np.isnan(found[3])
-    twice = curve_of(logistic(2 * x), logistic(2.0 - (x + 2.0) ** 2), load)
-    root = np.sqrt(2.0 + np.log(19.0)) - 2.0
-    assert_allclose(last_crossings(twice)[3], 1e-5 * np.exp(root), rtol=1e-5)
-
-
-def test_a_crossing_next_to_a_bend_is_found_from_the_side_where_the_share_is_known():
-    load = np.geomspace(1e-7, 1e-4, 60)
-    x = np.log(load / 1e-5)
-    share = np.where(x < 0.0, 1.0, np.exp(-2.0 * np.maximum(x, 0.0)))  # 0.9 is next to the bend
-    found = last_crossings(curve_of(share, np.full_like(load, 0.5), load))
-    assert_allclose(found[0], 1e-5 / np.sqrt(0.9), rtol=5e-3)
-    assert_allclose(found[1], 1e-5 / np.sqrt(0.03), rtol=1e-6)
-    assert np.isnan(found[2:]).all()
+def test_crossings_are_where_the_limits_are_crossed(subject, parameters):
+    asked = {"curve": set(subject.transitions), "turning_point": set(), "window": set()}
+    evidence = SolvedEvidence(parameters, asked, subject.newtons)
+    found = last_crossings(evidence, subject.transitions)
+    assert np.isfinite(found).any()
+    for condition, loads in zip(subject.transitions, found, strict=True):
+        for (quantity, level), load in zip(LIMITS, loads, strict=True):
+            values = getattr(evidence.curve(*condition), quantity)
+            if np.isnan(load):
+                assert (values > level).all() or (values < level).all()
+            else:
+                solved = solve(load=load, **condition._asdict(), parameters=parameters)
+                assert_allclose(getattr(solved, quantity), level, rtol=1e-6)
 
 
 def test_values_belong_to_their_outputs(subject, parameters):
@@ -138,20 +119,6 @@ def test_what_cannot_respond_does_not(subject, parameters):
     assert_allclose(found.value[:, 1], 0.0, atol=STEP**2)
     assert (np.abs(found.value[:2, 2]) > 0.01).all()
     assert_allclose(found.error, 0.0, atol=1e-3)
-
-
-@pytest.mark.parametrize("input_name", ["spread_ratio", "apparent_area", "summit_radius"])
-def test_loads_about_the_results_give_the_results_of_all_loads(subject, parameters, input_name):
-    few = replace(subject, window_roughness=())
-    base = few.values(parameters, FULL_EFFORT)
-    places = few.local_places(base, parameters)
-    assert places.size < FULL_EFFORT.loads / 2
-    moved = getattr(parameters, input_name) * (1.0 + 2.0 * STEP)
-    changed = replace(parameters, **{input_name: moved})
-    local = few.values(changed, FULL_EFFORT, [], places)
-    assert_allclose(local, few.values(changed, FULL_EFFORT), rtol=1e-9)
-    ends = [0, FULL_EFFORT.loads - 1]
-    assert few.local_places(np.full_like(base, np.nan), parameters).tolist() == ends
 
 
 def test_response_surface_tells_what_it_misses():

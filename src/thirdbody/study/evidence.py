@@ -126,8 +126,6 @@ class SolvedEvidence:
         First and last normal load of every curve [N].
     effort : Effort
         How finely everything is solved.
-    places : slice or array of int
-        Which of the loads are solved; all by default.
 
     Attributes
     ----------
@@ -154,12 +152,11 @@ class SolvedEvidence:
         asked: Mapping[str, set],
         newtons: tuple[float, float],
         effort: Effort = FULL_EFFORT,
-        places: slice | NDArray[np.intp] = slice(None),
     ):
         self.parameters = parameters
         self.effort = effort
         self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
-        self.loads = np.geomspace(*self.load_range, effort.loads)[places]
+        self.loads = np.geomspace(*self.load_range, effort.loads)
         self._asked = asked
 
     def curve(self, *condition: float) -> Curve:

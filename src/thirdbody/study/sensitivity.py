@@ -13,10 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BarycentricInterpolator
-from scipy.special import logit
 
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES, Condition
@@ -25,7 +23,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import (
     FULL_EFFORT,
     WINDOW_DENSITY,
-    Curve,
     Effort,
     SolvedEvidence,
 )
@@ -37,11 +34,6 @@ CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
 # Share of a window's end, to either side, within which it is sought again for changed inputs.
 REACH = 0.01
-SIDE = 2  # points on each side of a crossing between which it is interpolated
-# By how many places these points move where some cannot be used, next to a bend
-SHIFTS = (0, 1, -1, 2, -2)
-# Loads on each side of a result that are solved again for changed inputs: it stays among them.
-AROUND = 6
 
 
 class Output(NamedTuple):
@@ -104,12 +96,10 @@ class Subject:
         parameters: Parameters,
         effort: Effort,
         searches: Sequence[WindowSearch] | None = None,
-        places: slice | NDArray[np.intp] = slice(None),
     ) -> NDArray[np.float64]:
         """Solve for all outputs: loads F_t* and ratios [1], shape (outputs,).
 
-        ``searches`` replace the search for the window of each roughness, and ``places`` choose
-        some of the loads of ``effort``.
+        ``searches`` replace the search for the window of each roughness.
         """
         searches = searches or [effort.window] * len(self.window_roughness)
         asked = {
@@ -117,7 +107,7 @@ class Subject:
             "turning_point": set(self.turning_points),
             "window": set(),
         }
-        evidence = SolvedEvidence(parameters, asked, self.newtons, effort, places)
+        evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_point(*curve) for curve in self.turning_points]
         points = [
             point[:2] if point.prominence >= PROMINENCE else (np.nan, np.nan) for point in found
@@ -125,9 +115,8 @@ class Subject:
         windows = turning_point_windows(
             searches, self.window_roughness, WINDOW_DENSITY, evidence.load_range, parameters
         )
-        curves = [evidence.curve(*curve) for curve in self.transitions]
         ends = [(window.low, window.high) for window in windows]
-        return np.concatenate([*points, *ends, *map(last_crossings, curves)])
+        return np.concatenate([*points, *ends, *last_crossings(evidence, self.transitions)])
 
     def local_searches(self, values: NDArray[np.float64]) -> list[WindowSearch]:
         """Searches for windows close to those among ``values``, one for each roughness.
@@ -145,47 +134,32 @@ class Subject:
             searches.append(local if known else FULL_EFFORT.window)
         return searches
 
-    def local_places(self, values: NDArray[np.float64], parameters: Parameters) -> NDArray[np.intp]:
-        """Indices of the loads of ``FULL_EFFORT`` that are close to the loads among ``values``."""
-        is_load = [output.output.endswith("_load") for output in self.outputs]
-        found = values[is_load] * parameters.newtons_per_load
-        grid = np.geomspace(*self.newtons, FULL_EFFORT.loads)
-        beyond = np.searchsorted(grid, found[np.isfinite(found)])
-        near = beyond[:, None] + np.arange(-AROUND, AROUND)
-        ends = [0, grid.size - 1]  # of which a turning point must stand out
-        return np.union1d(near.clip(*ends), ends)
 
+def last_crossings(
+    evidence: SolvedEvidence, conditions: Sequence[Condition]
+) -> NDArray[np.float64]:
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, of regimes and modes.
 
-def last_crossings(curve: Curve) -> list[float]:
-    """Last load F_t* [1] at which a curve crosses each of ``LIMITS``, of regimes and modes; or nan."""
-    found = []
-    for quantity, level in LIMITS:
-        with np.errstate(divide="ignore"):
-            excess = logit(getattr(curve, quantity)) - logit(level)
-        steps = np.flatnonzero((excess[1:] > 0.0) != (excess[:-1] > 0.0))
-        usable = _usable(excess, steps[-1] + 1) if steps.size else None
-        if usable is None:
-            found.append(np.nan)
-            continue
-        # The interpolator draws its order of summation at random: the seed makes all runs equal.
-        inverse = BarycentricInterpolator(excess[usable], np.log(curve.load[usable]), rng=0)
-        found.append(np.exp(inverse(0.0)))
+    Returns
+    -------
+    array, shape (curves, limits)
+        nan where a limit is not crossed.
+    """
+    found = np.full((len(conditions), len(LIMITS)), np.nan)
+    if conditions:
+        curves = [evidence.curve(*condition) for condition in conditions]
+        values = {
+            name: np.column_stack([getattr(curve, name) for curve in curves]) for name, _ in LIMITS
+        }
+        limit, curve, load, *_ = transitions(
+            evidence.loads,
+            values,
+            np.transpose(conditions),
+            evidence.parameters,
+            evidence.effort.rtol,
+        )
+        np.fmax.at(found, (curve, limit), load)
     return found
-
-
-def _usable(excess: NDArray[np.float64], beyond: int) -> slice | None:
-    """The points nearest to a sign change before the place ``beyond`` that give its place, if any do."""
-    for shift in SHIFTS:
-        around = slice(max(beyond + shift - SIDE, 0), beyond + shift + SIDE)
-        known = excess[around]
-        steps = np.sign(np.diff(known))
-        if (
-            known.size == 2 * SIDE
-            and np.isfinite(known).all()
-            and np.abs(steps.sum()) == steps.size
-        ):
-            return around
-    return None
 
 
 def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
@@ -307,11 +281,11 @@ def default_elasticities(
     (['turning_point_load', 'turning_point_ratio'], (2, 1))
     """
     base = subject.values(parameters, FULL_EFFORT)
-    local = subject.local_searches(base), subject.local_places(base, parameters)
+    searches = subject.local_searches(base)
     solved = []
 
     def values(changes):
-        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, *local))
+        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, searches))
         return solved[-1]
 
     value, error = elasticities(values, base, inputs)
