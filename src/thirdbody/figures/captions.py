@@ -120,7 +120,8 @@ CAPTIONS = {
     "claims": Caption(
         "The verdict on each statement of the paper",
         "A line is a statement: its length is how far the model is off, counted in tolerances up to "
-        "one and logarithmically beyond; up to the vertical line the statement holds.",
+        "one and logarithmically beyond; up to the vertical line the statement holds. Diamonds do not "
+        "hold when their figure is left out of the search for inputs.",
         "Two columns of horizontal lines that end in markers, grouped by the figure of the paper; "
         "the statements beyond the line of one tolerance are named.",
     ),

@@ -40,20 +40,9 @@ TINY = 1e-300  # least argument of logarithms, so that vanished quantities can b
 
 
 class Measured(NamedTuple):
-    """What a check finds.
+    """What a check finds: a text, the distance from what is published in tolerances [1], and numbers.
 
-    Attributes
-    ----------
-    text : str
-        The computed result.
-    distance : float
-        From what is published, in tolerances [1]; nan where there is nothing to compare.
-    deviation : float
-        Of the number that is farthest off [unit of the quantity, 1 if the tolerance is relative].
-    numbers : array
-        All numbers that are compared [unit of the quantity].
-    worst : int
-        Which of them is farthest off.
+    ``deviation`` is that of the number farthest off, ``numbers[worst]``; nan where there is none.
     """
 
     text: str
@@ -193,8 +182,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
 def _faintness(height: float) -> float:
     """Distance of a turning point from being visible, in tolerances; ``height`` in least heights.
 
-    It is 1 where the point is just visible and falls to 0 at twice this height, without a bend, so
-    that a calibration finds its way to turning points.
+    It is 1 where the point is just visible and falls to 0 at twice this height, without a bend.
     """
     return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
 
@@ -431,8 +419,7 @@ def _table(claim, evidence, group, quantity=""):
 def _loads(claim, curves, bounded):
     """Loads F_t* [1] that the claim speaks of.
 
-    There is one load if the claim names it, or the level of a quantity that is reached there; else
-    they are all loads within the claim's bounds on the curves ``bounded``.
+    One load if the claim names it or a level; else all within its bounds on the curves ``bounded``.
     """
     limits, grid = claim.limits, curves[-1]
     if not limits and all(curve.load is grid.load for curve in curves):
@@ -466,9 +453,8 @@ def _loads(claim, curves, bounded):
 def _first_fall(loads, values):
     """Load at which ``values`` first fall to zero.
 
-    If they are not above zero at the start, it is the first load.  If they never fall to zero, they
-    are continued beyond the last load by their last slope, for a decade at most: so the result
-    does not jump when inputs change.
+    It is the first load if they start below.  If they never fall to zero, they are continued by their
+    last slope, for a decade at most, so that the result does not jump when inputs change.
     """
     above = values > 0.0
     if not above[0]:
@@ -518,10 +504,8 @@ def _peak_height(values):
 def _peak_miss(values, step):
     """By how much a course of ratios misses an interior maximum of two steps.
 
-    Where there is no maximum at all, its height gives a calibration no slope to follow.  Therefore
-    the miss also counts how far the course is from turning, by the slope of ln(v/(1 - v)), which
-    unlike v itself goes on changing near 0 and 1: a course turns where the slope falls from above
-    to below zero.  If too few values are distinct from 0 and 1, the miss is the greatest.
+    Where there is no maximum, the miss also counts how far the course is from turning, by the slope
+    of ln(v/(1 - v)), so that a calibration has a slope to follow.
     """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)

@@ -61,56 +61,11 @@ STATES = {
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement of the paper.
+    """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
 
-    Attributes
-    ----------
-    id : str
-        Its name.
-    place : str
-        Place in the paper.
-    statement : str
-        What it says, in our words.
-    kind : str
-        Kind of statement; it decides how the claim is checked.
-    conditions : mapping
-        Conditions of the curves and bounds of the loads, by keys that name their units.
-    tolerance : float
-        How far off it may be: a fraction of the quantity [1] if ``relative``, else in its unit.
-    relative : bool
-        Whether the tolerance is a fraction.
-    reason : str
-        Why the tolerance is what it is.
-    quantity : str
-        What the statement is about: one of ``QUANTITIES``; empty where the kind says it.
-    published : float, sequence or None
-        What the paper says: a number, two ends or a sequence of states; None for other kinds.
-    direction : str
-        Of an ordering or a trend: ``increasing``, ``decreasing``, ...
-    along : str
-        Whether a trend runs along ``load`` or from curve to curve (``curves``).
-    extreme : str
-        Whether a value is the ``minimum`` or the ``maximum`` over the load.
-    against : str
-        Quantity over which curves are compared.
-    open_end : bool
-        Whether the last state of a sequence may lie beyond the loads that are computed.
-    any_curve : bool
-        Whether it is enough that one of the curves agrees.
-    must_be_reached : bool
-        Whether it fails, instead of being not tested, if no load meets its conditions.
-    figures : sequence of int
-        Figures that a conclusion or the abstract repeats.
-    reference : mapping or None
-        Conditions that differ on the curves which those of the claim are held against.
-    contradicts : sequence of str
-        Ids of statements in which the paper says the opposite.
-    quote : str
-        What it says, in the paper's words; formulas are TeX.
-    aside : str
-        Why the statement that it contradicts is taken instead; empty if it is taken itself.
-    cluster : str
-        Name that it has in common with the statements that repeat it; empty if there are none.
+    ``conditions`` and ``reference`` have keys that name their units.  ``tolerance`` is a fraction of the
+    quantity [1] if ``relative``, else in the unit of the quantity; ``reason`` is the reason for it.
+    Fields that an entry does not have are empty.
     """
 
     id: str
@@ -247,12 +202,7 @@ def state_names(published: Sequence[str]) -> list[str]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """Collect what must be solved to judge claims.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        The claims.
+    """What must be solved to judge ``claims``.
 
     Returns
     -------
