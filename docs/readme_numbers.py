@@ -10,6 +10,7 @@ and its numbers up to a factor, and keeps what it says where there is no such ru
 """
 
 import io
+import json
 import re
 import shlex
 import sys
@@ -19,6 +20,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
+import pandas as pd
 from tabulate import tabulate
 
 from thirdbody.command.main import main as main_of_command
@@ -27,8 +29,8 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.study.calibration import Reading, Unknown
-from thirdbody.study.verdicts import counts
+from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.study.verdicts import held_once
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
@@ -40,9 +42,13 @@ ACCURACY = RESULTS / "accuracy"
 
 
 def claims_block() -> str:
-    """Counts of the verdicts by role."""
-    rows = read_csv(RESULTS / "claims" / "claims.csv", TABLES["claims"])
-    return tabulate(counts(rows, "role"), headers="keys", tablefmt="github")
+    """Counts of the verdicts."""
+    rows = pd.DataFrame(read_csv(RESULTS / "claims" / "claims.csv", TABLES["claims"]))
+    counts = rows["verdict"].value_counts().to_frame().T
+    held, predicted = held_once(rows), held_once(rows, "predicted")
+    counts["hold, repeats once"] = "{} of {}".format(*held)
+    counts["predicted without their figure"] = "{} of {}".format(*predicted)
+    return counts.to_markdown(index=False)
 
 
 def turning_points_block() -> str:
@@ -63,30 +69,22 @@ def calibrated_files() -> list[dict]:
 
 
 def readings_block() -> str:
-    """Every reading with its objective and its margin to the best."""
-    contents = calibrated_files()
-    table = [
-        {
-            "reading": content["reading"],
-            "objective": f"{content['objective']:.2f}",
-            "above the best": f"{content['objective'] - contents[0]['objective']:.2f}",
-            "of each seed": ", ".join(f"{each:.2f}" for each in content["objective_of_each_seed"]),
-            "evaluations": content["evaluations"],
-        }
-        for content in contents
-    ]
-    return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
+    """Every interpretation: statements predicted and fitted, penalty, unknowns, objective."""
+    rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))["readings"]
+    columns = ["reading", "predicted", "fitted", "penalty", "inputs", "objective"]
+    return pd.DataFrame(rows)[columns].to_markdown(index=False, disable_numparse=True)
 
 
 def fronts_block() -> str:
     """The least objective of all other statements where one holds, by reading."""
     contents = calibrated_files()
     table = []
-    for statement in contents[0]["fronts"]:
+    for statement in dict.fromkeys(name for content in contents for name in content["fronts"]):
         row = {"statement": f"`{statement}`"}
         for content in contents:
-            held = [others for score, others in content["fronts"][statement] if score <= 1.0]
-            row[content["reading"]] = f"{min(held):.1f}" if held else "never seen to hold"
+            front = content["fronts"].get(statement, ())
+            held = [others for score, others in front if score <= 1.0]
+            row[content["reading"]] = f"{min(held):.1f}" if held else ""
         table.append(row)
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
@@ -106,7 +104,9 @@ def identified_block() -> str:
     differ."""
     content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"])
     settings = read_yaml(ROOT / "config" / "calibration.yaml")
-    unknowns = {each.name: each for each in Reading.of(content["reading"], settings).unknowns}
+    unknowns = {
+        each.name: each for each in Interpretation.of(content["reading"], settings).unknowns
+    }
     table = [
         {
             "input": name,

@@ -19,7 +19,7 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
-from thirdbody.study.verdicts import Court, outcome
+from thirdbody.study.verdicts import Judge, outcome
 
 POINTS = 2000
 RTOL = 1e-6
@@ -223,8 +223,7 @@ def results_of_claims(page, defaults):
     other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[
         "inputs"
     ]
-    court = Court(claims, defaults, NEWTONS)
-    judged = court.judge("other", other, FULL_EFFORT).verdicts
+    judged = Judge(claims, defaults, NEWTONS)(other, FULL_EFFORT)
     words = {
         "default": {row["id"]: row["verdict"] for row in written["statements"]},
         "other": {

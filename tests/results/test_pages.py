@@ -23,6 +23,8 @@ def test_the_pages_say_what_the_results_say(capsys):
 def test_the_default_is_the_reading_that_the_rule_ranks_first():
     content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
     ranked = [row["reading"] for row in content["readings"]]
+    if content["readings"][0]["share"] is None:
+        pytest.skip("no cross-validation has been run")
     assert content["reading"] == ranked[0]
     assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"]).stem == ranked[0]
 
@@ -31,11 +33,9 @@ def test_the_claims_page_begins_with_the_verdict_and_the_headline_numbers():
     content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
     page = (RESULTS / "claims" / "claims.md").read_text(encoding="utf-8")
     head = page[: page.index("## How to read this page")]
-    assert f"{content['judged']} distinct statements" in head
-    assert f" {content['held']} hold" in head
-    assert len(content["headline"]) == 12
-    assert len(content["predictions"]) == 6
-    for row in (*content["headline"], *content["predictions"]):
+    assert f"Of {content['judged']} that can be judged {content['held']} hold" in head
+    assert len(content["headline"]) == 18
+    for row in content["headline"]:
         assert row["statement"] in head
         assert row["model"] in head
-    assert {row["verdict"] for row in content["predictions"]} == {"value withheld"}
+    assert "commit f07ee55" in head

@@ -1,18 +1,19 @@
 """The paper's statements as data, and the checks that judge them, on synthetic evidence."""
 
-import re
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 import yaml
 
-from thirdbody.configuration.schema import read_schema
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.conditions import Condition
 from thirdbody.study import checks, claims
-from thirdbody.study.checks import Curve, TurningPoint, judge
+from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
+from thirdbody.study.evidence import Curve, TurningPoint
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -49,11 +50,11 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     return Curve(LOADS, normal_load, area, ratio, solid, 1 - solid, film, film * 6.35e-3, solved)
 
 
-def make_claim(kind, size=0.1, relative=False, conditions=None, role="calibration", **fields):
+def make_claim(kind, size=0.1, relative=False, conditions=None, **fields):
     """A claim on a dry curve of 300 nm particles and roughness, unless ``conditions`` differ."""
     usual = dict.fromkeys(claims.KEYS, 0) | {"particle_diameter_nm": 300, "roughness_nm": 300}
     usual |= conditions or {}
-    return Claim("id", "place", "statement", kind, role, usual, size, relative, "reason", **fields)
+    return Claim("id", "Figure 4A", "statement", kind, usual, size, relative, "reason", **fields)
 
 
 def judged(claim, curve=None, **answers):
@@ -97,8 +98,8 @@ def test_value_of_several_curves_is_that_of_the_worst():
     curves = make_curve(), make_curve(solid=0.95), make_curve(solid=0.99)
     verdict = judged(claim, by_viscosity(*curves))
     assert verdict.value == pytest.approx(0.95) and not verdict.holds
-    assert verdict.measured == "1, 0.95, 0.99"
-    assert verdict.ends == pytest.approx((-1.0 - np.log(2.5), 0.0))
+    assert verdict.computed == "1, 0.95, 0.99"
+    assert verdict.score == pytest.approx(1.0 + np.log(2.5))
 
 
 def test_relative_tolerance_ends_on_both_sides():
@@ -144,16 +145,9 @@ def test_load_outside_the_range_is_continued_and_shown_as_such():
     never = judged(claim, make_curve(solid=np.linspace(1.0, 0.91, LOADS.size)))
     always = judged(claim, make_curve(solid=np.linspace(0.8, 0.1, LOADS.size)))
     flat = judged(claim, make_curve(solid=1.0))
-    assert never.measured == "> 0.0001" and LOADS[-1] < never.value < 3e-4
-    assert always.measured == "< 1e-07" and always.value == LOADS[0]
+    assert never.computed == "> 0.0001" and LOADS[-1] < never.value < 3e-4
+    assert always.computed == "< 1e-07" and always.value == LOADS[0]
     assert flat.value == pytest.approx(1e-3, rel=0.15)
-
-
-def test_value_at_a_load_between_grid_points():
-    claim = make_claim(
-        "value", quantity="total_contact_area", published=3.3e-6, conditions={"load": 3.3e-6}
-    )
-    assert judged(claim, make_curve(area=LOADS)).value == pytest.approx(3.3e-6)
 
 
 def test_value_against_a_reference_is_a_relative_change():
@@ -182,7 +176,7 @@ def test_reversal_load():
     crossing = make_curve(area=1e-3 * LOADS * (LOADS / 1e-5) ** 0.2)
     assert judged(claim, by_viscosity(falling, crossing)).value == pytest.approx(1e-5)
     against = judged(claim, by_viscosity(crossing, falling))
-    assert not against.holds and against.measured == "> 0.0001"
+    assert not against.holds and against.computed == "> 0.0001"
 
 
 def bending(at):
@@ -205,7 +199,7 @@ def test_bend_load_is_where_the_slope_leaves_that_of_the_reference():
         assert judged(claim, by_viscosity(straight, bending(at))).holds is holds
     # a bend that the reference has too is none
     both = judged(claim, by_viscosity(bending(1e-5), bending(1e-5)))
-    assert both.measured == "> 0.0001" and not both.holds
+    assert both.computed == "> 0.0001" and not both.holds
 
 
 def test_bend_load_over_that_at_which_mixed_lubrication_begins():
@@ -265,7 +259,7 @@ def mixing(*loads):
 
 def test_one_load_beyond_the_last_is_known_to_be_larger():
     verdict = judged(loads_of_mixing(), mixing(1e-6, 1e-5, 2e-4))
-    assert verdict.tested and verdict.holds and verdict.measured.endswith("> 0.0001")
+    assert verdict.tested and verdict.holds and verdict.computed.endswith("> 0.0001")
     wrong = judged(loads_of_mixing(), mixing(1e-6, 2e-4, 1e-5))
     assert wrong.tested and not wrong.holds
 
@@ -295,34 +289,11 @@ def test_a_condition_that_no_load_meets_is_not_tested():
     assert judged(claim, make_curve(ratio=0.5, solid=0.4)).holds
     verdict = judged(claim, make_curve(ratio=0.5, solid=0.6))
     assert not verdict.tested and not verdict.holds and verdict.score > 1.0
-
-
-def test_withheld_value_is_measured_but_not_scored():
-    claim = make_claim(
-        "value", role="withheld", quantity="solid_load_fraction", extreme="minimum", published=None
-    )
-    verdict = judged(claim, make_curve(solid=0.7))
-    assert verdict.value == pytest.approx(0.7)
-    assert np.isnan(verdict.score) and np.isnan(verdict.deviation) and not verdict.holds
+    drawn = judged(replace(claim, must_be_reached=True), make_curve(ratio=0.5, solid=0.6))
+    assert drawn.tested and not drawn.holds
 
 
 # --- range and window ---
-
-
-def test_range_compares_both_ends_up_to_a_load_in_newtons():
-    claim = make_claim(
-        "range",
-        quantity="film_thickness",
-        published=[1e-4, 2e-4],
-        size=0.01,
-        relative=True,
-        conditions={"load_max_N": 8.0},  # F_t* 1e-5, two decades from the first load
-    )
-    assert judged(claim, make_curve(film=2e-4 * 2 ** (-DECADES / 2))).holds
-    low_end_wrong = judged(claim, make_curve(film=2e-4 * 2 ** (-DECADES)))
-    high_end_wrong = judged(claim, make_curve(film=2.5e-4 * 2.5 ** (-DECADES / 2)))
-    assert not low_end_wrong.holds and low_end_wrong.value == pytest.approx(0.5e-4)
-    assert not high_end_wrong.holds and high_end_wrong.value == pytest.approx(2.5e-4)
 
 
 def test_window_compares_both_ends_on_each_surface():
@@ -332,8 +303,34 @@ def test_window_compares_both_ends_on_each_surface():
     assert judged(claim, window=lambda roughness: (0.82, 1.27)).holds
     one_off = judged(claim, window=lambda roughness: (0.8, 1.3 if roughness < 2e-7 else 1.5))
     assert not one_off.holds and one_off.deviation == pytest.approx(0.2)
-    assert one_off.ends == pytest.approx((0.0, 1.0 + np.log(4.0)))
+    assert one_off.score == pytest.approx(1.0 + np.log(4.0))
     assert judged(claim, window=lambda roughness: (np.nan, np.nan)).score == checks.MISSING_SCORE
+
+
+def test_span_asks_for_both_numbers_somewhere_on_the_curve():
+    claim = make_claim(
+        "span", quantity="film_thickness", published=[1e-4, 2e-4], size=0.01, relative=True
+    )
+    wide = judged(claim, make_curve(film=4e-4 * 8 ** (-DECADES / 3)))
+    assert wide.holds and wide.computed.endswith("at 8 N and 0.8 N")
+    narrow = judged(claim, make_curve(film=1.9e-4 * 8 ** (-DECADES / 3)))
+    assert not narrow.holds and narrow.value == pytest.approx(1.9e-4)
+
+
+def test_one_of_several_curves_may_be_enough():
+    value = make_claim(
+        *("value", 0.02),
+        quantity="solid_load_fraction",
+        extreme="minimum",
+        published=0.9,
+        conditions=viscosities(2),
+    )
+    states = sequence(["boundary", "mixed", "full_film"], conditions=viscosities(2))
+    curves = by_viscosity(make_curve(), make_curve(solid=np.linspace(1.0, 0.9, LOADS.size)))
+    assert not judged(value, curves).holds
+    assert judged(replace(value, any_curve=True), curves).holds
+    assert not judged(states, by_viscosity(make_curve(), FALLING)).holds
+    assert judged(replace(states, any_curve=True), by_viscosity(make_curve(), FALLING)).holds
 
 
 # --- ordering and coincidence ---
@@ -364,16 +361,6 @@ def test_identical_curves_are_in_no_order():
     assert not verdict.holds and verdict.score == pytest.approx(1.0 + np.log(2.0))
 
 
-def test_crossing_curves_are_ordered_beyond_the_crossing_only():
-    crossing = by_viscosity(make_curve(), make_curve(area=LOADS * (LOADS / 1e-6) ** 0.5))
-    everywhere = ordering(conditions=viscosities(2))
-    beyond = ordering(conditions=viscosities(2) | {"load_min": 1e-6})
-    below = ordering(conditions=viscosities(2) | {"load_max": 1e-6}, direction="decreasing")
-    assert not judged(everywhere, crossing).holds
-    assert judged(beyond, crossing).holds
-    assert judged(below, crossing).holds
-
-
 def test_bounds_on_other_quantities_choose_the_loads():
     solid = np.where(LOADS < 1e-6, 1.0, 0.5)
     crossing = by_viscosity(
@@ -383,7 +370,7 @@ def test_bounds_on_other_quantities_choose_the_loads():
     full_film = ordering(conditions=viscosities(2) | {"solid_load_fraction_max": 0.03})
     assert judged(mixed, crossing).holds
     short = judged(full_film, crossing)
-    assert not short.holds and short.measured == "not reached, by 0.47"
+    assert not short.holds and short.computed == "not reached, by 0.47"
 
 
 def test_ordering_against_a_reference_on_the_same_axis():
@@ -466,6 +453,8 @@ def test_trend_along_load(direction, shown):
         ("increasing", (1e-6, 1e-6, 1e-6), False),
         ("decreasing", (3e-6, 2e-6, 1e-6), True),
         ("decreasing", (1e-6, 2e-6, 3e-6), False),
+        ("increasing_at_each_step", (1e-6, 1.2e-6, 1.4e-6), True),
+        ("increasing_at_each_step", (1e-6, 1e-6, 1.4e-6), False),
         ("constant", (1e-6, 1.04e-6, 1.02e-6), True),
         ("constant", (1e-6, 1.2e-6, 1e-6), False),
     ],
@@ -499,27 +488,8 @@ def test_trend_of_a_change_from_a_reference():
         sparse = condition.particle_density < 1e11
         return TurningPoint(1e-6 if sparse else 10 * condition.roughness, 0.2, 1.0, 0.1)
 
-    assert judged(claim, turning_point=point).measured == "0, 2"
+    assert judged(claim, turning_point=point).computed == "0, 2"
     assert judged(claim, turning_point=point).holds
-
-
-def test_trend_of_window_ends():
-    claim = make_claim(
-        "trend",
-        size=0.05,
-        quantity="window_high",
-        along="curves",
-        direction="constant",
-        conditions={"roughness_nm": [100, 300]},
-    )
-    assert judged(claim, window=lambda roughness: (0.8, 1.3)).holds
-    assert not judged(claim, window=lambda roughness: (0.8, 1.0 + 1e6 * roughness)).holds
-
-
-def test_slope_and_solid_load_are_curve_quantities():
-    curve = make_curve(area=LOADS**0.7, solid=0.5)
-    assert curve.total_contact_area_slope == pytest.approx(np.full(LOADS.size, 0.7))
-    assert curve.solid_load == pytest.approx(0.5 * LOADS)
 
 
 def turning_point_claims():
@@ -557,7 +527,7 @@ FALLING = make_curve(solid=np.clip(1.2 - 0.5 * DECADES, 0.0, 1.0))
 def test_regime_sequence():
     assert judged(sequence(["boundary", "mixed", "full_film"]), FALLING).holds
     verdict = judged(sequence(["boundary", "mixed"]), FALLING)
-    assert not verdict.holds and verdict.measured == "boundary > mixed > full_film"
+    assert not verdict.holds and verdict.computed == "boundary > mixed > full_film"
     assert not judged(sequence(["mixed", "full_film"]), FALLING).holds
     assert not judged(sequence(["full_film", "mixed", "boundary"]), FALLING).holds
     assert judged(sequence(["boundary"]), make_curve(solid=1.0)).holds
@@ -593,6 +563,30 @@ def test_last_step_may_lie_beyond_the_loads():
     assert not judged(sequence(steps), ending_mixed).holds
     assert judged(sequence(steps, open_end=True), ending_mixed).holds
     assert judged(sequence(steps, open_end=True), FALLING).holds
+
+
+def test_each_state_must_be_met():
+    steps = ["boundary", "mixed", "full_film"]
+    almost = make_curve(solid=np.linspace(1.0, 0.031, LOADS.size))
+    assert not judged(sequence(steps), almost).holds
+    assert judged(sequence(steps, open_end=True), almost).holds
+
+
+def test_a_kink_is_no_gradual_departure():
+    claim = make_claim(
+        *("reach", 0.1),
+        quantity="departure_sharpness",
+        extreme="minimum",
+        published=0.8,
+        conditions={"viscosity_cSt": 10},
+        reference={"viscosity_cSt": 0},
+    )
+    dry = make_curve(film=2e-4 * 10 ** (-0.2 * DECADES))
+    kink = make_curve(film=2e-4 * 10 ** (-0.2 * np.minimum(DECADES, 1.5)))
+    bend = make_curve(film=2e-4 * 10 ** (-0.2 * (DECADES - np.logaddexp(0, 4 * DECADES - 6) / 4)))
+    assert judged(claim, by_viscosity(dry, kink)).value == pytest.approx(1.0, abs=0.01)
+    assert not judged(claim, by_viscosity(dry, kink)).holds
+    assert judged(claim, by_viscosity(dry, bend)).holds
 
 
 def test_step_with_alternatives():
@@ -662,7 +656,7 @@ def test_unsolved_points_are_no_evidence():
     reference = {"viscosity_cSt": 0}
     everywhere = [
         make_claim("value", quantity="solid_load_fraction", extreme="minimum", published=0.5),
-        make_claim("range", quantity="film_thickness", published=[1e-4, 2e-4], relative=True),
+        make_claim("span", quantity="film_thickness", published=[1e-4, 2e-4], relative=True),
         make_claim("coincidence", quantity="solid_load_fraction", reference=reference),
         ordering(reference=reference),
         make_claim("trend", quantity="film_thickness", along="load", direction="decreasing"),
@@ -683,20 +677,14 @@ def test_unsolved_points_are_no_evidence():
     assert judged(solved_part, half).holds
 
 
-def test_missing_turning_point_is_no_evidence():
-    claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
-    verdict = judged(claim, turning_point=lambda _: TurningPoint(np.nan, np.nan, np.nan, np.nan))
-    assert verdict.score == checks.MISSING_SCORE and not verdict.holds
-
-
 def test_what_is_said_of_a_turning_point_fails_where_it_does_not_stand_out():
     claim = make_claim("value", quantity="turning_point_load", published=1e-5, relative=True)
-    points = [TurningPoint(1e-5, 0.2, 1.0, height) for height in (0.1, 0.01, 0.009, 0.001, 0.0)]
+    points = [TurningPoint(1e-5, 0.2, 1.0, height) for height in (0.1, 0.02, 0.019, 0.001, 0.0)]
     verdicts = [judged(claim, turning_point=lambda _, point=point: point) for point in points]
     assert [verdict.holds for verdict in verdicts] == [True, True, False, False, False]
     scores = [verdict.score for verdict in verdicts]
     assert scores == sorted(scores) and scores[2] < 1.2 and scores[4] == checks.MISSING_SCORE
-    assert verdicts[2].measured == "1e-05; stands out by 0.009"
+    assert verdicts[2].computed == "1e-05; stands out by 0.019"
 
 
 # --- conditions ---
@@ -739,61 +727,60 @@ def made_up_evidence():
 
 
 def test_paper_has_its_statements(paper):
-    assert len(paper) >= 70
+    assert len(paper) >= 70 and all(claim.all_figures for claim in paper)
     assert {claim.kind for claim in paper} == set(checks.CHECKS)
     assert max(Counter(claim.id for claim in paper).values()) == 1
     assert all(claim.statement.endswith(".") and claim.reason for claim in paper)
 
 
-def test_ratios_and_changes_have_absolute_tolerances(paper):
+@pytest.mark.parametrize(
+    ("place", "figures"),
+    [
+        ("Figure 3A, section 3.3", {3}),
+        ("Figures 4B and 4C, section 3.3", {4}),
+        ("Figures 4 to 7, section 3.3", {4, 5, 6, 7}),
+        ("Figures 9 and 10, section 3.3", {9, 10}),
+        ("Figure 5B and the discussion of Figure 12C, section 3.3", {5, 12}),
+    ],
+)
+def test_figures_of_a_statement(place, figures):
+    claim = make_claim("value")
+    assert replace(claim, place=place).all_figures == figures
+    assert replace(claim, place="Conclusion 5", figures=[9, 10]).all_figures == {9, 10}
+
+
+def test_the_numbers_that_were_kept_back_are_statements(paper):
+    published = {claim.id: claim.published for claim in paper}
+    drops = [
+        published[f"fig04c-area-decrease-at-{share}-percent-{viscosity}cst"]
+        for share in (90, 50)
+        for viscosity in (90, 120)
+    ]
+    assert drops == [-0.149, -0.21, -0.537, -0.65]
+    ends = [published[f"fig13b-turning-point-load-{end}"] for end in ("from", "to")]
+    assert ends == [1.5e-5, 3.0e-5]
+
+
+def test_one_width_makes_a_turning_point_visible(paper):
     for claim in paper:
-        is_change = claim.reference and claim.kind in ("value", "trend")
-        is_load = claim.quantity in claims.BETWEEN_CURVES
-        if (is_change and not is_load) or claim.kind in (
-            "absence",
-            "regime_sequence",
-            "mode_sequence",
-        ):
-            assert not claim.relative, claim.id
+        if claim.kind == "absence" or claim.direction == "rising_then_falling":
+            assert claim.tolerance == PROMINENCE, claim.id
 
 
 def test_contradictions_are_mutual(paper):
     links = {claim.id: claim.contradicts for claim in paper}
-    assert sum(bool(others) for others in links.values()) >= 6
     assert all(name in links[other] for name, others in links.items() for other in others)
-
-
-def test_the_statements_kept_for_validation_are_these(paper):
-    # by id, so that no later change of the file moves a statement into the calibration
-    assert [claim.id for claim in paper if claim.role == claims.VALIDATION] == [
-        "fig04b-knee-load",
-        "fig05a-solid-share-at-10cst",
-        "fig06b-all-sizes-mixed-load",
-        "fig09a-turning-point-sizes",
-        "fig10b-window-500nm",
-        "fig11a-turning-point-load-below-90cst",
-        "fig11a-peak-ratio",
-        "fig11c-film-range-at-70cst",
-        "fig12b-no-solid-load-from-50cst",
-        "conclusion5-window",
-    ]
-
-
-def test_what_the_text_keeps_back_is_withheld_and_nothing_else(paper):
-    numbers = [claim for claim in paper if claim.kind in ("value", "range", "window")]
-    assert [c for c in paper if c.is_withheld] == [c for c in numbers if c.published is None]
-    assert sum(claim.is_withheld for claim in paper) == 6
 
 
 def test_every_claim_can_be_judged_and_names_what_it_needs(paper):
     for claim in paper:
         evidence = made_up_evidence()
         verdict = judge(claim, evidence)
-        assert claim.is_withheld or 0.0 <= verdict.score <= checks.MISSING_SCORE, claim.id
-        assert verdict.holds is bool(verdict.tested and verdict.score <= 1.0) and verdict.measured
+        assert 0.0 <= verdict.score <= checks.MISSING_SCORE, claim.id
+        assert verdict.holds is bool(verdict.tested and verdict.score <= 1.0) and verdict.computed
         needed = claims.referenced_conditions([claim])
         assert all(evidence.asked[method] <= needed[method] for method in needed), claim.id
-        if "not reached" not in verdict.measured:
+        if "not reached" not in verdict.computed:
             assert evidence.asked == needed, claim.id
 
 
@@ -805,7 +792,6 @@ GOOD = {
     "statement": "The solid bears all load.",
     "quote": "$L_s$ is 100% under all dimensionless normal loads",
     "kind": "value",
-    "role": "calibration",
     "quantity": "solid_load_fraction",
     "extreme": "minimum",
     "published": 1.0,
@@ -826,11 +812,6 @@ def load(tmp_path, *entries):
     return claims.load_claims(path)
 
 
-def test_good_claim_loads(tmp_path):
-    (claim,) = load(tmp_path, GOOD)
-    assert claim.tolerance == 0.02 and not claim.relative and len(claim.curves) == 2
-
-
 @pytest.mark.parametrize(
     ("change", "key"),
     [
@@ -840,8 +821,7 @@ def test_good_claim_loads(tmp_path):
         ({"quote": None}, "quote"),
         ({"published": "1e0"}, "published"),
         ({"published": None}, "published"),
-        ({"role": None}, "role"),
-        ({"role": "withheld"}, "role"),
+        ({"role": "validation"}, "role"),
         ({"quantity": "friction"}, "quantity"),
         ({"extreme": None}, "extreme"),
         ({"extreme": "middle"}, "extreme"),
@@ -864,70 +844,6 @@ def test_bad_claim_is_refused_in_one_line(tmp_path, change, key):
         load(tmp_path, entry)
     message = str(error.value)
     assert "claims.yaml: some-claim: " in message and key in message and "\n" not in message
-
-
-def test_the_words_of_the_schema_are_those_of_the_checks(tmp_path):
-    schema = read_schema("claims")
-    words = schema["$defs"]
-    kinds = schema["items"]["properties"]["kind"]["enum"]
-    (levels,) = words["conditions"]["patternProperties"]
-    assert set(kinds) == set(checks.CHECKS)
-    assert words["quantity"]["enum"] == list(claims.QUANTITIES)
-    assert words["curve_quantity"]["enum"] == list(claims.CURVE_QUANTITIES)
-    assert words["conditions"]["properties"].keys() == {*claims.KEYS, "load_max_N"}
-    assert schema["items"]["properties"]["reference"]["properties"].keys() == set(claims.KEYS)
-    assert all(re.search(levels, name) for name in (*claims.CURVE_QUANTITIES, *claims.BOUNDS))
-    steps = re.compile(words["states"]["items"]["pattern"])
-    assert all(steps.search(name) for name in claims.STATES)
-    assert steps.search("mixed hybrid or full_film surface_surface")
-    for wrong in ("wet", "", "mixed ", "mixed or", "mixed or ", "or mixed", "mixedhybrid"):
-        assert not steps.search(wrong), wrong
-
-
-@pytest.mark.parametrize(
-    ("change", "told"),
-    [
-        ({"kind": "guess"}, "kind is 'guess'; allowed: value, reach, range"),
-        ({"direction": "increasing"}, "unknown key 'direction'; allowed: id, place"),
-        ({"quantity": "friction"}, "quantity is 'friction'; allowed: load, "),
-        ({"published": [1.0, 2.0]}, "published is [1.0, 2.0]; allowed: a number or nothing"),
-        ({"reference": {"roughness_nm": [1]}}, "reference.roughness_nm is [1]; allowed: a number"),
-        ({"place": ""}, "place is ''; allowed: at least one letter"),
-        (
-            {"tolerance": {"absolute": 0.1, "relative": 0.1, "reason": "both"}},
-            "allowed: either absolute or relative",
-        ),
-    ],
-)
-def test_a_refusal_says_what_is_allowed(tmp_path, change, told):
-    with pytest.raises(ValueError) as error:
-        load(tmp_path, GOOD | change)
-    assert told in str(error.value)
-
-
-def test_a_value_kept_back_has_no_role(tmp_path):
-    entry = {name: value for name, value in GOOD.items() if name != "role"} | {"published": None}
-    (claim,) = load(tmp_path, entry)
-    assert claim.is_withheld
-    with pytest.raises(ValueError, match="some-claim: .*role"):
-        load(tmp_path, GOOD | {"published": None})
-
-
-def test_a_window_asks_for_a_surface_alone(tmp_path):
-    window = GOOD | {"quantity": "window_low", "conditions": {"roughness_nm": 300}}
-    del window["extreme"]
-    (claim,) = load(tmp_path, window)
-    assert claim.source == "window"
-
-
-def test_sequence_of_unknown_states_is_refused(tmp_path):
-    common = ("id", "place", "statement", "quote", "role", "conditions", "tolerance")
-    entry = {key: GOOD[key] for key in common} | {
-        "kind": "regime_sequence",
-        "published": ["boundary", "wet"],
-    }
-    with pytest.raises(ValueError, match="published"):
-        load(tmp_path, entry)
 
 
 def test_ids_are_unique_and_contradictions_mutual(tmp_path):

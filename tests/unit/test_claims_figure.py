@@ -4,6 +4,7 @@ from pathlib import Path
 
 import matplotlib.style
 import numpy as np
+import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
@@ -42,10 +43,8 @@ def rows():
             verdict = verdicts.CONTRADICTED
         elif 3.0 < score < 3.5:
             verdict = verdicts.NOT_TESTED
-        if claim.is_withheld:
-            score, verdict = None, verdicts.WITHHELD
-        row = {"id": claim.id, "place": claim.place, "role": claim.role, "verdict": verdict}
-        row |= {"cluster": claim.cluster, "score": score}
+        row = {"id": claim.id, "place": claim.place, "verdict": verdict, "cluster": claim.cluster}
+        row |= {"score": score, "predicted": "holds" if score < 0.5 else "fails"}
         rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
 
@@ -70,14 +69,16 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
         words = [one["verdict"] for one in rows if part_of_paper(one["place"]) == part]
         held = words.count(verdicts.HOLDS)
         judged = held + words.count(verdicts.FAILS)
-        is_named = row["verdict"] not in (verdicts.HOLDS, verdicts.WITHHELD)
+        is_named = row["verdict"] != verdicts.HOLDS
         assert text == (row["id"] if is_named else f"{part}: {held} of {judged} hold")
 
 
-def test_every_verdict_and_role_has_its_look():
-    words = verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED
-    assert list(claims.COLOURS) == [*words, verdicts.CONTRADICTED, verdicts.WITHHELD]
-    assert claims.MARKERS.keys() == {"calibration", "validation", "withheld"}
+def test_a_statement_that_is_not_predicted_is_a_diamond(rows):
+    drawing = claims.plot(rows)
+    (axes,), (panel,) = drawing.figure.axes, drawing.panels
+    markers = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "D")]
+    diamonds = [one.name for one, look in zip(panel.series, markers, strict=True) if look == "D"]
+    assert set(diamonds) == {row["id"] for row in rows if row["predicted"] == "fails"}
 
 
 def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
@@ -85,7 +86,7 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
     sure = [row | {"ensemble_agree": 12.0} for row in few]
     for some, hollow in ((few, True), (sure, False)):
         (axes,) = claims.plot(some).figure.axes
-        marked = [line for line in axes.lines if line.get_marker() in claims.MARKERS.values()]
+        marked = [line for line in axes.lines if line.get_marker() in ("o", "D")]
         assert len(marked) == len(few)
         assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
 

@@ -48,7 +48,7 @@ LACKING = {
         "data",
     ),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
-    "import thirdbody.study.sobol": ("SALib, cma, emcee, tabulate", "study"),
+    "import thirdbody.study.sobol": ("SALib, cma, emcee, jinja2, pandas, tabulate", "study"),
 }
 
 

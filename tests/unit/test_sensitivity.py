@@ -10,15 +10,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.schema import read_schema, validate
-from thirdbody.curves.transitions import LIMITS, transitions
-from thirdbody.data.conditions import Condition
+from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.drawing import STYLE
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.solver.solve import solve
-from thirdbody.study.checks import Curve
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -74,14 +71,6 @@ def test_an_input_at_its_upper_bound_is_stepped_inwards():
     assert error.max() < 1e-4
 
 
-def test_error_of_an_elasticity_shows_a_function_that_is_not_smooth():
-    def kinked(changes):
-        return np.array([1.0 + abs(changes["first"] / INPUTS["first"] - 1.0001)])
-
-    _, error = elasticities(kinked, np.array([1.0001]), {"first": INPUTS["first"]})
-    assert error > 0.01
-
-
 def test_outputs_that_do_not_occur_have_no_elasticity():
     def values(changes):
         return np.append(power_laws(changes), np.nan)
@@ -91,67 +80,19 @@ def test_outputs_that_do_not_occur_have_no_elasticity():
     assert np.isfinite(found[:-1]).all()
 
 
-def test_step_balances_both_errors():
-    assert_allclose(FULL_EFFORT.rtol / STEP, STEP**2)
-
-
-def test_inputs_of_zero_are_left_out(parameters):
-    names = ["mean_ratio", "spread_ratio", "summit_parameter_exponent", "gap_ratio"]
-    given = varied_inputs(parameters, names)
-    assert given == {"spread_ratio": 1.6, "summit_parameter_exponent": -0.8}
-
-
-def curve_of(solid_fraction, particle_ratio, load):
-    """A curve with these courses; what crossings do not need is filled up."""
-    one = np.ones_like(load)
-    return Curve(
-        load, load, one, particle_ratio, solid_fraction, 1 - solid_fraction, one, one, one > 0
-    )
-
-
-def logistic(x):
-    return 1.0 / (1.0 + np.exp(-x))
-
-
-def test_crossings_of_known_courses():
-    load = np.geomspace(1e-7, 1e-4, 60)
-    x = np.log(load / 1e-5)
-    found = last_crossings(curve_of(logistic(2 * x), logistic(-x), load))
-    wanted = [1e-5 * np.exp(np.log(level / (1 - level)) / 2) for level in (0.9, 0.03)]
-    assert_allclose(found[:2], wanted, rtol=1e-12)
-    # odds of 19 are crossed at x = -2.9; those of 1/19, at x = 2.9, lie beyond the loads
-    assert_allclose(found[2], 1e-5 / 19.0, rtol=1e-12)
-    assert np.isnan(found[3])
-    twice = curve_of(logistic(2 * x), logistic(2.0 - (x + 2.0) ** 2), load)
-    root = np.sqrt(2.0 + np.log(19.0)) - 2.0
-    assert_allclose(last_crossings(twice)[3], 1e-5 * np.exp(root), rtol=1e-5)
-
-
-def test_a_crossing_next_to_a_bend_is_found_from_the_side_where_the_share_is_known():
-    load = np.geomspace(1e-7, 1e-4, 60)
-    x = np.log(load / 1e-5)
-    share = np.where(x < 0.0, 1.0, np.exp(-2.0 * np.maximum(x, 0.0)))  # 0.9 is next to the bend
-    found = last_crossings(curve_of(share, np.full_like(load, 0.5), load))
-    assert_allclose(found[0], 1e-5 / np.sqrt(0.9), rtol=5e-3)
-    assert_allclose(found[1], 1e-5 / np.sqrt(0.03), rtol=1e-6)
-    assert np.isnan(found[2:]).all()
-
-
-def test_crossings_are_those_of_the_table_of_transitions(subject, parameters):
-    loads = np.geomspace(0.04, 80.0, FULL_EFFORT.loads) / parameters.newtons_per_load
-    condition = subject.transitions[0]
-    solved = solve(load=loads, **Condition(*condition)._asdict(), parameters=parameters)
-    curve = curve_of(solved.solid_load_fraction, solved.particle_contact_area_ratio, loads)
-    column = np.array(condition)[:, None]
-    compared = 0
-    for (quantity, level), found in zip(LIMITS, last_crossings(curve), strict=True):
-        values = {quantity: getattr(solved, quantity)[:, None]}
-        limits = [(quantity, level)]
-        _, _, exact, _, _ = transitions(loads, values, column, parameters, 1e-9, limits)
-        if exact.size:
-            compared += 1
-            assert_allclose(found, exact.max(), rtol=1e-5)
-    assert compared
+def test_crossings_are_where_the_limits_are_crossed(subject, parameters):
+    asked = {"curve": set(subject.transitions), "turning_point": set(), "window": set()}
+    evidence = SolvedEvidence(parameters, asked, subject.newtons)
+    found = last_crossings(evidence, subject.transitions)
+    assert np.isfinite(found).any()
+    for condition, loads in zip(subject.transitions, found, strict=True):
+        for (quantity, level), load in zip(LIMITS, loads, strict=True):
+            values = getattr(evidence.curve(*condition), quantity)
+            if np.isnan(load):
+                assert (values > level).all() or (values < level).all()
+            else:
+                solved = solve(load=load, **condition._asdict(), parameters=parameters)
+                assert_allclose(getattr(solved, quantity), level, rtol=1e-6)
 
 
 def test_values_belong_to_their_outputs(subject, parameters):
@@ -180,38 +121,6 @@ def test_what_cannot_respond_does_not(subject, parameters):
     assert_allclose(found.error, 0.0, atol=1e-3)
 
 
-def test_local_search_follows_the_end_of_a_window(subject, parameters):
-    one = replace(subject, turning_points=(), transitions=(), window_roughness=(300e-9,))
-    base = one.values(parameters, FULL_EFFORT)
-    searches = one.local_searches(base)
-    assert_allclose(one.values(parameters, FULL_EFFORT, searches), base, rtol=1e-3)
-    (unknown,) = one.local_searches(np.array([np.nan, np.nan]))
-    assert unknown is FULL_EFFORT.window
-
-
-@pytest.mark.parametrize("input_name", ["spread_ratio", "apparent_area", "summit_radius"])
-def test_loads_about_the_results_give_the_results_of_all_loads(subject, parameters, input_name):
-    few = replace(subject, window_roughness=())
-    base = few.values(parameters, FULL_EFFORT)
-    places = few.local_places(base, parameters)
-    assert places.size < FULL_EFFORT.loads / 2
-    moved = getattr(parameters, input_name) * (1.0 + 2.0 * STEP)
-    changed = replace(parameters, **{input_name: moved})
-    local = few.values(changed, FULL_EFFORT, [], places)
-    assert_allclose(local, few.values(changed, FULL_EFFORT), rtol=1e-9)
-    ends = [0, FULL_EFFORT.loads - 1]
-    assert few.local_places(np.full_like(base, np.nan), parameters).tolist() == ends
-
-
-def test_response_surface_knows_its_own_kind():
-    rng = np.random.default_rng(1)
-    terms = quadratic_terms(rng.uniform(-1.0, 1.0, (80, 4)))
-    coefficients = rng.normal(size=terms.shape[1])
-    surface = ResponseSurface(terms, np.exp(terms @ coefficients))
-    assert surface.unexplained < 1e-20
-    assert_allclose(surface(terms), np.exp(terms @ coefficients))
-
-
 def test_response_surface_tells_what_it_misses():
     rng = np.random.default_rng(2)
     positions = rng.uniform(-1.0, 1.0, (400, 3))
@@ -221,13 +130,6 @@ def test_response_surface_tells_what_it_misses():
     wanted = fresh[:, 0] + 0.5 * np.sign(fresh[:, 1] * fresh[:, 2] - 0.3)
     residual = wanted - np.log(surface(quadratic_terms(fresh)))
     assert_allclose(surface.unexplained, residual.var() / wanted.var(), rtol=0.25)
-
-
-def test_response_surface_refuses_too_few_sets():
-    terms = quadratic_terms(np.random.default_rng(3).uniform(-1.0, 1.0, (30, 4)))
-    values = np.where(np.arange(30) < 17, 1.0, np.nan)
-    with pytest.raises(ValueError, match="occurs in 17 sets"):
-        ResponseSurface(terms, values)
 
 
 def test_an_input_at_its_bound_is_varied_within_it(parameters):
@@ -254,13 +156,6 @@ def test_total_indices_of_known_variances():
     found, half_width = samples.total_indices(a * b)
     assert (np.abs(found - [1.0, 1.0, 0.0]) <= half_width).all()
     assert (half_width < 0.12).all() and c.size == 1024 * 5
-
-
-def test_sampling_repeats_itself():
-    one, other = (Sampling(["a", "b"], 64, 3) for _ in range(2))
-    values = one.positions @ [1.0, 2.0]
-    assert (one.positions == other.positions).all()
-    assert (one.total_indices(values)[1] == other.total_indices(values)[1]).all()
 
 
 def found_of(subject, inputs):
@@ -317,14 +212,6 @@ def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):
     signs = [text.get_text()[0] == "−" for text in axes.texts]
     assert any(signs)
     assert not all(signs)
-
-
-def test_settings_are_closed():
-    schema = read_schema("sensitivity")
-    validate(SETTINGS, schema, "sensitivity.yaml")
-    for wrong in ({"windows": [100]}, {"load_N": [0.04]}, {"also": ["elastic_depth"]}):
-        with pytest.raises(ValueError, match=next(iter(wrong))):
-            validate(SETTINGS | wrong, schema, "sensitivity.yaml")
 
 
 def test_unpublished_inputs_exist(parameters):

@@ -1,51 +1,74 @@
-"""What is made of the verdicts: words, counts, and the page, on made-up judgements."""
+"""Tables and pages of the verdicts: words, counts, ranges and order, on made-up verdicts."""
 
 import json
 from dataclasses import replace
-from types import SimpleNamespace
 
+import numpy as np
+import pandas as pd
 import pytest
 
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
-from thirdbody.study.calibration import Unknown
 from thirdbody.study.checks import Verdict
-from thirdbody.study.claims import Claim
-from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Judgement, Trial, counted_once, discriminating, outcome
+from thirdbody.study.claims import Claim, load_claims
+from thirdbody.study.page import claims_html, claims_json, claims_markdown, earlier_table
+from thirdbody.study.verdicts import (
+    Judge,
+    Judged,
+    compare,
+    count_once,
+    counts_by_figure,
+    headline_table,
+    held_once,
+    judge_everything,
+    outcome,
+    statements_table,
+)
 
-HELD = Verdict("1", (1.0,), 0, 0.0, 0.0, (0.0, 0.0), True, True)
-MISSED = Verdict("2", (2.0,), 0, 1.0, 3.0, (3.0, 3.0), True, False)
-BEYOND = Verdict("> 2", (2.0,), 0, 1.0, 0.0, (0.0, 0.0), False, False)
+SETTINGS = read_yaml(config_directory() / "calibration.yaml")
+EARLIER = read_yaml(config_directory() / "earlier_predictions.yaml")
+HELD = Verdict("1", (1.0,), 0, 0.0, 0.0, True, True)
+MISSED = Verdict("2", (2.0,), 0, 1.0, 3.0, True, False)
+BEYOND = Verdict("> 2", (2.0,), 0, 1.0, 0.0, False, False)
+WORDY = Verdict("boundary", (), 0, 0.0, 0.0, True, True)
 
 
-def claim(name, role="calibration", loads=(), **fields):
+def claim(name, loads=(), **fields):
     conditions = {"viscosity_cSt": 0, "roughness_nm": 300, **dict(loads)}
     return Claim(
-        *(name, "Figure 4A", "statement", "value", role, conditions, 0.1, False, "reason"), **fields
+        *(name, "Figure 4A", "statement", "value", conditions, 0.1, False, "reason"), **fields
     )
 
 
 TAKEN = claim(
-    *("taken", "calibration", {"load_max": 1e-5}),
+    "taken",
+    {"load_max": 1e-5},
     contradicts=("aside",),
     published=1.0,
     reference={"viscosity_cSt": 90},
 )
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
-TWINS = claim("one", cluster="twins"), claim("other", cluster="twins")
-CLAIMS = (TAKEN, ASIDE, *TWINS, claim("kept back", role="withheld"))
-
+CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
 DEFAULT = {
     "reading": "some",
-    "objective": 1.0,
     "inputs": {"truncation": 2.0},
     "identification": {"truncation": {"range_of_each_seed": [[1.5, 2.5], [1.6, 2.4]]}},
 }
 
 
-def trial(main, *readings):
-    judgements = [Judgement(f"reading {n}", given) for n, given in enumerate(readings)]
-    return Trial(CLAIMS, Judgement("default", main), (), (), tuple(judgements))
+def judged(main, members=(), interpretations=None, changed=None, predicted=None):
+    return Judged(
+        CLAIMS,
+        DEFAULT,
+        tuple(main),
+        tuple(main),
+        tuple(members),
+        changed or {},
+        interpretations or {},
+        {"some": predicted or {}},
+        pd.DataFrame(),
+    )
 
 
 @pytest.mark.parametrize(
@@ -56,7 +79,6 @@ def trial(main, *readings):
         (TAKEN, BEYOND, verdicts.NOT_TESTED),
         (ASIDE, HELD, verdicts.CONTRADICTED),
         (ASIDE, MISSED, verdicts.CONTRADICTED),
-        (CLAIMS[-1], HELD, verdicts.WITHHELD),
     ],
 )
 def test_the_word_for_a_verdict(statement, verdict, word):
@@ -74,142 +96,138 @@ def test_the_word_for_a_verdict(statement, verdict, word):
     ],
 )
 def test_statements_that_repeat_one_another_count_once(twins, count):
-    main = (HELD, MISSED, *twins, HELD)
-    rows = verdicts.verdict_rows(trial(main))
-    assert counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows) == count
-    (figure,) = verdicts.counts(rows, "figure")
-    assert figure["hold, repeats once"] == "{} of {}".format(*count)
+    main = (HELD, MISSED, *twins)
+    assert count_once(zip(CLAIMS, main, strict=True)) == count
+    counts = counts_by_figure(statements_table(judged(main)))
+    (row,) = counts.to_dict("records")
+    assert row["figure"] == "Figure 4"
+    assert row["hold, repeats once"] == "{} of {}".format(*count)
+    as_read = statements_table(judged(main)).replace("", None)  # from a CSV file
+    assert held_once(as_read) == count
 
 
-def test_what_holds_under_some_readings_and_fails_under_others_discriminates():
-    held = (HELD,) * 5
-    assert discriminating(trial(held, held, held)) == []
-    assert discriminating(trial(held, held, (MISSED, MISSED, HELD, BEYOND, HELD))) == ["taken"]
-
-
-def test_the_page_shows_contradictions_apart():
-    contents = [{"objective": 1.0, "penalty": 0.0, "identification": {}}]
-    main = (MISSED, HELD, HELD, MISSED, HELD)
-    held = trial(main, (HELD,) * 5)
-    held = Trial(held.claims, held.main, (), (Judgement("lower one", main),), held.readings)
-    page = claims_markdown(held, DEFAULT, contents, [])
-    assert "**Of 2 distinct statements of the paper that can be judged 0 hold (0 %)**" in page
+def test_the_page_has_the_score_and_the_contradictions_apart():
+    main = (MISSED, HELD, HELD, MISSED)
+    predicted = {"taken": HELD, "one": MISSED, "other": HELD}
+    results = judged(main, changed={"lower one": (HELD,) * 4}, predicted=predicted)
+    page = claims_markdown(results, [], EARLIER)
+    assert "Of 2 distinct statements 1 are predicted" in page
+    assert "Of 2 that can be judged 0 hold (0 %)" in page
     apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
     (row,) = (line for line in apart.splitlines() if "Figure 9" in line)
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
     assert cells == ["statement", "yes", "taken (fails)", "Figure 9 says so or twice"]
-    assert claims_html(held).count("<tr>") == 1 + len(held.claims)
     failed = page.split("## What fails, and what would change it")[1]
-    assert "**taken**" in failed
-    assert "**other**" in failed
-    assert "**aside**" not in failed
+    assert "**taken**" in failed and "**other**" in failed and "**aside**" not in failed
+    assert "With a lower one it would hold" in failed
+    assert claims_html(results).count("<tr class") == len(CLAIMS)
 
 
-def numbered(value):
-    """A verdict that holds, with this number."""
-    return Verdict(str(value), (value,), 0, 0.0, 0.0, (0.0, 0.0), True, True)
+def test_without_a_cross_validation_the_page_says_so():
+    page = claims_markdown(judged((HELD,) * 4), [], EARLIER)
+    assert "No cross-validation has been run" in page
 
 
-def test_headlines_give_the_range_of_the_ensemble_or_how_many_agree():
-    wordy = Verdict("boundary", (), 0, 0.0, 0.0, (0.0, 0.0), True, True)
-    main = (numbered(10.0), HELD, wordy, HELD, numbered(3.0))
+def test_headline_numbers_have_the_range_of_the_ensemble():
+    numbered = [HELD._replace(computed=str(n), numbers=(float(n),)) for n in range(21)]
+    window = [HELD._replace(numbers=(n / 20, 1 + n / 10)) for n in range(21)]
     members = [
-        Judgement("member", (numbered(float(n)), HELD, MISSED if n < 5 else wordy, HELD, HELD))
-        for n in range(21)
+        (number, HELD, MISSED._replace(numbers=()) if n < 5 else WORDY, ends)
+        for n, (number, ends) in enumerate(zip(numbered, window, strict=True))
     ]
-    judged = trial(main)
-    judged = Trial(judged.claims, judged.main, tuple(members), (), ())
-    rows = {row["id"]: row for row in verdicts.headline_rows(judged, ["taken", "one"])}
-    assert list(rows) == ["taken", "one"]
-    assert rows["taken"]["ensemble, 90 %"] == "1 to 19"
-    assert (rows["taken"]["paper"], rows["taken"]["model"]) == ("1.0", "10.0")
-    assert rows["one"]["ensemble, 90 %"] == "16 of 21 agree"
+    main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
+    table = headline_table(judged(main, members), ["taken", "one", "other"]).set_index("id")
+    column = table["ensemble, 90 %"]
+    assert column["taken"] == "1 to 19"
+    assert column["one"] == "16 of 21 agree"
+    assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
+    assert (table.loc["taken", "paper"], table.loc["taken", "model"]) == ("1.0", "10")
+    rows = statements_table(judged(main, members)).set_index("id")
+    ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
+    assert ends == pytest.approx([2.0, 1.1, 2.9])
+    alone = headline_table(judged(main), ["one"])
+    assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
 
 
-def window(low, high):
-    """A verdict that holds, with these ends."""
-    return Verdict(f"{low} to {high}", (low, high), 1, 0.0, 0.0, (0.0, 0.0), True, True)
-
-
-def test_each_number_of_a_statement_has_its_own_range():
-    members = [
-        Judgement("member", (window(n / 20, 1 + n / 10), HELD, HELD, HELD, HELD)) for n in range(21)
+def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
+    """Most predicted, then the least penalty, then the fewest unknowns."""
+    names = list(SETTINGS["readings"])[:4]
+    settings = SETTINGS | {"readings": {name: SETTINGS["readings"][name] for name in names}}
+    unusual = {"summit_parameter": 0.2}
+    inputs = {n: u["usual"][0] for n, u in SETTINGS["unknowns"].items()}
+    contents = [
+        {"reading": name, "inputs": inputs | (unusual if name == names[2] else {})}
+        for name in names
     ]
-    judged = replace(
-        trial((window(0.5, 2.0), HELD, HELD, HELD, HELD)),
-        ensemble=(*members, Judgement("none", (MISSED._replace(numbers=()), *(HELD,) * 4))),
-    )
-    (row,) = verdicts.headline_rows(judged, ["taken"])
-    assert row["ensemble, 90 %"] == "0.05 to 0.95, 1.1 to 2.9"
-    row = verdicts.verdict_rows(judged)[0]
-    assert (row["value"], row["range_low"], row["range_high"]) == pytest.approx((2.0, 1.1, 2.9))
-
-
-def test_what_is_the_same_on_every_curve_is_said_once():
-    same = HELD._replace(measured="1, 1, 1", numbers=(1.0,) * 3)
-    judged = trial((same, HELD, HELD, HELD, HELD))
-    judged = replace(judged, ensemble=(Judgement("member", judged.main.verdicts),))
-    (row,) = verdicts.headline_rows(judged, ["taken"])
-    assert (row["model"], row["ensemble, 90 %"]) == ("1", "1 to 1")
-
-
-def test_the_first_reading_is_the_one_that_the_rule_prefers():
-    def content(objective, penalty, unknowns):
-        return {
-            "objective": objective,
-            "penalty": penalty,
-            "identification": dict.fromkeys(map(str, range(unknowns))),
-        }
-
-    most, fewer = (HELD,) * 5, (MISSED, HELD, HELD, HELD, HELD)
-    judged = trial(most, fewer, most, most, most)
-    contents = [content(1, 0, 1), content(4, 1.0, 3), content(3, 0.5, 3), content(2, 0.5, 2)]
-    ranked = [row["reading"] for row in verdicts.reading_rows(judged, contents, [])]
-    assert ranked == ["reading 3", "reading 2", "reading 1", "reading 0"]
+    held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
+    judge_all = Judge([TAKEN], parameters, SETTINGS["newtons"])
+    table = compare(judge_all, contents, dict.fromkeys(names, (HELD,)), held, settings)
+    ranking = table["reading"].tolist()
+    assert ranking[-1] == names[0] and ranking[-2] == names[2]
+    assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
+    assert table["predicted"].tolist()[-1] == "0/1"
 
 
 def test_programs_read_what_the_page_says():
     nan = float("nan")
-    judged = trial(
-        (HELD, MISSED, HELD, MISSED, Verdict("?", (nan,), 0, nan, nan, (nan, nan), False, False))
-    )
-    judged = replace(judged, ensemble=(Judgement("member", judged.main.verdicts),))
-    content = json.loads(claims_json(judged, DEFAULT, [], ["taken"]))
-    assert (content["held"], content["judged"]) == (1, 2)
+    main = (HELD, MISSED, HELD, Verdict("?", (nan,), 0, nan, nan, False, False))
+    content = json.loads(claims_json(judged(main, [main]), ["taken"]))
+    assert (content["held"], content["judged"]) == (2, 2)
     assert content["inputs"] == DEFAULT["inputs"]
     assert [row["id"] for row in content["headline"]] == ["taken"]
-    assert [row["id"] for row in content["predictions"]] == ["kept back"]
     first, *_, last = content["statements"]
     assert (first["place"], first["published"], first["range"]) == ("Figure 4A", 1.0, [[1.0, 1.0]])
     (curve,) = first["curves"]
     assert (curve["viscosity"], curve["roughness"], curve["particle_diameter"]) == (0, 3e-7, None)
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5}
-    assert (first["tolerance"], first["tolerance_kind"]) == (0.1, "absolute")
     assert (last["score"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
 
 
-def test_a_table_tells_the_curves_and_the_kind_of_each_tolerance():
-    judged = trial((HELD,) * 5)
-    row = verdicts.verdict_rows(judged)[0]
-    assert row["curves"] == "nu = 0 cSt; sigma = 300 nm; load_max = 1e-05; held against nu = 90 cSt"
-    (line,) = (
-        line
-        for line in claims_markdown(judged, DEFAULT, [], []).splitlines()
-        if line.startswith("| taken ") and "| statement " in line
-    )
-    assert "| 0.1, absolute " in line
+def test_earlier_predictions_are_marked_where_they_are_within_the_tolerance():
+    claims = load_claims(config_directory() / "claims.yaml")
+    results = replace(judged((HELD,) * 4), claims=claims)
+    table = earlier_table(results, EARLIER).set_index("set")
+    marks = table.map(lambda cell: cell.endswith("✓")).sum(axis=1)
+    assert marks["uncentred_summit_wide_full_total (default)"] == 1
+    assert table.shape == (6, 6)
+    assert table.loc["**paper**"].tolist()[-2:] == ["1.5e-05", "3e-05"]
 
 
-def test_an_input_is_moved_only_where_a_surface_can_have_it(parameters):
-    def judge(name, inputs, effort=None):
-        if inputs["summit_parameter"] < parameters.summit_parameter:
+def test_everything_is_judged_by_the_real_model(parameters):
+    claims = [
+        each
+        for each in load_claims(config_directory() / "claims.yaml")
+        if each.id in ("fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside")
+    ]
+    path = config_directory() / "calibrated" / "uncentred_summit_wide_full_total.yaml"
+    content = read_yaml(path) | {"ensemble": []}
+    content["folds"] = [
+        {"figures": [9], "inputs": content["inputs"]},
+        {"figures": [11], "inputs": content["inputs"] | {"summit_radius": 1e-4}},
+    ]
+    judge_all = Judge(claims, parameters, SETTINGS["newtons"])
+    found = judge_everything(judge_all, content, [content], SETTINGS)
+    assert [verdict.holds for verdict in found.verdicts] == [True, True]
+    predicted = found.predicted[content["reading"]]
+    assert predicted["fig09a-no-turning-point-outside"].holds
+    assert not predicted["fig11a-turning-point-load-dry"].holds
+    assert len(found.changed) == 2 * found.comparison["inputs"].iloc[0]
+    table = statements_table(found)
+    assert table["predicted"].tolist() == ["holds", "fails"]
+    assert np.isnan(table["range_low"]).all()
+
+
+def test_an_input_is_changed_only_where_a_surface_can_have_it(parameters):
+    def judge_all(inputs, *_, **__):
+        if inputs["summit_parameter"] < 0.1:
             raise ValueError("summit_parameter leaves no variance to the summits")
-        return Judgement(name, ())
+        return ()
 
-    court = SimpleNamespace(claims=(), base=parameters, judge=judge)
-    unknown = Unknown("summit_parameter", (0.02, 2.0), (0.1, 1.0), True)
-    reading = SimpleNamespace(unknowns=[unknown])
-    held = Trial.of(court, {"inputs": {}, "ensemble": [{}]}, reading, [])
-    assert [each.name for each in held.nudged] == ["higher summit parameter"]
-    assert len(held.ensemble) == 1
+    judge_all.claims, judge_all.base = (), parameters
+    name = "uncentred_summit_wide_full_natural"
+    inputs = parameters.as_dict() | {"summit_parameter": 0.1}
+    content = {"reading": name, "inputs": inputs, "ensemble": []}
+    found = judge_everything(judge_all, content, [], SETTINGS)
+    assert "higher summit parameter" in found.changed
+    assert "lower summit parameter" not in found.changed

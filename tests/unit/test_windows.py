@@ -12,7 +12,7 @@ DENSITY = 1e11
 
 
 def turns(diameter, roughness, load_range, parameters):
-    """A brute scan: a load at which the ratio is 0.01 above some smaller and some larger load."""
+    """A brute scan: a load at which the ratio is 0.02 above some smaller and some larger load."""
     dense = np.geomspace(*load_range, 4001)[:, None]
     solution = tb.solve(
         load=dense,
@@ -26,7 +26,7 @@ def turns(diameter, roughness, load_range, parameters):
     ratio = solution.particle_contact_area_ratio
     before = ratio - np.minimum.accumulate(ratio)
     after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]
-    return np.minimum(before, after).max(axis=0) > 0.01
+    return np.minimum(before, after).max(axis=0) > 0.02
 
 
 @pytest.mark.parametrize("roughness", [100e-9, 300e-9, 500e-9])
@@ -96,7 +96,7 @@ def test_windows_found_together_are_those_found_alone(parameters, loads, toleran
 
 
 def test_of_many_sweeps_the_longest_runs_are_the_windows():
-    high, low, none = 0.04, 0.0, np.nan
+    high, low, none = 0.08, 0.0, np.nan
     sweeps = [
         [low, high, high, low, high, low],  # two runs
         [high, high, low, high, low, low],  # one that begins beyond the sweep

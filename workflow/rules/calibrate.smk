@@ -1,23 +1,27 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run.  One search a reading and
-# seed, so that an interruption loses no finished search; then samples, which begin at what all
-# searches of the reading have found.  The result is copied to config/calibrated/, which is kept in
+# Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search is a job, and keeps its
+# evaluations, so that an interruption loses nothing. The result goes to config/calibrated/, which is kept in
 # git and read by the default run.
 
 CALIBRATION = settings["calibration"]
+SEEDS = CALIBRATION["seeds"]
+FOLDS = range(len(CALIBRATION["folds"]))
+SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
 
 
-rule search_reading:
+wildcard_constraints:
+    seed="[0-9]+",
+    fold="[0-9]+",
+
+
+rule search_inputs:
     input:
         claims=f"{CONFIG}/claims.yaml",
     output:
         evaluations="<results>/calibration/{reading}/seed{seed}.csv",
-        fronts="<results>/calibration/{reading}/seed{seed}_fronts.json",
     log:
-        "<logs>/search_reading/{reading}_{seed}.log",
+        "<logs>/search_inputs/{reading}_{seed}.log",
     benchmark:
-        "<logs>/search_reading/{reading}_{seed}.tsv"
-    wildcard_constraints:
-        seed="[0-9]+",
+        "<logs>/search_inputs/{reading}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -25,59 +29,42 @@ rule search_reading:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
-        sources=sources_of("search_reading.py"),
+        seed=lambda wildcards: int(wildcards.seed),
+        fold=None,
+        sources=sources_of("search_inputs.py"),
     message:
         "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
     script:
-        "../scripts/search_reading.py"
+        "../scripts/search_inputs.py"
 
 
-rule sample_reading:
+use rule search_inputs as search_fold with:
+    output:
+        evaluations="<results>/calibration/{reading}/fold{fold}.csv",
+    log:
+        "<logs>/search_fold/{reading}_{fold}.log",
+    benchmark:
+        "<logs>/search_fold/{reading}_{fold}.tsv"
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        seed=SEEDS[0],
+        fold=lambda wildcards: int(wildcards.fold),
+        sources=sources_of("search_inputs.py"),
+    message:
+        "Searching the inputs of {wildcards.reading} without the figures of fold {wildcards.fold}"
+
+
+rule sample_inputs:
     input:
-        evaluations=expand(
-            "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
-        ),
+        evaluations=expand(SEARCHED, seed=SEEDS),
         claims=f"{CONFIG}/claims.yaml",
     output:
         samples="<results>/calibration/{reading}/seed{seed}_samples.csv",
     log:
-        "<logs>/sample_reading/{reading}_{seed}.log",
+        "<logs>/sample_inputs/{reading}_{seed}.log",
     benchmark:
-        "<logs>/sample_reading/{reading}_{seed}.tsv"
-    wildcard_constraints:
-        seed="[0-9]+",
-    conda:
-        "../envs/thirdbody.yaml"
-    resources:
-        runtime=90,
-    params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
-        parameters=settings["uncalibrated"],
-        sources=sources_of("sample_reading.py"),
-    message:
-        "Sampling the inputs of {wildcards.reading} from seed {wildcards.seed}"
-    script:
-        "../scripts/sample_reading.py"
-
-
-rule summarise_reading:
-    input:
-        evaluations=expand(
-            "<results>/calibration/{{reading}}/seed{seed}.csv", seed=CALIBRATION["seeds"]
-        ),
-        samples=expand(
-            "<results>/calibration/{{reading}}/seed{seed}_samples.csv", seed=CALIBRATION["seeds"]
-        ),
-        fronts=expand(
-            "<results>/calibration/{{reading}}/seed{seed}_fronts.json", seed=CALIBRATION["seeds"]
-        ),
-        claims=f"{CONFIG}/claims.yaml",
-    output:
-        calibrated="<results>/calibration/{reading}.yaml",
-    log:
-        "<logs>/summarise_reading/{reading}.log",
-    benchmark:
-        "<logs>/summarise_reading/{reading}.tsv"
+        "<logs>/sample_inputs/{reading}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -85,22 +72,63 @@ rule summarise_reading:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
-        sources=sources_of("summarise_reading.py"),
+        sources=sources_of("sample_inputs.py"),
+    message:
+        "Sampling the inputs of {wildcards.reading} from seed {wildcards.seed}"
+    script:
+        "../scripts/sample_inputs.py"
+
+
+rule summarise_inputs:
+    input:
+        evaluations=expand(SEARCHED, seed=SEEDS),
+        samples=expand("<results>/calibration/{{reading}}/seed{seed}_samples.csv", seed=SEEDS),
+        folds=expand("<results>/calibration/{{reading}}/fold{fold}.csv", fold=FOLDS),
+        claims=f"{CONFIG}/claims.yaml",
+    output:
+        calibrated="<results>/calibration/{reading}.yaml",
+    log:
+        "<logs>/summarise_inputs/{reading}.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        sources=sources_of("summarise_inputs.py"),
     message:
         "Summarising the calibration of {wildcards.reading}"
     script:
-        "../scripts/summarise_reading.py"
+        "../scripts/summarise_inputs.py"
+
+
+rule choose_default:
+    input:
+        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        claims=f"{CONFIG}/claims.yaml",
+    output:
+        chosen="<results>/calibration/chosen.json",
+    log:
+        "<logs>/choose_default.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        settings=CALIBRATION,
+        parameters=settings["uncalibrated"],
+        sources=sources_of("choose_default.py"),
+    message:
+        "Choosing the default, and what the headline numbers that it misses would cost"
+    script:
+        "../scripts/choose_default.py"
 
 
 rule calibrate:
     input:
         calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        chosen="<results>/calibration/chosen.json",
     output:
         adopted="<results>/calibration/adopted.txt",
     log:
         "<logs>/calibrate.log",
-    benchmark:
-        "<logs>/calibrate.tsv"
     localrule: True
     conda:
         "../envs/thirdbody.yaml"

@@ -1,4 +1,4 @@
-# The verdict on every statement of the paper, and what it costs the others that a statement holds.
+# The verdict on every statement of the paper, and what the headline numbers that are missed would cost.
 
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
 
@@ -9,6 +9,8 @@ rule judge_claims:
         inputs=f"{CONFIG}/inputs.yaml",
         default=settings["calibrated"],
         calibrated=CALIBRATED,
+        earlier=f"{CONFIG}/earlier_predictions.yaml",
+        templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
     output:
         table="<results>/claims/claims.csv",
         text="<results>/claims/claims.md",
@@ -78,6 +80,6 @@ rule render_fronts:
         default=Path(settings["calibrated"]).stem,
         sources=sources_of("render_fronts.py"),
     message:
-        "Drawing what each chief statement costs the others"
+        "Drawing what each headline number costs the other statements"
     script:
         "../scripts/render_fronts.py"

@@ -1,24 +1,36 @@
 """Copy calibrated inputs to where the default run reads them."""
 
-import shutil
+import json
 from pathlib import Path
 
+import yaml
+
+from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import whole
 from thirdbody.job_log import logged
 
 PLACE = Path("config/calibrated")
+HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; not edited by hand.\n"
 
 
-def adopt(calibrated, adopted):
-    """Copy every file of ``calibrated`` to config/calibrated and list their names."""
+def adopt(calibrated, chosen, adopted):
+    """Write every file of ``calibrated`` to config/calibrated; the default has fronts and ensemble
+    of ``chosen``."""
     PLACE.mkdir(parents=True, exist_ok=True)
+    default = json.loads(Path(chosen).read_text(encoding="utf-8"))
     for source in map(Path, calibrated):
-        with whole(PLACE / source.name) as part:
-            shutil.copyfile(source, part)
+        content = read_yaml(source)
+        if content["reading"] == default["reading"]:
+            content |= default
+        with whole(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:
+            stream.write(HEADER)
+            yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
+    line = f"{PLACE / default['reading']}.yaml is the default by the rule"
     with whole(adopted) as part:
-        part.write_text("".join(f"{PLACE / Path(each).name}\n" for each in calibrated))
+        part.write_text(line + "\n", encoding="utf-8")
+    print(f"{line}: set it as calibrated in config/config.yaml")
 
 
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
-        adopt(snakemake.input.calibrated, snakemake.output.adopted)
+        adopt(snakemake.input.calibrated, snakemake.input.chosen, snakemake.output.adopted)

@@ -1,34 +1,38 @@
-"""The verdict on every statement of the paper, as a table and as text."""
+"""The verdict on every statement of the paper, as a table, as pages and as data."""
 
 from thirdbody.configuration.inputs import read_calibrated, read_entries
+from thirdbody.configuration.schema import read_valid
 from thirdbody.data.files import whole
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.calibration import Reading
 from thirdbody.study.claims import load_claims
-from thirdbody.study.verdict_text import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Court, Trial, verdict_rows
+from thirdbody.study.page import claims_html, claims_json, claims_markdown
+from thirdbody.study.verdicts import Judge, judge_everything, statements_table
 
 
 def judge_claims(
-    claims, default, calibrated, settings, parameters, laid_over, table, text, page, data
+    claims, default, calibrated, earlier, settings, parameters, laid_over, table, text, page, data
 ):
     """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
     under those of all ``calibrated``."""
-    court = Court(load_claims(claims), Parameters(**parameters), tuple(settings["newtons"]))
+    judge_all = Judge(load_claims(claims), Parameters(**parameters), settings["newtons"])
     entries = read_entries()
     found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
-    main, readings = found[default], [found[path] for path in calibrated]
+    main = found[default]
     main = main | {
         "inputs": main["inputs"] | laid_over,
         "ensemble": [member | laid_over for member in main["ensemble"]],
     }
-    trial = Trial.of(court, main, Reading.of(main["reading"], settings), readings)
-    given = trial, main, readings, settings["headline"]
-    contents = claims_markdown(*given), claims_html(trial), claims_json(*given)
+    judged = judge_everything(judge_all, main, [found[path] for path in calibrated], settings)
+    headline = settings["headline"]
+    contents = (
+        claims_markdown(judged, headline, read_valid(earlier, "earlier_predictions")),
+        claims_html(judged),
+        claims_json(judged, headline),
+    )
     with whole(table, text, page, data) as (table_part, *parts):
-        write_csv(table_part, verdict_rows(trial), TABLES["claims"])
+        write_csv(table_part, statements_table(judged).to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")
 
@@ -39,6 +43,7 @@ if __name__ == "__main__":
             snakemake.input.claims,
             snakemake.input.default,
             snakemake.input.calibrated,
+            snakemake.input.earlier,
             snakemake.params.settings,
             snakemake.params.parameters,
             snakemake.params.laid_over,

@@ -19,6 +19,7 @@ from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.answers.units import ENGINEERING, SEARCHED, in_si, unit_text
 from thirdbody.conditions.checks import NEVER_ZERO, check_names, check_parameters
 from thirdbody.configuration.inputs import load_parameters
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
@@ -276,7 +277,7 @@ class Interface:
         )
         notes = (
             f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
-            "stands out by 0.01 on both sides",
+            f"stands out by {PROMINENCE:g} on both sides",
             f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
         )
         title = f"Turning point at {self.described(but='load')}"

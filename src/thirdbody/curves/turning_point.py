@@ -27,8 +27,8 @@ from thirdbody.model.particles import has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 
-# By how much a turning point stands out on both sides [1]: less cannot be seen on an axis from 0 to 1
-PROMINENCE = 0.01
+# By how much a turning point stands out on both sides [1]: the width of a line on an axis from 0 to 1
+PROMINENCE = 0.02
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
 SEPARATION_MARGIN = 1e-3
 

@@ -47,12 +47,15 @@ class WindowSearch:
         Absolute error of both ends [1]; infinite: interpolated in the sweep, not refined.
     rtol : float
         Relative error of what is solved.
+    prominence : float
+        By how much a turning point must stand out [1].
     """
 
     ratios: NDArray
     separations: int = 60
     tolerance: float = 1e-9
     rtol: float = DEFAULT_RTOL
+    prominence: float = PROMINENCE
 
 
 def turning_point_windows(
@@ -67,7 +70,7 @@ def turning_point_windows(
     Parameters
     ----------
     searches : sequence of WindowSearch
-        One for each surface; they differ in ``ratios`` and ``tolerance`` alone.
+        One for each surface; they differ only in ``ratios`` and ``tolerance``.
     roughness : array_like, shape (searches,)
         sigma [m] of each surface.
     density : float
@@ -89,7 +92,7 @@ def turning_point_windows(
     >>> sweep = WindowSearch(numpy.linspace(0.5, 2.0, 16), tolerance=1e-6)
     >>> (window,) = turning_point_windows([sweep], [0.3e-6], 1e11, (1e-7, 1e-4), inputs)
     >>> print(f"{window.low:.4f} to {window.high:.4f}")
-    0.7828 to 1.3183
+    0.8178 to 1.2856
     """
     if not searches:
         return []
@@ -136,7 +139,7 @@ def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArra
 
     Examples
     --------
-    >>> low, high = swept_windows(np.arange(1.0, 6.0), np.array([0.0, 0.02, 0.04, 0.02, np.nan]))
+    >>> low, high = swept_windows(np.arange(1.0, 6.0), np.array([0.0, 0.04, 0.08, 0.04, np.nan]))
     >>> print(f"{low:.2f} to {high:.2f}")
     1.71 to 4.29
     """
@@ -211,17 +214,17 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
     greatest = np.full_like(first, np.nan)
     np.fmax.at(greatest, curve, prominence)
-    return _above_least(greatest)
+    return _above_least(greatest, search.prominence)
 
 
-def _above_least(prominence):
+def _above_least(prominence, least=PROMINENCE):
     """By how much the root of a prominence, with its sign, exceeds that of the least; nan counts as 0.
 
     Roots are taken of both: the prominence of a maximum grows with the square of its distance from
     the end of the loads, and the root, with the sign kept, changes about evenly with x_a/sigma.
     """
     known = np.where(np.isnan(prominence), 0.0, prominence)
-    return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(PROMINENCE)
+    return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)
 
 
 def _between(first, last, roughness, count):

@@ -154,22 +154,20 @@ TABLES = {
         Column("statement", "string", "", "the statement in our own words"),
         Column("quote", "string", "", "the statement in the paper's words, formulas in TeX"),
         Column("kind", "string", "", "kind of statement, which decides how it is checked"),
-        Column("role", "string", "", "calibration, validation or withheld"),
         Column("curves", "string", "", "the curves, loads, and what the curves are held against"),
         Column(
             "published", "string", "", "what the paper says, where it says a number or sequence"
         ),
-        Column("measured", "string", "", "what the model gives"),
-        Column("value", "number", "1", "the measured number that is farthest off"),
+        Column("computed", "string", "", "what the model gives"),
+        Column("value", "number", "1", "the computed number that is farthest off"),
         Column("range_low", "number", "1", "low end of its range over 90 % of the ensemble"),
         Column("range_high", "number", "1", "high end of its range over 90 % of the ensemble"),
         Column("deviation", "number", "1", "its deviation, a fraction if the tolerance is one"),
         Column("tolerance", "number", "1", "what still counts as agreement"),
         Column("tolerance_kind", "string", "", "relative: a fraction; absolute: in SI units"),
         Column("score", "number", "1", "tolerances off up to 1, then 1 + their logarithm"),
-        Column(
-            "verdict", "string", "", "holds, fails, not tested, contradicted by the paper, withheld"
-        ),
+        Column("verdict", "string", "", "holds, fails, not tested, contradicted by the paper"),
+        Column("predicted", "string", "", "the verdict if its figure is left out of the search"),
         Column("ensemble_agree", "number", "1", "members of the ensemble with the same outcome"),
         Column("ensemble_size", "number", "1", "members of the ensemble"),
         Column("readings_agree", "number", "1", "readings whose best inputs give the same outcome"),

@@ -30,9 +30,18 @@ FLAGS = {  # what a panel shows beside its curves, by the labels of the points d
     "window": "window",
 }
 STATED = (  # what the page needs of a statement to judge it and to tell of it
-    *("id", "place", "statement", "quote", "kind", "role", "quantity", "conditions"),
-    *("reference", "published", "direction", "along", "extreme", "against", "open_end"),
-    *("tolerance", "relative", "reason", "aside", "cluster"),
+    *("id", "place", "statement", "quote", "kind", "quantity", "conditions"),
+    *(
+        "reference",
+        "published",
+        "direction",
+        "along",
+        "extreme",
+        "against",
+        "open_end",
+        "any_curve",
+    ),
+    *("must_be_reached", "tolerance", "relative", "reason", "aside", "cluster"),
 )
 
 
@@ -93,7 +102,7 @@ def page_content(
         "claims": [
             {key: claim[key] for key in STATED}
             | {"part": part_of_paper(claim["place"])}
-            | {key: found[claim["id"]][key] for key in ("measured", "verdict")}
+            | {"measured": found[claim["id"]]["computed"], "verdict": found[claim["id"]]["verdict"]}
             for claim in claims
         ],
     }

@@ -66,17 +66,17 @@ CAPTIONS = {
         "Verdict on each statement of the paper",
         "A shaded line has the statements of one figure that hold; every other statement has a line "
         "of its own. Each marker stands at the deviation of the model in tolerances, linear up to one "
-        "and logarithmic beyond; a statement holds up to the vertical line. Hollow markers: less "
-        "than three quarters of the ensemble give the same verdict.",
+        "and logarithmic beyond; a statement holds up to the vertical line. Diamonds do not hold when "
+        "their figure is left out of the search for inputs. Hollow markers: less than three quarters "
+        "of the ensemble give the same verdict.",
         "Markers in horizontal lines, grouped by the figure of the paper; the statements beyond one "
         "tolerance are named.",
     ),
     "fronts": Caption(
-        "Pareto fronts: what each headline statement costs all others",
-        "Each panel is a statement: first those that the calibration fits, then those of the "
-        "validation. Each line is an interpretation of the equations. A Pareto front joins the best "
-        "evaluations of the search: for a given deviation from the statement, the least objective "
-        "of all other statements. Left of the vertical line the statement holds. The best possible "
+        "Pareto fronts: what each headline number costs all other statements",
+        "Each panel is a headline number of the paper, each line an interpretation of the equations. "
+        "A Pareto front joins the best evaluations of the search: for a given deviation from the "
+        "number, the least objective of all other statements. Left of the vertical line the number is met. The best possible "
         "front lies on the line or below it.",
         "Panels with falling steps, one line for each interpretation, and a vertical line at one "
         "tolerance.",

@@ -23,10 +23,9 @@ COLOURS = {
     "fails": "C1",
     "not tested": "C3",
     "contradicted by the paper itself": "C4",
-    "value withheld": "0.45",
 }
-MARKERS = {"calibration": "o", "validation": "D", "withheld": "x"}
-UNNAMED = ("holds", "value withheld")  # these statements stand in the row of their figure
+# by the verdict when the figure of a statement is left out of the search for inputs
+PREDICTED, NOT_PREDICTED = "o", "D"
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
@@ -42,8 +41,9 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     """The score of each statement of the paper, from rows of the table ``claims``.
 
     The statements that hold stand in one line for each figure of the paper, all others below it in a
-    line of their own.  The colour is the verdict, the marker the role.  Hollow markers: less than
-    three quarters of the ensemble give this verdict.
+    line of their own.  The colour is the verdict.  A diamond does not hold when its figure is left out
+    of the search for inputs.  Hollow markers: less than three quarters of the ensemble give this
+    verdict.
     """
     lines = _lines(rows)
     height = len(lines) * LINE_INCHES + KEY_INCHES
@@ -60,7 +60,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
             colour = COLOURS[row["verdict"]]
             divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
             look = {"color": colour, "markerfacecolor": "white" if divided else colour}
-            axes.plot(score, line, marker=MARKERS[row["role"]], zorder=2, **look)
+            axes.plot(score, line, marker=_marker(row), zorder=2, **look)
     axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
     axes.set(xlim=(2.0 * NO_SCORE, LAST - NO_SCORE), ylim=(len(lines) - 0.5, -0.5))
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
@@ -81,23 +81,26 @@ def _lines(rows) -> list[tuple[str, list[Mapping]]]:
         verdicts = [row["verdict"] for row in group]
         held = verdicts.count("holds")
         judged = held + verdicts.count("fails")
-        together = [row for row in group if row["verdict"] in UNNAMED]
+        together = [row for row in group if row["verdict"] == "holds"]
         lines.append((f"{part}: {held} of {judged} hold", together))
-        lines += [(row["id"], [row]) for row in group if row["verdict"] not in UNNAMED]
+        lines += [(row["id"], [row]) for row in group if row["verdict"] != "holds"]
     return lines
 
 
+def _marker(row) -> str:
+    return PREDICTED if (row["predicted"] or "holds") == "holds" else NOT_PREDICTED
+
+
 def _key(rows) -> list[Line2D]:
-    """Verdicts by colour and roles by marker, each with its number of statements."""
-    looks = {}
-    for name, values, property_name in (
-        ("verdict", COLOURS, "color"),
-        ("role", MARKERS, "marker"),
-    ):
-        found = [row[name] for row in rows]
-        for value, look in values.items():
-            if value in found:
-                default = {"color": "black", "marker": "s"}
-                looks[f"{value} ({found.count(value)})"] = default | {property_name: look}
+    """Verdicts by colour, each with its number of statements, and the markers."""
+    found = [row["verdict"] for row in rows]
+    looks = {
+        f"{verdict} ({found.count(verdict)})": {"color": colour, "marker": "s"}
+        for verdict, colour in COLOURS.items()
+        if verdict in found
+    }
+    count = [_marker(row) for row in rows].count(NOT_PREDICTED)
+    if count:
+        looks[f"not predicted ({count})"] = {"color": "black", "marker": NOT_PREDICTED}
     looks["ensemble divided"] = {"color": "black", "markerfacecolor": "white", "marker": "o"}
     return [Line2D([], [], label=text, linestyle="none", **look) for text, look in looks.items()]

@@ -1,4 +1,4 @@
-"""The envelope that an ensemble of inputs leaves around the curves of a dataset."""
+"""The range of the ensemble around the curves of a dataset."""
 
 from __future__ import annotations
 

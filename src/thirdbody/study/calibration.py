@@ -1,15 +1,12 @@
 """Finding the inputs that the paper does not print, as an inverse problem.
 
-A *reading* here is one way to read the printed equations; it fixes some inputs and leaves others
-unknown.  For each reading the unknowns are searched for values under which the paper's statements
-hold.  ``config/calibration.yaml`` states the readings, the unknowns with their bounds and the
-ranges usual in nature, the weights of the objective, and how long to search.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The
+unknowns are sought for which the paper's statements hold.  ``config/calibration.yaml`` states the
+interpretations, the unknowns with their bounds and usual ranges, the weights of the objective, the
+folds of the cross-validation, and how long to search.
 
-A search works on *positions*: the value of each unknown as a number between 0 and 1, its place
-between its bounds on a linear or logarithmic scale.  All positions together are a point in the unit
-cube.  ``thirdbody.study.search`` searches it and records every evaluation;
-``thirdbody.study.posterior`` tells from these records which values explain the statements about
-equally well.
+A search works on *positions*: the value of each unknown as its place between its bounds, from 0 to
+1, on a linear or logarithmic scale.
 """
 
 from __future__ import annotations
@@ -17,14 +14,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, judge
-from thirdbody.study.claims import CALIBRATION, VALIDATION, Claim, referenced_conditions
+from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
@@ -53,17 +50,7 @@ class Unknown:
     logarithmic: bool
 
     def value(self, position: float) -> float:
-        """Value of the input at a position.
-
-        Parameters
-        ----------
-        position : float
-            Place between the bounds [1], from 0 to 1.
-
-        Returns
-        -------
-        float
-            In the unit of the input.
+        """Value of the input at a position between 0 and 1.
 
         Examples
         --------
@@ -77,25 +64,16 @@ class Unknown:
         return float(low + (high - low) * position)
 
     def position(self, value: float) -> float:
-        """Place of a value between the bounds [1]: the inverse of ``value``, kept from 0 to 1."""
+        """Position of a value, the inverse of ``value``, clipped to 0 and 1."""
         low, high = self.bounds
         if self.logarithmic:
             low, high, value = np.log(low), np.log(high), np.log(value)
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """How unusual a value is.
+        """Square of the distance of a value beyond the usual range [1], 0 within it.
 
-        Parameters
-        ----------
-        value : float
-            In the unit of the input.
-
-        Returns
-        -------
-        float
-            Square of the distance beyond the usual range [1], counted in decades if the scale is
-            logarithmic, else in widths of that range; 0 within it.
+        It is counted in decades if the scale is logarithmic, else in widths of the range.
         """
         low, high = self.usual
         if self.logarithmic:
@@ -104,19 +82,17 @@ class Unknown:
 
 
 @dataclass(frozen=True)
-class Reading:
-    """One way to read the printed equations, with the inputs that it leaves to be found.
-
-    ``Reading.of`` makes one from the configuration.
+class Interpretation:
+    """One interpretation of the printed equations, with the inputs that are to be found.
 
     Attributes
     ----------
     name : str
         Its key in ``config/calibration.yaml``.
     fixed : dict
-        Inputs that the reading fixes, by name of the field of ``Parameters``, SI.
+        Inputs that it fixes, by name of the field of ``Parameters``, SI.
     unknowns : tuple of Unknown
-        Inputs to be found; their order is that of the columns of positions.
+        Inputs to be found, in the order of the positions.
     """
 
     name: str
@@ -124,26 +100,16 @@ class Reading:
     unknowns: tuple[Unknown, ...]
 
     @classmethod
-    def of(cls, name: str, settings: Mapping[str, Any]) -> Reading:
-        """Take a reading from the configuration.
-
-        An unknown of every reading is none of this one if it fixes it.
-
-        Parameters
-        ----------
-        name : str
-            Which of the readings.
-        settings : mapping
-            Content of ``config/calibration.yaml``.
+    def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
+        """Take an interpretation from ``settings``, the content of ``config/calibration.yaml``.
 
         Raises
         ------
         KeyError
-            If there is no reading of this name.
+            If there is none of this name.
         """
         entry = settings["readings"][name]
         names = (*settings["always"], *entry.get("unknowns", ()))
-        free = [each for each in names if each not in entry["fixed"]]
         unknowns = (
             Unknown(
                 each,
@@ -151,70 +117,44 @@ class Reading:
                 tuple(settings["unknowns"][each]["usual"]),
                 settings["unknowns"][each]["scale"] == "logarithmic",
             )
-            for each in free
+            for each in names
+            if each not in entry["fixed"]
         )
         return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: ArrayLike) -> dict[str, float]:
-        """Values of the unknowns at their positions.
-
-        Parameters
-        ----------
-        positions : array_like, shape (unknowns,)
-            From 0 to 1 [1].
-
-        Returns
-        -------
-        dict
-            Value of each unknown by its name, SI.
-        """
+        """Values of the unknowns at ``positions``, shape (unknowns,), by name, SI."""
         pairs = zip(self.unknowns, positions, strict=True)
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
+    def positions(self, inputs: Mapping[str, Any]) -> NDArray[np.float64]:
+        """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""
+        return np.array([unknown.position(inputs[unknown.name]) for unknown in self.unknowns])
 
-class Found(NamedTuple):
-    """What one set of inputs gives.
-
-    Attributes
-    ----------
-    objective : float
-        What is minimised [1].
-    ends : array, shape (claims, 2)
-        How far each statement that is fitted is from holding, in tolerances [1]: the ``ends`` of its
-        verdict, which change smoothly as inputs do.
-    beside : array, shape (beside,)
-        Scores, in tolerances, of the statements that are watched and not fitted [1].
-    """
-
-    objective: float
-    ends: NDArray[np.float64] = np.empty((0, 2))
-    beside: NDArray[np.float64] = np.empty(0)
+    def penalty(self, inputs: Mapping[str, Any]) -> float:
+        """How unusual the unknowns are [1], from their values by name, SI."""
+        return float(sum(unknown.penalty(inputs[unknown.name]) for unknown in self.unknowns))
 
 
 @dataclass(frozen=True)
 class Objective:
     """What a calibration minimises: losses of the statements, and penalties for unusual inputs.
 
-    ``Objective.of`` makes one from all statements of the paper.
-
     Attributes
     ----------
     claims : tuple of Claim
         Statements that the inputs are fitted to.
-    beside : tuple of Claim
-        Statements that are judged as well and have no part in what is minimised.
     asked : dict
-        Conditions that all these statements speak of, as ``referenced_conditions`` returns them.
+        Conditions that these refer to, as ``referenced_conditions`` returns them.
     weights : array, shape (claims,)
         Weight of each of ``claims`` [1].
     newtons : tuple of float
         First and last normal load [N].
     base : Parameters
-        Values of all inputs that neither a reading fixes nor a search varies.
+        Values of all inputs that neither an interpretation fixes nor a search varies.
     """
 
     claims: tuple[Claim, ...]
-    beside: tuple[Claim, ...]
     asked: dict[str, set]
     weights: NDArray[np.float64]
     newtons: tuple[float, float]
@@ -226,148 +166,108 @@ class Objective:
         claims: Sequence[Claim],
         settings: Mapping[str, Any],
         base: Parameters,
-        watched: bool = False,
+        emphasised: str = "",
+        emphasis: float = 1.0,
     ) -> Objective:
-        """Make the objective over the statements whose role is ``calibration``.
+        """Make the objective over ``claims``, without those that stand aside.
 
-        Those that stand aside for others stay out.  The weight of a statement is that of its kind,
-        shared among the statements of its cluster.
+        The weight of a statement is that of its kind, shared among the statements of its cluster.
 
         Parameters
         ----------
         claims : sequence of Claim
-            All statements of the paper.
+            Statements of the paper.
         settings : mapping
             Content of ``config/calibration.yaml``.
         base : Parameters
-            Values of all inputs that are neither fixed by a reading nor searched.
-        watched : bool
-            Whether the statements of the role ``validation`` are judged beside.
+            Values of all inputs that are neither fixed nor searched.
+        emphasised : str
+            Id of a statement whose weight is multiplied, with those that repeat it.
+        emphasis : float
+            By how much [1].
         """
-        fitted = tuple(c for c in claims if c.role == CALIBRATION and not c.aside)
+        fitted = tuple(claim for claim in claims if not claim.aside)
         sizes = Counter(claim.counted_as for claim in fitted)
+        chosen = {claim.counted_as for claim in fitted if claim.id == emphasised}
         weights = [
-            settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
+            settings["weights"].get(claim.kind, 1.0)
+            / sizes[claim.counted_as]
+            * (emphasis if claim.counted_as in chosen else 1.0)
+            for claim in fitted
         ]
-        beside = tuple(c for c in claims if watched and c.role == VALIDATION)
-        asked = referenced_conditions(fitted + beside)
-        return cls(fitted, beside, asked, np.array(weights), tuple(settings["newtons"]), base)
+        asked = referenced_conditions(fitted)
+        return cls(fitted, asked, np.array(weights), tuple(settings["newtons"]), base)
 
-    def found(self, reading: Reading, positions: ArrayLike) -> Found:
-        """How far the model is from what the paper says, for one set of inputs.
+    def scores(
+        self, interpretation: Interpretation, inputs: Mapping[str, Any]
+    ) -> NDArray[np.float64]:
+        """Score of each of ``claims`` for the values of the unknowns, in tolerances [1].
 
-        Parameters
-        ----------
-        reading : Reading
-            Says what the positions stand for.
-        positions : array_like, shape (unknowns,)
-            From 0 to 1 [1].
-
-        Returns
-        -------
-        Found
-            Inputs that no surface can have give every statement its greatest score.
+        Inputs that no surface can have give every statement its greatest score.
         """
         try:
-            evidence = SolvedEvidence(
-                replace(self.base, **reading.fixed, **reading.values(positions)),
-                self.asked,
-                self.newtons,
-                QUICK_EFFORT,
-            )
-            fitted = np.array([judge(claim, evidence).ends for claim in self.claims])
-            beside = np.array([judge(claim, evidence).score for claim in self.beside])
+            parameters = replace(self.base, **interpretation.fixed, **inputs)
+            evidence = SolvedEvidence(parameters, self.asked, self.newtons, QUICK_EFFORT)
+            return np.array([judge(claim, evidence).score for claim in self.claims])
         except ValueError:  # no surface has these inputs
-            fitted = np.full((len(self.claims), 2), MISSING_SCORE)
-            beside = np.full(len(self.beside), MISSING_SCORE)
-        return Found(self.value(reading, positions, fitted), fitted, beside)
+            return np.full(len(self.claims), MISSING_SCORE)
 
-    def value(self, reading: Reading, positions: ArrayLike, ends: ArrayLike) -> float:
-        """What is minimised, where the scores of the statements are known or guessed.
+    def value(self, penalty: float, scores: ArrayLike) -> float:
+        """What is minimised [1]: the penalty, and the weighted losses of the scores added up."""
+        return float(penalty + np.sum(self.weights * loss(np.asarray(scores))))
 
-        Parameters
-        ----------
-        reading : Reading
-            Says what the positions stand for.
-        positions : array_like, shape (unknowns,)
-            From 0 to 1 [1].
-        ends : array_like, shape (claims, 2)
-            In tolerances [1], as ``Found`` has them.
-
-        Returns
-        -------
-        float
-            Penalties of the unknowns and weighted losses of the statements, added up [1].
-        """
-        values = reading.values(positions)
-        penalties = [unknown.penalty(values[unknown.name]) for unknown in reading.unknowns]
-        return float(np.sum(penalties) + np.sum(self.losses(ends)))
-
-    def losses(self, ends: ArrayLike) -> NDArray[np.float64]:
-        """Weighted loss of each statement [1], shape (claims,), from ``ends`` as ``Found`` has them."""
-        return self.weights * loss(np.abs(ends).max(axis=1))
+    def __call__(self, interpretation: Interpretation, positions: ArrayLike) -> float:
+        """What is minimised [1], at the ``positions`` of the unknowns."""
+        inputs = interpretation.values(positions)
+        return self.value(interpretation.penalty(inputs), self.scores(interpretation, inputs))
 
 
 def loss(score: ArrayLike) -> ArrayLike:
-    """Loss of a statement.
+    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1].
 
-    It is small wherever the statement holds, steepest where it ceases to, and grows slowly far
-    off, so that a statement that cannot hold does not drown the others.
-
-    Parameters
-    ----------
-    score : array_like
-        Distances from what is published, in tolerances [1], as ``thirdbody.study.checks.judge``
-        returns them.
-
-    Returns
-    -------
-    array_like
-        s^4/(1 + s^4) + 0.1 s for each score s [1].
+    It is small where the statement holds, steepest where it ceases to, and grows slowly far off,
+    so that a statement that cannot hold does not outweigh the others.
     """
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
-def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
-    """Evaluations that are about as good as the best.
+@dataclass(frozen=True)
+class Fold:
+    """One part of the cross-validation.
+
+    Attributes
+    ----------
+    judged : tuple of Claim
+        Statements of some figures, left out of the search and judged by its result.
+    fitted : tuple of Claim
+        Statements that neither refer to one of these figures nor repeat or contradict a judged one.
+    """
+
+    judged: tuple[Claim, ...]
+    fitted: tuple[Claim, ...]
+
+
+def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
+    """Divide the statements into folds, so that each is judged once by inputs that never saw it.
 
     Parameters
     ----------
-    rows : array, shape (evaluations, unknowns + 1)
-        As ``search`` returns them.
-    acceptance : float
-        How far the objective may be above the least one [1].
-
-    Returns
-    -------
-    array, shape (accepted, unknowns + 1)
-        The rows within ``acceptance`` of the best, in the order of their objective, equal rows
-        once.
+    claims : sequence of Claim
+        All statements of the paper.
+    figures : sequence of sequence of int
+        The figures of each fold.  A statement is judged in the fold of its first figure.
     """
-    ordered = np.unique(rows, axis=0)
-    ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
-    return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
-
-
-def spread_out(rows: NDArray[np.float64], count: int) -> NDArray[np.float64]:
-    """Choose rows that are far apart from each other.
-
-    Parameters
-    ----------
-    rows : array, shape (n, unknowns + 1)
-        Positions and objective; the first row is chosen first.
-    count : int
-        How many to choose.
-
-    Returns
-    -------
-    array, shape (min(count, n), unknowns + 1)
-        The first row, and each next the one whose positions are farthest from all before.
-    """
-    chosen = [0]
-    distance = np.full(len(rows), np.inf)
-    while len(chosen) < min(count, len(rows)):
-        gap = np.linalg.norm(rows[:, :-1] - rows[chosen[-1], :-1], axis=1)
-        distance = np.minimum(distance, gap)
-        chosen.append(int(np.argmax(distance)))
-    return rows[chosen]
+    folds = []
+    for part in map(set, figures):
+        judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
+        names = {claim.counted_as for claim in judged}
+        contradicted = {other for claim in judged for other in claim.contradicts}
+        fitted = tuple(
+            claim
+            for claim in claims
+            if not claim.all_figures & part
+            and claim.counted_as not in names
+            and claim.id not in contradicted
+        )
+        folds.append(Fold(judged, fitted))
+    return folds

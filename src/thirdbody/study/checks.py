@@ -1,24 +1,17 @@
 """How far a statement of the paper is from holding: one check for each kind of statement.
 
-``judge`` asks the ``Evidence`` for the curves, turning points and windows that a claim speaks of,
-measures on them what the claim is about, and expresses the distance from what the paper says in
-tolerances of the claim.  A claim holds if this distance is at most 1.
-
-Every check returns ``(measured, value, deviation, low, high)``: what was measured as text and as a
-number, how much it deviates, and the least and the greatest distance in tolerances, below 0 where less
-is measured than is published; nan where there is nothing to measure.
-Kinds of statements are explained at the head of ``config/claims.yaml``.
+``judge`` takes the curves, turning points and windows that a claim refers to from ``evidence``,
+computes the number or course in question, and expresses its distance from what the paper says in
+tolerances of the claim.  A claim holds if this distance is at most 1.  The kinds of statements are
+explained at the head of ``config/claims.yaml``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from functools import cached_property
-from typing import NamedTuple, Protocol
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.model.regimes import BOUNDARY_LIMIT
@@ -28,6 +21,7 @@ from thirdbody.study.claims import (
     BETWEEN_CURVES,
     BOUNDS,
     CURVE_QUANTITIES,
+    DEPARTURE_SHARPNESS,
     REVERSAL_LOAD,
     STATES,
     TURNING_POINT_QUANTITIES,
@@ -35,186 +29,57 @@ from thirdbody.study.claims import (
     Claim,
     state_names,
 )
+from thirdbody.study.evidence import SolvedEvidence
 
-MISSING_SCORE = 10.0  # the greatest score, given also where there is nothing to measure
-# A claim may bound its range of loads by a ratio: this much of it is a line's width in the figures.
+MISSING_SCORE = 10.0  # the greatest score, also given where there is nothing to compare
+# Loads may miss the bound that a claim sets by this before its score grows: a line's width.
 BOUND_TOLERANCE = 0.02
-BEND = 0.1  # by how much a curve's slope must have fallen for a bend that a reader sees [1]
-SATURATED = 1e-12  # nearer to 0 or 1, a ratio has lost the digits that tell its odds
+BEND = 0.1  # by how much a curve's slope must have fallen for a visible bend [1]
+SATURATED = 1e-12  # closer to 0 or 1, a ratio has lost the digits of its odds
 TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
-# what a check returns: text, numbers, the place of the worst, its deviation, both ends of the distances
-Measured = tuple[str, Iterable[float], int, float, float, float]
 
 
-@dataclass(frozen=True)
-class Curve:
-    """A curve over the load: arrays of one shape (loads,).
+class Measured(NamedTuple):
+    """What a check finds: a text, the distance from what is published in tolerances [1], and numbers.
 
-    Attributes
-    ----------
-    load : array
-        F_t* [1], increasing.
-    normal_load : array
-        F_t [N].
-    total_contact_area : array
-        A_t* [1].
-    particle_contact_area_ratio : array
-        A_sa,t* [1].
-    solid_load_fraction, fluid_load_fraction : array
-        L_s and L_f [1].
-    film_thickness : array
-        d/R_x [1], whether there is a film or not.
-    separation : array
-        d [m].
-    solved : array of bool
-        Which points have a solution; the values of others are nan.
+    ``deviation`` is that of the number farthest off, ``numbers[worst]``; nan where there is none.
     """
 
-    load: NDArray[np.float64]
-    normal_load: NDArray[np.float64]
-    total_contact_area: NDArray[np.float64]
-    particle_contact_area_ratio: NDArray[np.float64]
-    solid_load_fraction: NDArray[np.float64]
-    fluid_load_fraction: NDArray[np.float64]
-    film_thickness: NDArray[np.float64]
-    separation: NDArray[np.float64]
-    solved: NDArray[np.bool_]
-
-    @cached_property
-    def solid_load(self) -> NDArray[np.float64]:
-        """Dimensionless load that the solids bear, L_s F_t* [1]."""
-        return self.solid_load_fraction * self.load
-
-    @cached_property
-    def log_load(self) -> NDArray[np.float64]:
-        """ln F_t* [1]."""
-        return np.log(self.load)
-
-    @cached_property
-    def total_contact_area_slope(self) -> NDArray[np.float64]:
-        """d ln A_t*/d ln F_t* [1]: the slope of the curve on logarithmic axes."""
-        return np.gradient(_log(self.total_contact_area), self.log_load)
-
-    @cached_property
-    def _samples(self) -> dict[str, tuple[NDArray[np.float64], bool]]:
-        return {}
-
-    def samples(self, quantity: str) -> tuple[NDArray[np.float64], bool]:
-        """Values to interpolate between.
-
-        Parameters
-        ----------
-        quantity : str
-            Name of an attribute.
-
-        Returns
-        -------
-        values : array
-            The quantity, or its logarithm if it is positive everywhere; nan at unsolved points.
-        logarithmic : bool
-            Whether they are logarithms.
-        """
-        if quantity not in self._samples:
-            values = getattr(self, quantity)
-            logarithmic = bool((values > 0.0).all())
-            values = np.log(values) if logarithmic else values
-            self._samples[quantity] = np.where(self.solved, values, np.nan), logarithmic
-        return self._samples[quantity]
-
-
-class TurningPoint(NamedTuple):
-    """The interior maximum of A_sa,t* over the load that stands out most on a curve.
-
-    Attributes
-    ----------
-    load : float
-        F_TPCA* [1]; nan, as the other numbers, if there is no interior maximum.
-    peak_ratio : float
-        A_sa,t* there [1].
-    solid_load_fraction : float
-        L_s there [1].
-    prominence : float
-        By how much A_sa,t* stands out there of its least values on both sides [1].
-    """
-
-    load: float
-    peak_ratio: float
-    solid_load_fraction: float
-    prominence: float
-
-    @property
-    def exists(self) -> bool:
-        """Whether it stands out enough for a turning point, by ``PROMINENCE``."""
-        return self.prominence >= PROMINENCE
-
-
-class Evidence(Protocol):
-    """What claims are judged on.
-
-    Conditions are those of ``thirdbody.data.conditions.Condition``: nu [m2/s], x_a [m], sigma [m]
-    and eta_a [m-2].
-    """
-
-    def curve(
-        self,
-        viscosity: float,
-        particle_diameter: float,
-        roughness: float,
-        particle_density: float,
-    ) -> Curve:
-        """The curve at these conditions over the whole range of loads."""
-
-    def turning_point(
-        self,
-        viscosity: float,
-        particle_diameter: float,
-        roughness: float,
-        particle_density: float,
-    ) -> TurningPoint:
-        """The turning point of that curve, found more closely than its loads are spaced."""
-
-    def window(self, roughness: float) -> tuple[float, float]:
-        """Ends of the range of x_a/sigma [1] within which dry curves have a turning point.
-
-        They are curves at ``roughness`` [m] and eta_a = 1e11 m-2.
-        """
+    text: str
+    distance: float
+    deviation: float
+    numbers: Sequence[float] = ()
+    worst: int = 0
 
 
 class Verdict(NamedTuple):
-    """What comes of judging a claim.
+    """Result of judging a claim.
 
     Attributes
     ----------
-    measured : str
-        What was measured, as text.
+    computed : str
+        What the model gives, as text.
     numbers : tuple of float
-        The numbers that were compared with published ones [unit of the quantity]; none where other
-        than numbers are compared.
+        The numbers that were compared with published ones [unit of the quantity], if any.
     worst : int
         Which of them is farthest off.
     deviation : float
-        Measured minus published [unit of the quantity], or the relative deviation [1] if the
+        Computed minus published [unit of the quantity], or the relative deviation [1] if the
         claim's tolerance is relative.
     score : float
-        Distance from what is published, in tolerances [1].  Beyond 1 it grows with the logarithm
-        of the distance only, up to ``MISSING_SCORE``, so that one bad miss does not outweigh
-        everything else in a sum.  nan if the paper keeps the value back.
-    ends : tuple of float
-        The least and the greatest score of the numbers that are compared, below 0 where less is measured
-        than is published [1]; ``score`` is the greater of their sizes.  Where other than numbers are
-        compared, both are the score.
+        Distance from what is published in tolerances [1]; 1 + its logarithm beyond 1, and at most
+        ``MISSING_SCORE``, so that one bad miss does not outweigh everything else in a sum.
     tested : bool
-        Whether the model comes to the condition that the claim speaks of within its loads.
+        Whether the model reaches the condition of the claim within its loads.
     holds : bool
         Whether it is tested and the score is at most 1.
     """
 
-    measured: str
+    computed: str
     numbers: tuple[float, ...]
     worst: int
     deviation: float
     score: float
-    ends: tuple[float, float]
     tested: bool
     holds: bool
 
@@ -225,52 +90,38 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds that a claim sets.
+    """No load of a curve is within the bounds of a claim.
 
-    The argument is by how much the nearest load misses them, in the unit of the bound; or the
+    The argument is by how much the nearest load misses them, in the unit of the bound or as the
     logarithm of the ratio of two loads.
     """
 
 
-def judge(claim: Claim, evidence: Evidence) -> Verdict:
-    """Measure what a claim speaks of and compare it with what the paper says.
+def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE) -> Verdict:
+    """Compare the model with a statement of the paper.
 
     Parameters
     ----------
     claim : Claim
-        A statement of the paper.
-    evidence : Evidence
-        Curves, turning points and windows of the model, at least at the conditions of the claim.
+        The statement.
+    evidence : SolvedEvidence
+        Has at least the curves, turning points and windows that the claim refers to.
+    prominence : float
+        How far a turning point must stand out to count as one [1].
 
     Returns
     -------
     Verdict
-        What was measured and whether the claim holds.
+        What was computed and whether the claim holds.
 
     Examples
     --------
     >>> from thirdbody import load_parameters
-    >>> from thirdbody.study.claims import referenced_conditions
+    >>> from thirdbody.configuration.schema import config_directory
+    >>> from thirdbody.study.claims import load_claims, referenced_conditions
     >>> from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-    >>> claim = Claim(
-    ...     id="fig03a-ratio-zero-without-particles",
-    ...     place="Figure 3A, section 3.3",
-    ...     statement="Without particles the particle contact ratio is 0 at each load.",
-    ...     kind="value",
-    ...     role="calibration",
-    ...     quantity="particle_contact_area_ratio",
-    ...     extreme="maximum",
-    ...     conditions={
-    ...         "viscosity_cSt": 0,
-    ...         "particle_diameter_nm": 0,
-    ...         "roughness_nm": 100,
-    ...         "particle_density_per_m2": 1e11,
-    ...     },
-    ...     published=0.0,
-    ...     tolerance=0.001,
-    ...     relative=False,
-    ...     reason="true by definition of the ratio",
-    ... )
+    >>> claims = load_claims(config_directory() / "claims.yaml")
+    >>> (claim,) = (each for each in claims if each.id == "fig03a-ratio-zero-without-particles")
     >>> asked = referenced_conditions([claim])
     >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
     >>> verdict = judge(claim, evidence)
@@ -278,41 +129,39 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
     (0.0, 0.0, True)
     """
     try:
-        measured, numbers, worst, deviation, low, high = CHECKS[claim.kind](claim, evidence)
+        found = CHECKS[claim.kind](claim, evidence)
         tested = _is_within_the_loads(claim, evidence)
     except NotReached as short:
-        tested = False
-        measured, numbers, worst = f"not reached, by {short.args[0]:.3g}", (), 0
-        deviation = np.nan
-        low = high = 2.0 + short.args[0] / BOUND_TOLERANCE
+        tested = claim.must_be_reached
+        lack = short.args[0]
+        text = f"not reached, by {lack:.3g}"
+        found = Measured(text, 2.0 + lack / BOUND_TOLERANCE, np.nan)
+    text, distance = found.text, found.distance
     if claim.source == "turning_point":
-        curves = claim.curves + claim.references
-        prominence = np.min([evidence.turning_point(*curve).prominence for curve in curves])
-        if not prominence >= PROMINENCE:
-            measured += f"; stands out by {prominence:.2g}"
-        high = np.maximum(high, _faintness(prominence))
-    ends = (np.nan, np.nan) if claim.is_withheld else (_score(low), _score(high))
-    score = max(map(abs, ends))
+        heights = [evidence.turning_point(*each).prominence for each in claim.all_curves]
+        least = np.min(heights)
+        if not least >= prominence:
+            text += f"; stands out by {least:.2g}"
+        distance = np.maximum(distance, _faintness(least / prominence))
+    score = _score(distance)
     holds = bool(tested and score <= 1.0)
-    numbers = tuple(map(float, numbers))
-    return Verdict(measured, numbers, worst, float(deviation), score, ends, tested, holds)
+    numbers = tuple(map(float, found.numbers))
+    return Verdict(text, numbers, int(found.worst), float(found.deviation), score, tested, holds)
 
 
 def _score(distance: float) -> float:
-    """Score of a distance in tolerances, with its sign: the distance up to 1, 1 + its logarithm beyond."""
+    """The distance in tolerances, 1 + its logarithm beyond 1."""
     if np.isnan(distance):
         return MISSING_SCORE
-    size = abs(float(distance))
-    score = min(min(size, 1.0) + float(np.log(max(size, 1.0))), MISSING_SCORE)
-    return float(np.copysign(score, distance))
+    beyond = np.log(max(distance, 1.0))
+    return float(min(min(distance, 1.0) + beyond, MISSING_SCORE))
 
 
-def _is_within_the_loads(claim: Claim, evidence: Evidence) -> bool:
+def _is_within_the_loads(claim: Claim, evidence) -> bool:
     """Whether a claim on loads can be decided by those that were computed.
 
-    A load beyond the last one is known to be larger, and no more: a number that is published is
-    missed if the last load misses it already, and curves are in no known order if the loads of two
-    neighbours lie beyond.
+    A load beyond the last one is only known to be larger: a published number is missed if the last
+    load already misses it, and curves have no known order if the loads of two neighbours are beyond.
     """
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
@@ -323,64 +172,67 @@ def _is_within_the_loads(claim: Claim, evidence: Evidence) -> bool:
     beyond = loads >= last
     if claim.along:
         return not (beyond[1:] & beyond[:-1]).any()
+    if claim.kind == "reach":
+        return not beyond.all()
     if claim.published is None or not beyond.any():
         return not beyond.any()
-    *_, low, high = _against_published(claim, np.minimum(loads, last), "")
-    return bool(low < -1.0 or high > 1.0)
+    return bool(_against_published(claim, np.minimum(loads, last), "").distance > 1.0)
 
 
-def _faintness(prominence: float) -> float:
-    """Distance of a turning point from standing out, in tolerances: 1 where it just does.
+def _faintness(height: float) -> float:
+    """Distance of a turning point from being visible, in tolerances; ``height`` in least heights.
 
-    It falls to 0 where it stands out twice as much, with no bend: so that a calibration finds its
-    way to turning points.
+    It is 1 where the point is just visible and falls to 0 at twice this height, without a bend.
     """
-    share = prominence / PROMINENCE
-    return max(2.0 - share, 0.0) if share > 1.0 else 1.0 / np.maximum(share, TINY)
+    return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
 
 
 # --- one check for each kind of claim ---
 
 
-def check_value(claim: Claim, evidence: Evidence) -> Measured:
-    """Check one number; if several curves are to have it, the one farthest off counts."""
+def check_value(claim: Claim, evidence) -> Measured:
+    """Check one number, on all curves or with ``any_curve`` on one of them."""
     values = _scalars(claim, evidence)
-    return _against_published(claim, values, _shown(claim, evidence, values))
+    text = _text_of(claim, evidence, values)
+    if not claim.any_curve:
+        return _against_published(claim, values, text)
+    each = [_against_published(claim, value, text) for value in values]
+    best = int(np.argmin([found.distance for found in each]))
+    return each[best]._replace(numbers=values, worst=best)
 
 
-def check_reach(claim: Claim, evidence: Evidence) -> Measured:
+def check_reach(claim: Claim, evidence) -> Measured:
     """Check that a number is reached; the curve that stays farthest from it counts."""
     values = _scalars(claim, evidence)
     sign = 1.0 if claim.extreme == "minimum" else -1.0
     lacks = np.maximum(sign * (values - claim.published), 0.0)
     worst = int(np.argmax(lacks))
-    distance = lacks[worst] / claim.tolerance
-    text = _shown(claim, evidence, values)
-    return text, values, worst, sign * lacks[worst], distance, distance
+    text = _text_of(claim, evidence, values)
+    return Measured(text, lacks[worst] / claim.tolerance, sign * lacks[worst], values, worst)
 
 
-def check_range(claim: Claim, evidence: Evidence) -> Measured:
-    """Check the least and the greatest value of the quantity on a curve."""
+def check_span(claim: Claim, evidence) -> Measured:
+    """Check that both published numbers lie on a curve, and say at which loads."""
+    (curve,) = (evidence.curve(*condition) for condition in claim.curves)
     (course,) = _courses(claim, evidence)
-    ends = np.array([course.min(), course.max()])
-    return _against_published(claim, ends, f"{ends[0]:.4g} to {ends[1]:.4g}")
+    numbers = np.array([course.min(), course.max()])
+    nearest = np.clip(claim.published, *numbers)
+    order = np.argsort(course)
+    newtons = np.interp(claim.published, course[order], curve.normal_load[order])
+    loads = " and ".join(f"{newton:.3g} N" for newton in newtons)
+    text = f"{numbers[0]:.4g} to {numbers[1]:.4g}; nearest to the printed ends at {loads}"
+    return _against_published(claim, nearest, text)._replace(numbers=numbers)
 
 
-def check_window(claim: Claim, evidence: Evidence) -> Measured:
-    """Check the ends of the range of x_a/sigma with a turning point.
-
-    Of several surfaces the one farthest off counts.
-    """
+def check_window(claim: Claim, evidence) -> Measured:
+    """Check the range of x_a/sigma with a turning point; of several surfaces the worst counts."""
     windows = np.array([evidence.window(condition.roughness) for condition in claim.curves])
     text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
     return _against_published(claim, windows, text)
 
 
-def check_ordering(claim: Claim, evidence: Evidence) -> Measured:
-    """Check that curves lie one above the other.
-
-    No two neighbours may be in the opposite order anywhere, and they must be apart somewhere.
-    """
+def check_ordering(claim: Claim, evidence) -> Measured:
+    """Check that neighbours are nowhere in the opposite order, and somewhere apart."""
     sign = -1.0 if claim.direction == "decreasing" else 1.0
     gaps = [sign * gap for gap in _gaps(claim, evidence)]
     against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
@@ -388,13 +240,13 @@ def check_ordering(claim: Claim, evidence: Evidence) -> Measured:
     return _missed(claim, text, np.max([against, 2.0 * claim.step - apart]))
 
 
-def check_coincidence(claim: Claim, evidence: Evidence) -> Measured:
+def check_coincidence(claim: Claim, evidence) -> Measured:
     """Check that curves overlap with their references."""
     widest = np.max([np.abs(gap).max() for gap in _gaps(claim, evidence)])
     return _missed(claim, f"apart by {widest:.3g} at most", widest)
 
 
-def check_course(claim: Claim, evidence: Evidence) -> Measured:
+def check_course(claim: Claim, evidence) -> Measured:
     """Check a trend over the load, or from curve to curve; or that there is no interior maximum."""
     along_curves = claim.along == "curves"
     courses = [_scalars(claim, evidence)] if along_curves else _courses(claim, evidence)
@@ -403,21 +255,26 @@ def check_course(claim: Claim, evidence: Evidence) -> Measured:
     worst = int(np.argmax(misses))
     course = courses[worst]
     text = f"{course[0]:.4g} to {course[-1]:.4g} within {course.min():.4g} and {course.max():.4g}"
-    return _missed(claim, _shown(claim, evidence, course) if along_curves else text, misses[worst])
+    if along_curves:
+        text = _text_of(claim, evidence, course)
+    return _missed(claim, text, misses[worst])
 
 
-def check_sequence(claim: Claim, evidence: Evidence) -> Measured:
-    """Check that regimes, modes or both are passed in the published order as the load grows."""
+def check_sequence(claim: Claim, evidence) -> Measured:
+    """Check that regimes, modes or both are passed in the published order as the load grows.
+
+    All curves must do so, or with ``any_curve`` one of them.
+    """
     curves = [evidence.curve(*condition) for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
-    worst = int(np.argmax(misses))
-    return _missed(claim, _visited(claim, curves[worst]), misses[worst])
+    chosen = int(np.argmin(misses) if claim.any_curve else np.argmax(misses))
+    return _missed(claim, _passed_states(claim, curves[chosen]), misses[chosen])
 
 
 CHECKS = {
     "value": check_value,
     "reach": check_reach,
-    "range": check_range,
+    "span": check_span,
     "window": check_window,
     "ordering": check_ordering,
     "coincidence": check_coincidence,
@@ -428,28 +285,25 @@ CHECKS = {
 }
 
 
-def _against_published(claim, measured, text) -> Measured:
-    """Result of a check whose ``measured`` numbers are to equal the published ones."""
+def _against_published(claim, computed, text) -> Measured:
+    """Result of a check whose ``computed`` numbers are to equal the published ones."""
     published = np.nan if claim.published is None else np.asarray(claim.published)
-    deviation = measured - published
-    distance = deviation / claim.tolerance
+    deviation = computed - published
+    distance = np.abs(deviation) / claim.tolerance
     if claim.relative:
-        # The distance is a ratio of logarithms, 1 at either end of the tolerance: so it goes on
-        # growing where a quantity is far too small, and a calibration can follow its slope.
-        ratio = np.maximum(measured / published, TINY)
+        # A ratio of logarithms, 1 at either end of the tolerance: it goes on growing where a
+        # quantity is far too small, so that a calibration can follow its slope.
+        ratio = np.maximum(computed / published, TINY)
         deviation = ratio - 1.0
-        width = np.log1p(np.copysign(claim.tolerance, deviation))
-        distance = np.copysign(np.log(ratio) / width, deviation)
-    worst = int(np.argmax(np.abs(distance)))
-    ends = np.min(distance), np.max(distance)
-    return text, measured.flat, worst, deviation.flat[worst], *ends
+        distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
+    worst = int(np.argmax(distance))
+    return Measured(text, np.max(distance), np.ravel(deviation)[worst], np.ravel(computed), worst)
 
 
 def _missed(claim, text, miss) -> Measured:
     """Result of a check that found by how much a course or an order is missed."""
     deviation = np.expm1(miss) if claim.relative else miss
-    distance = np.maximum(miss / claim.step, 0.0)
-    return text, (), 0, deviation, distance, distance
+    return Measured(text, np.maximum(miss / claim.step, 0.0), deviation)
 
 
 # --- measuring ---
@@ -464,6 +318,8 @@ def _scalars(claim, evidence):
         return np.array([_reversal_load(claim, evidence)])
     if claim.quantity == BEND_LOAD:
         return _bend_loads(claim, evidence)
+    if claim.quantity == DEPARTURE_SHARPNESS:
+        return _departure_sharpness(claim, evidence)
     if claim.quantity == BEND_OVER_MIXED:
         return _bend_loads(claim, evidence) / _mixed_loads(claim, evidence)
     if claim.source == "turning_point":
@@ -529,6 +385,24 @@ def _mixed_loads(claim, evidence):
     return np.array([_first_fall(curve.load, each) for curve, each in zip(curves, excess)])
 
 
+def _departure_sharpness(claim, evidence):
+    """How suddenly H_c leaves that of the reference as the load grows [1].
+
+    It is the greatest change of the slope of ln(H_c/H_c,reference) over ln F_t* within a tenth of a
+    decade, over the greatest slope: 1 at a kink.
+    """
+    found = []
+    for reference, condition in zip(claim.references, claim.curves, strict=True):
+        dry, wet = evidence.curve(*reference), evidence.curve(*condition)
+        log_load = np.log(wet.load)
+        slope = np.diff(_log(wet.film_thickness / dry.film_thickness)) / np.diff(log_load)
+        slope[~(wet.solved & dry.solved)[1:]] = np.nan
+        middle = 0.5 * (log_load[1:] + log_load[:-1])
+        later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
+        found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
+    return np.array(found)
+
+
 def _table(claim, evidence, group, quantity=""):
     """Abscissa [points] and quantity [curves, points] of curves, where the claim speaks of them."""
     curves = [evidence.curve(*condition) for condition in group]
@@ -545,8 +419,7 @@ def _table(claim, evidence, group, quantity=""):
 def _loads(claim, curves, bounded):
     """Loads F_t* [1] that the claim speaks of.
 
-    There is one load if the claim names it, or the level of a quantity that is reached there; else
-    they are all loads within the claim's bounds on the curves ``bounded``.
+    One load if the claim names it or a level; else all within its bounds on the curves ``bounded``.
     """
     limits, grid = claim.limits, curves[-1]
     if not limits and all(curve.load is grid.load for curve in curves):
@@ -580,9 +453,8 @@ def _loads(claim, curves, bounded):
 def _first_fall(loads, values):
     """Load at which ``values`` first fall to zero.
 
-    If they are not above zero at the start, it is the first load.  If they never fall to zero, they
-    are continued beyond the last load by their last slope, for a decade at most: so the result
-    does not jump when inputs change.
+    It is the first load if they start below.  If they never fall to zero, they are continued by their
+    last slope, for a decade at most, so that the result does not jump when inputs change.
     """
     above = values > 0.0
     if not above[0]:
@@ -603,7 +475,7 @@ def _sample(curve, quantity, x, against="load"):
         return x
     if x is curve.load:  # nothing lies between
         return np.where(curve.solved, getattr(curve, quantity), np.nan)
-    known = curve.log_load if against == "load" else np.log(getattr(curve, against))
+    known = np.log(curve.load) if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
     values, logarithmic = curve.samples(quantity)
     found = np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
@@ -632,10 +504,8 @@ def _peak_height(values):
 def _peak_miss(values, step):
     """By how much a course of ratios misses an interior maximum of two steps.
 
-    Where there is no maximum at all, its height gives a calibration no slope to follow.  Therefore
-    the miss also counts how far the course is from turning, by the slope of ln(v/(1 - v)), which
-    unlike v itself goes on changing near 0 and 1: a course turns where the slope falls from above
-    to below zero.  If too few values are distinct from 0 and 1, the miss is the greatest.
+    Where there is no maximum, the miss also counts how far the course is from turning, by the slope
+    of ln(v/(1 - v)), so that a calibration has a slope to follow.
     """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
@@ -653,6 +523,7 @@ def _peak_miss(values, step):
 COURSES = {
     "increasing": _rise_miss,
     "decreasing": lambda values, step: _rise_miss(-values, step),
+    "increasing_at_each_step": lambda values, step: 2.0 * step - np.min(np.diff(values)),
     "constant": lambda values, step: np.ptp(values),
     "rising_then_falling": _peak_miss,
     "falling_then_rising": lambda values, step: _peak_miss(-values, step),
@@ -663,33 +534,36 @@ COURSES = {
 def _sequence_miss(claim, curve):
     """How far a curve leaves the published states, passed in turn.
 
-    The points of the curve are given to the steps in turn, each step at least one point; the miss
-    is the largest excursion of a point from its step, and the division with the least miss counts.
+    The points of the curve are divided among the steps in turn, each with at least one point.  The
+    miss is the largest excursion of a point from its step, in the division where this is least.
+    Each step must also be met: it must contain a point, and by one tolerance for a miss of 0.
     """
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():
         return np.nan
+    required = excursions[:-1] if claim.open_end else excursions
+    unmet = max(np.max(np.min(required, axis=1)) + claim.tolerance, 0.0)
     enter, reached = -np.inf, [np.inf] * len(excursions)
     # reached[step]: least miss so far if the point before belongs to this step.  Plain numbers are
     # quicker here than arrays, as there are few steps.
-    for point in excursions.T.tolist():
+    for point in np.maximum(excursions, 0.0).T.tolist():
         come = enter
         for step, here in enumerate(point):
             stay = reached[step]
-            best = stay if stay < come else come
-            come, reached[step] = stay, here if here > best else best
+            best = min(stay, come)
+            come, reached[step] = stay, max(here, best)
         enter = np.inf
-    return min(reached[-2:]) if claim.open_end else reached[-1]
+    return max(min(reached[-2:]) if claim.open_end else reached[-1], unmet)
 
 
 def _excursion(curve, step):
-    """How far each point is outside a step.
+    """How far each point is outside a step, negative inside.
 
     A step names alternatives ("mixed hybrid or full_film"), each a regime, a mode or both.
     """
     excursions = []
     for alternative in step.split(" or "):
-        outside = np.where(curve.solved, 0.0, np.nan)
+        outside = np.where(curve.solved, -np.inf, np.nan)
         for name in alternative.split():
             quantity, low, high = STATES[name]
             values = getattr(curve, quantity)
@@ -698,7 +572,7 @@ def _excursion(curve, step):
     return np.min(excursions, axis=0)
 
 
-def _visited(claim, curve):
+def _passed_states(claim, curve):
     """Text of the states that a curve passes: regimes, modes or both, as the claim names them."""
     families = {STATES[name][0] for name in state_names(claim.published)}
     inside = {
@@ -721,7 +595,7 @@ def _log(values):
     return np.log(np.maximum(values, TINY))
 
 
-def _shown(claim, evidence, values):
+def _text_of(claim, evidence, values):
     """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
     if claim.quantity in ("load", REVERSAL_LOAD, BEND_LOAD):

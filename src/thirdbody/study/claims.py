@@ -1,13 +1,12 @@
 """Statements of the paper as data, each called a *claim*.
 
-A claim names a quantity, the conditions under which the paper speaks of it, what the paper says of
-it, and the tolerance to which that is to hold.  The kinds of claims and the fields of each are
-explained at the head of ``config/claims.yaml``.  ``config/claims.schema.yaml`` says which words a
-claim may have; those for quantities and states are the ones of this module.
+A claim has a quantity, conditions, what the paper says of the quantity there, and a tolerance.  The
+kinds of claims and the fields of each are explained at the head of ``config/claims.yaml``.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -34,9 +33,10 @@ WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
 REVERSAL_LOAD = "total_contact_area_reversal_load"
 BEND_LOAD, BEND_OVER_MIXED = "bend_load", "bend_load_over_mixed_load"
 BETWEEN_CURVES = (REVERSAL_LOAD, BEND_LOAD, BEND_OVER_MIXED)  # loads where two curves part or cross
+DEPARTURE_SHARPNESS = "departure_sharpness"
 QUANTITIES = (
     *(*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES),
-    *BETWEEN_CURVES,
+    *(*BETWEEN_CURVES, DEPARTURE_SHARPNESS),
 )
 # Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
 # the bound makes sign * (bound - value) positive.
@@ -44,6 +44,9 @@ BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
 KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions that tell curves apart
+
+# "Figure 4B", "Figures 4B and 4C", "Figures 4 to 7": first number and, of a range, the last
+FIGURES = re.compile(r"(?:Figures? |and (?=\d))(\d+)[A-D]?(?: to (\d+))?")
 
 # Regimes and modes of sections 3.1 and 3.2: the quantity that decides, and the interval it is in.
 STATES = {
@@ -55,66 +58,20 @@ STATES = {
     "surface_surface": ("particle_contact_area_ratio", -np.inf, SURFACE_LIMIT),
 }
 
-CALIBRATION, VALIDATION, WITHHELD = "calibration", "validation", "withheld"  # roles
-
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement of the paper.
+    """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
 
-    Attributes
-    ----------
-    id : str
-        Its name.
-    place : str
-        Place in the paper.
-    statement : str
-        What it says, in our words.
-    kind : str
-        Kind of statement; it decides how the claim is checked.
-    role : str
-        ``calibration`` if inputs are fitted to it, ``validation`` if they must not be,
-        ``withheld`` if the paper keeps its value back.
-    conditions : mapping
-        Conditions of the curves and bounds of the loads, by keys that name their units.
-    tolerance : float
-        How far off it may be: a fraction of the quantity [1] if ``relative``, else in its unit.
-    relative : bool
-        Whether the tolerance is a fraction.
-    reason : str
-        Why the tolerance is what it is.
-    quantity : str
-        What the statement is about: one of ``QUANTITIES``; empty where the kind says it.
-    published : float, sequence or None
-        What the paper says: a number, two ends or a sequence of states; None if it keeps the value
-        back, or makes a statement of another kind.
-    direction : str
-        Of an ordering or a trend: ``increasing``, ``decreasing``, ...
-    along : str
-        Whether a trend runs along ``load`` or from curve to curve (``curves``).
-    extreme : str
-        Whether a value is the ``minimum`` or the ``maximum`` over the load.
-    against : str
-        Quantity over which curves are compared.
-    open_end : bool
-        Whether the last state of a sequence may lie beyond the loads that are computed.
-    reference : mapping or None
-        Conditions that differ on the curves which those of the claim are held against.
-    contradicts : sequence of str
-        Ids of statements in which the paper says the opposite.
-    quote : str
-        What it says, in the paper's words; formulas are TeX.
-    aside : str
-        Why the statement that it contradicts is taken instead; empty if it is taken itself.
-    cluster : str
-        Name that it has in common with the statements that repeat it; empty if there are none.
+    ``conditions`` and ``reference`` have keys that name their units.  ``tolerance`` is a fraction of the
+    quantity [1] if ``relative``, else in the unit of the quantity; ``reason`` is the reason for it.
+    Fields that an entry does not have are empty.
     """
 
     id: str
     place: str
     statement: str
     kind: str
-    role: str
     conditions: Mapping[str, Any]
     tolerance: float
     relative: bool
@@ -126,6 +83,9 @@ class Claim:
     extreme: str = ""
     against: str = "load"
     open_end: bool = False
+    any_curve: bool = False
+    must_be_reached: bool = False
+    figures: Sequence[int] = ()
     reference: Mapping[str, float] | None = None
     contradicts: Sequence[str] = ()
     quote: str = ""
@@ -155,18 +115,31 @@ class Claim:
         }
         return tuple(condition._replace(**changes) for condition in self.curves)
 
+    @property
+    def all_curves(self) -> tuple[Condition, ...]:
+        """Conditions of all its curves, those held against included."""
+        return self.curves + self.references
+
+    @cached_property
+    def all_figures(self) -> frozenset[int]:
+        """Numbers of the figures that its place names, or that it repeats."""
+        found = set(self.figures)
+        for first, last in FIGURES.findall(self.place):
+            found |= set(range(int(first), int(last or first) + 1))
+        return frozenset(found)
+
     @cached_property
     def limits(self) -> dict[str, float]:
         """The conditions that bound or name the loads, by their keys."""
         return {key: value for key, value in self.conditions.items() if key not in KEYS}
 
     @property
-    def curves_told(self) -> str:
+    def curves_text(self) -> str:
         """The curves, what bounds or names the loads, and what the curves are held against, as text."""
         loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
-        told = "; ".join([*_told(self.conditions), *loads])
-        against = ", ".join(_told(self.reference or {}))
-        return f"{told}; held against {against}" if against else told
+        text = "; ".join([*_condition_texts(self.conditions), *loads])
+        against = ", ".join(_condition_texts(self.reference or {}))
+        return f"{text}; held against {against}" if against else text
 
     @property
     def counted_as(self) -> str:
@@ -175,7 +148,7 @@ class Claim:
 
     @property
     def source(self) -> str:
-        """Method of ``thirdbody.study.checks.Evidence`` that gives what the claim speaks of."""
+        """Method of ``thirdbody.study.evidence.SolvedEvidence`` that gives what the claim speaks of."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
@@ -187,11 +160,6 @@ class Claim:
         If it is relative, logarithms are compared, and it is ln(1 + tolerance) [1].
         """
         return np.log1p(self.tolerance) if self.relative else self.tolerance
-
-    @property
-    def is_withheld(self) -> bool:
-        """Whether the paper speaks of a number here but keeps its value back."""
-        return self.role == WITHHELD
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
@@ -234,27 +202,22 @@ def state_names(published: Sequence[str]) -> list[str]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """Collect what must be solved to judge claims.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        The claims.
+    """What must be solved to judge ``claims``.
 
     Returns
     -------
     dict of set
-        For each method of ``thirdbody.study.checks.Evidence`` its arguments: a ``Condition`` for
+        For each method of ``thirdbody.study.evidence.SolvedEvidence`` its arguments: a ``Condition`` for
         ``curve`` and ``turning_point``, sigma [m] for ``window``.
     """
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
-        for condition in claim.curves + claim.references:
+        for condition in claim.all_curves:
             asked[claim.source].add(condition.roughness if claim.source == "window" else condition)
     return asked
 
 
-def _told(conditions: Mapping[str, Any]) -> list[str]:
+def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
     """Each of ``conditions`` that tell curves apart, as text: ``nu = 0, 90 cSt``."""
     return [
         f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.unit}"
@@ -269,4 +232,4 @@ def _claim(entry: Mapping) -> Claim:
     relative = "relative" in tolerance
     size = tolerance["relative" if relative else "absolute"]
     given = {"tolerance": size, "relative": relative, "reason": tolerance["reason"]}
-    return Claim(**{"role": WITHHELD} | entry | given)
+    return Claim(**entry | given)

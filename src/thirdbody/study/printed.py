@@ -9,7 +9,7 @@ import numpy as np
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.places import part_of_paper
-from thirdbody.study.claims import CURVE_QUANTITIES, REVERSAL_LOAD, Claim
+from thirdbody.study.claims import BETWEEN_CURVES, CURVE_QUANTITIES, REVERSAL_LOAD, Claim
 
 NUMBER = re.compile(r"Figure (\d+)")
 ENDS = ("low", "high")
@@ -26,9 +26,14 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
     return [
         row
         for claim in claims
-        if claim.kind in ("value", "range", "window") and claim.published is not None
+        if claim.kind in ("value", "span", "window") and not _is_a_change(claim)
         for row in _rows(claim)
     ]
+
+
+def _is_a_change(claim) -> bool:
+    """Whether the number is a change from a reference, which is no place on a figure."""
+    return bool(claim.reference) and claim.quantity not in BETWEEN_CURVES
 
 
 def _rows(claim):
@@ -59,7 +64,7 @@ def _numbers(claim):
     """Extreme, quantity and value of each number of ``claim``."""
     if claim.kind == "window":
         return [("", f"window_{end}", x) for end, x in zip(ENDS, claim.published, strict=True)]
-    if claim.kind == "range":
+    if claim.kind == "span":
         extremes = zip(("minimum", "maximum"), claim.published, strict=True)
         return [(extreme, claim.quantity, value) for extreme, value in extremes]
     return [(claim.extreme, claim.quantity, claim.published)]

@@ -1,104 +1,116 @@
-"""Searching the unprinted inputs of a reading for those that explain most of the paper."""
+"""Searching the unknown inputs of an interpretation for those that explain most of the paper."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import count
+from pathlib import Path
+from typing import Any
 
 import cma
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.study.calibration import Found, Objective, Reading
+from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.study.record import Recorded
 
-FIRST_STEP = 0.2  # deviation of the first steps of a search, in the unit cube
+FIRST_STEP = 0.2  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
-RESTARTS = 9  # more than any number of evaluations reaches
+ELASTIC_STARTS = 3  # one in so many descents starts from elastic summits
 
 
 def search(
-    reading: Reading,
-    objective: Objective,
-    budget: Mapping[str, int],
+    interpretation: Interpretation,
+    objective: Callable[[Interpretation, NDArray[np.float64]], float],
+    budget: Mapping[str, Any],
     seed: int,
+    record: Path,
     report: Callable[[str], object] = print,
-    see: Callable[[Found], object] = lambda found: None,
 ) -> NDArray[np.float64]:
-    """Search the unknowns of a reading for the least objective, and record every evaluation.
+    """Search the unknowns of an interpretation for the least objective.
 
-    An evolution strategy that adapts the covariance of its steps begins at the best of some places
-    that are scattered over the unit cube and know nothing.  Once it has converged it begins anew
-    with twice the population, as long as evaluations are left.
+    Descents follow each other until all evaluations are used.  Each begins at the best of some
+    scattered places, one in three among elastic summits only, and is a CMA evolution strategy.
 
     Parameters
     ----------
-    reading : Reading
+    interpretation : Interpretation
         Its unknowns are searched, two at least.
-    objective : Objective
-        What ``objective.found(reading, positions)`` names as the objective is minimised.
+    objective : callable
+        ``objective(interpretation, positions)`` is minimised.
     budget : mapping
-        How much to evaluate: ``scattered`` places before each descent, the ``population`` of the
-        first one, and ``evaluations`` of all descents, which the last generation may exceed.
+        ``scattered`` places before each descent, ``population`` of the descents, ``evaluations`` in
+        all, which the last generation may exceed, and ``elastic_radius``, the least summit radius
+        of elastic summits [m].
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
+    record : Path
+        File that keeps the evaluations while the search runs.
     report : callable
         Is given a line of text from time to time.
-    see : callable
-        Is given what is found by every evaluation.
 
     Returns
     -------
     array, shape (evaluations, unknowns + 1)
-        Positions [1], and in the last column the objective there [1], in the order of evaluation.
+        Positions, and in the last column the objective there [1], in the order of evaluation.
 
     References
     ----------
-    Hansen & Ostermeier (2001), doi:10.1162/106365601750190398; Auger & Hansen (2005),
-    doi:10.1109/CEC.2005.1554902.
+    Hansen & Ostermeier (2001), doi:10.1162/106365601750190398.
 
     Examples
     --------
-    An objective of one's own, least where the ratio is 1.5 and the mean 1:
+    An objective that is least where the ratio is 1.5 and the mean 1:
 
-    >>> from thirdbody.study.calibration import Found, Unknown
+    >>> import tempfile
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
     >>> mean = Unknown("mean_ratio", (0.0, 2.0), (0.0, 2.0), logarithmic=False)
-    >>> reading = Reading("two", {}, (ratio, mean))
-    >>> class Valley:
-    ...     def found(self, reading, positions):
-    ...         values = reading.values(positions)
-    ...         return Found((values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2)
-    >>> budget = {"scattered": 20, "population": 8, "evaluations": 200}
-    >>> rows = search(reading, Valley(), budget, seed=1, report=lambda line: None)
+    >>> two = Interpretation("two", {}, (ratio, mean))
+    >>> def valley(interpretation, positions):
+    ...     values = interpretation.values(positions)
+    ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
+    >>> budget = {"scattered": 20, "population": 8, "evaluations": 200, "elastic_radius": 5e-5}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     record = Path(folder, "record.txt")
+    ...     rows = search(two, valley, budget, seed=1, record=record, report=lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
-    >>> round(reading.values(best[:-1])["gap_ratio"], 1)
+    >>> round(two.values(best[:-1])["gap_ratio"], 1)
     1.5
     """
-    rows: list[np.ndarray] = []
-
-    def recorded(positions):
-        found = objective.found(reading, positions)
-        see(found)
-        rows.append(np.append(positions, found.objective))
-        if len(rows) % 50 == 0:
-            least = min(row[-1] for row in rows)
-            report(f"{reading.name} seed {seed}: {len(rows)} evaluations, best {least:.3f}")
-        return rows[-1][-1]
-
+    function = Recorded(lambda positions: objective(interpretation, positions), record)
     rng = np.random.default_rng(seed)
-    options = {
-        "bounds": [0.0, 1.0],
-        "popsize": budget["population"],
-        "maxfevals": budget["evaluations"],
-        "tolfun": SAME_HEIGHT,
-        "tolfunhist": SAME_HEIGHT,
-        "seed": seed,
-        "verbose": -9,
-    }
+    for number in count():
+        left = budget["evaluations"] - len(function.rows)
+        if left <= 0:
+            return np.array(function.rows)
+        places = LatinHypercube(len(interpretation.unknowns), rng=rng).random(
+            min(budget["scattered"], left)
+        )
+        if number % ELASTIC_STARTS == 0:
+            places = _elastic(places, interpretation.unknowns, budget["elastic_radius"])
+        start = min(places, key=function)
+        options = {
+            "bounds": [0.0, 1.0],
+            "popsize": budget["population"],
+            "maxfevals": max(budget["evaluations"] - len(function.rows), 1),
+            "tolfun": SAME_HEIGHT,
+            "tolfunhist": SAME_HEIGHT,
+            "seed": int(rng.integers(1, 2**31)),
+            "verbose": -9,
+        }
+        cma.CMAEvolutionStrategy(start, FIRST_STEP, options).optimize(function)
+        best = min(function.rows, key=lambda row: row[-1])
+        report(
+            f"{interpretation.name} seed {seed}: descent {number + 1}, "
+            f"{len(function.rows)} evaluations, least objective {best[-1]:.3f}"
+        )
 
-    def start():
-        places = LatinHypercube(len(reading.unknowns), rng=rng).random(budget["scattered"])
-        return min(places, key=recorded)
 
-    cma.fmin2(recorded, start, FIRST_STEP, options, restarts=RESTARTS)
-    return np.array(rows)
+def _elastic(places, unknowns: tuple[Unknown, ...], radius: float):
+    """The same places with the summit radius moved above ``radius`` [m]."""
+    for column, unknown in enumerate(unknowns):
+        if unknown.name == "summit_radius":
+            least = unknown.position(radius)
+            places[:, column] = least + (1.0 - least) * places[:, column]
+    return places

@@ -1,9 +1,8 @@
 """Elasticities: how results respond to the inputs that the paper does not print.
 
-The elasticity of an output in an input is d ln(output)/d ln(input): by how many per cent the output
-changes if the input changes by one.  Outputs are loads and ratios of turning points, ends of the
-windows of x_a/sigma, and loads at which the regime or mode changes.  An output that does not occur,
-such as the load of a turning point where the ratio has no maximum, is nan.
+The elasticity of an output in an input is d ln(output)/d ln(input).  Outputs are loads and ratios of
+turning points, ends of the windows of x_a/sigma, and loads at which the regime or mode changes; nan
+where they do not occur.
 """
 
 from __future__ import annotations
@@ -14,47 +13,33 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import BarycentricInterpolator
-from scipy.special import logit
 
-from thirdbody.curves.transitions import LIMITS
+from thirdbody.curves.transitions import LIMITS, transitions
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.checks import Curve
-from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
+from thirdbody.study.evidence import (
+    FULL_EFFORT,
+    WINDOW_DENSITY,
+    Effort,
+    SolvedEvidence,
+)
 
-# Relative change of an input to either side.  The error of a central difference has a part that
-# grows with the square of the step, and one from the solver that falls with the step; their sum is
-# least about here.
+# Relative change of an input to either side, where the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
 # Finite differences of second order: steps, and weights of the values there over the step.
 CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
 # Share of a window's end, to either side, within which it is sought again for changed inputs.
 REACH = 0.01
-SIDE = 2  # points on each side of a crossing between which it is interpolated
-# By how many places these points move where some cannot be used: a share that a film leaves at exactly 1
-# falls from there with a bend, and is known on the other side of it.
-SHIFTS = (0, 1, -1, 2, -2)
-# Loads on each side of a result that are solved again for changed inputs: it stays among them.
-AROUND = 6
 
 
 class Output(NamedTuple):
-    """One number that responds to the inputs, and what it belongs to.
+    """One number that responds to the inputs: its name and the curve that it belongs to.
 
-    Attributes
-    ----------
-    output : str
-        Which number: ``turning_point_load``, ``window_low``, ...
-    condition : Condition
-        The curve that it belongs to; nan where a condition has no meaning.
-    quantity : str
-        Of a load of transition, the variable that crosses a limit; empty for others.
-    level : float
-        That limit; nan for others.
+    A load of transition also has the variable that crosses a limit, and this ``level``.
     """
 
     output: str
@@ -64,26 +49,14 @@ class Output(NamedTuple):
 
     @property
     def columns(self) -> dict:
-        """Columns of the table ``sensitivity`` that tell which output a row is about."""
+        """Columns of the table ``sensitivity`` that name the output."""
         same = {"output": self.output, "quantity": self.quantity, "level": self.level}
         return same | self.condition.columns
 
 
 @dataclass(frozen=True)
 class Subject:
-    """Which outputs are asked about.
-
-    Attributes
-    ----------
-    turning_points : tuple of Condition
-        Curves whose turning points are asked about.
-    transitions : tuple of Condition
-        Curves whose loads of transition are asked about.
-    window_roughness : tuple of float
-        sigma [m] of the surfaces whose windows are asked about.
-    newtons : tuple of float
-        First and last normal load [N].
-    """
+    """Which outputs are computed: of which curves and surfaces (sigma [m]), between which loads [N]."""
 
     turning_points: tuple[Condition, ...]
     transitions: tuple[Condition, ...]
@@ -123,25 +96,10 @@ class Subject:
         parameters: Parameters,
         effort: Effort,
         searches: Sequence[WindowSearch] | None = None,
-        places: slice | NDArray[np.intp] = slice(None),
     ) -> NDArray[np.float64]:
-        """Solve for all outputs.
+        """Solve for all outputs: loads F_t* and ratios [1], shape (outputs,).
 
-        Parameters
-        ----------
-        parameters : Parameters
-            Inputs of the model.
-        effort : Effort
-            How finely everything is solved.
-        searches : sequence of WindowSearch, optional
-            How the window of each roughness is sought, if not as ``effort`` says.
-        places : slice or array of int
-            Which of the loads of ``effort`` are solved; all by default.
-
-        Returns
-        -------
-        array, shape (outputs,)
-            Loads F_t* and ratios [1]; nan for an output that does not occur.
+        ``searches`` replace the search for the window of each roughness.
         """
         searches = searches or [effort.window] * len(self.window_roughness)
         asked = {
@@ -149,31 +107,22 @@ class Subject:
             "turning_point": set(self.turning_points),
             "window": set(),
         }
-        evidence = SolvedEvidence(parameters, asked, self.newtons, effort, places)
+        evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_point(*curve) for curve in self.turning_points]
-        points = [point[:2] if point.exists else (np.nan, np.nan) for point in found]
+        points = [
+            point[:2] if point.prominence >= PROMINENCE else (np.nan, np.nan) for point in found
+        ]
         windows = turning_point_windows(
             searches, self.window_roughness, WINDOW_DENSITY, evidence.load_range, parameters
         )
-        curves = [evidence.curve(*curve) for curve in self.transitions]
         ends = [(window.low, window.high) for window in windows]
-        return np.concatenate([*points, *ends, *map(last_crossings, curves)])
+        return np.concatenate([*points, *ends, *last_crossings(evidence, self.transitions)])
 
     def local_searches(self, values: NDArray[np.float64]) -> list[WindowSearch]:
-        """Searches for windows close to known ones, for inputs that have changed a little.
+        """Searches for windows close to those among ``values``, one for each roughness.
 
-        Each end is in the middle between two values of x_a/sigma that are tried, so that the error
-        of interpolating between them cancels in a central difference.
-
-        Parameters
-        ----------
-        values : array, shape (outputs,)
-            The outputs for inputs nearby, as ``values`` returns them.
-
-        Returns
-        -------
-        list of WindowSearch
-            One for each roughness; the whole range is searched if its window is not known.
+        Each end is in the middle between two values of x_a/sigma, so that the error of
+        interpolating between them cancels in a central difference.
         """
         first = 2 * len(self.turning_points)
         searches = []
@@ -185,68 +134,36 @@ class Subject:
             searches.append(local if known else FULL_EFFORT.window)
         return searches
 
-    def local_places(self, values: NDArray[np.float64], parameters: Parameters) -> NDArray[np.intp]:
-        """Indices of the loads of a full effort that are close to the loads among the outputs.
 
-        Parameters
-        ----------
-        values : array, shape (outputs,)
-            The outputs for ``parameters``, as ``values`` returns them.
-        parameters : Parameters
-            Inputs of the model.
-        """
-        is_load = [output.output.endswith("_load") for output in self.outputs]
-        found = values[is_load] * parameters.newtons_per_load
-        grid = np.geomspace(*self.newtons, FULL_EFFORT.loads)
-        beyond = np.searchsorted(grid, found[np.isfinite(found)])
-        near = beyond[:, None] + np.arange(-AROUND, AROUND)
-        ends = [0, grid.size - 1]  # of which a turning point must stand out
-        return np.union1d(near.clip(*ends), ends)
-
-
-def last_crossings(curve: Curve) -> list[float]:
-    """Last load F_t* [1] at which a curve crosses each of ``LIMITS``, those of regimes and modes.
-
-    It is interpolated among the four loads around it, or next to it where a share is 0 or 1 on the
-    other side; nan where a limit is not crossed.
-    """
-    found = []
-    for quantity, level in LIMITS:
-        with np.errstate(divide="ignore"):
-            excess = logit(getattr(curve, quantity)) - logit(level)
-        steps = np.flatnonzero((excess[1:] > 0.0) != (excess[:-1] > 0.0))
-        usable = _usable(excess, steps[-1] + 1) if steps.size else None
-        if usable is None:
-            found.append(np.nan)
-            continue
-        # The interpolator draws its order of summation at random: the seed makes all runs equal.
-        inverse = BarycentricInterpolator(excess[usable], np.log(curve.load[usable]), rng=0)
-        found.append(np.exp(inverse(0.0)))
-    return found
-
-
-def _usable(excess: NDArray[np.float64], beyond: int) -> slice | None:
-    """The points nearest to a sign change before the place ``beyond`` that give its place, if any do."""
-    for shift in SHIFTS:
-        around = slice(max(beyond + shift - SIDE, 0), beyond + shift + SIDE)
-        known = excess[around]
-        steps = np.sign(np.diff(known))
-        if (
-            known.size == 2 * SIDE
-            and np.isfinite(known).all()
-            and np.abs(steps.sum()) == steps.size
-        ):
-            return around
-    return None
-
-
-def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
-    """Inputs that can be varied relatively: those of ``names`` whose value is not 0.
+def last_crossings(
+    evidence: SolvedEvidence, conditions: Sequence[Condition]
+) -> NDArray[np.float64]:
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, of regimes and modes.
 
     Returns
     -------
-    dict
-        Their values, SI, by name.
+    array, shape (curves, limits)
+        nan where a limit is not crossed.
+    """
+    found = np.full((len(conditions), len(LIMITS)), np.nan)
+    if conditions:
+        curves = [evidence.curve(*condition) for condition in conditions]
+        values = {
+            name: np.column_stack([getattr(curve, name) for curve in curves]) for name, _ in LIMITS
+        }
+        limit, curve, load, *_ = transitions(
+            evidence.loads,
+            values,
+            np.transpose(conditions),
+            evidence.parameters,
+            evidence.effort.rtol,
+        )
+        np.fmax.at(found, (curve, limit), load)
+    return found
+
+
+def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
+    """Values of the inputs ``names`` by name, SI, without those that are 0.
 
     Examples
     --------
@@ -310,18 +227,18 @@ def elasticities(
 
 
 class Found(NamedTuple):
-    """How sensitive every output is to every input, by one measure.
+    """Sensitivities of every output to every input, by one measure.
 
     Attributes
     ----------
     measure : str
         ``elasticity`` or ``sobol_total``.
     value, error : array, shape (outputs, inputs)
-        The measure and how uncertain it is [1].
+        The measure and its uncertainty [1].
     occurs : array, shape (outputs,)
-        Share of the solved sets of inputs in which the output occurs [1].
+        Fraction of the solved sets of inputs in which the output occurs [1].
     unexplained : array, shape (outputs,)
-        Share of the output's variance that the measure misses [1]; nan for elasticities.
+        Fraction of the output's variance that the measure misses [1]; nan for elasticities.
     """
 
     measure: str
@@ -364,11 +281,11 @@ def default_elasticities(
     (['turning_point_load', 'turning_point_ratio'], (2, 1))
     """
     base = subject.values(parameters, FULL_EFFORT)
-    local = subject.local_searches(base), subject.local_places(base, parameters)
+    searches = subject.local_searches(base)
     solved = []
 
     def values(changes):
-        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, *local))
+        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, searches))
         return solved[-1]
 
     value, error = elasticities(values, base, inputs)
@@ -379,39 +296,26 @@ def default_elasticities(
 def sensitivity_rows(
     subject: Subject, base: NDArray[np.float64], inputs: Mapping[str, float], found: Found
 ) -> list[dict[str, Any]]:
-    """Rows of the table ``sensitivity``.
+    """Rows of the table ``sensitivity``: one for each output and input.
 
     Parameters
     ----------
     subject : Subject
-        Which outputs were asked about.
+        Which outputs were computed.
     base : array, shape (outputs,)
         The outputs at the default inputs [1].
     inputs : mapping
         Values of the varied inputs, SI, by name.
     found : Found
-        The measure of sensitivity.
-
-    Returns
-    -------
-    list of dict
-        A row for each output and input, and a single one for an output that does not occur.
+        Their sensitivities.  An output that does not occur has a single row.
     """
     rows = []
     for index, output in enumerate(subject.outputs):
         same = {"measure": found.measure, **output.columns, "value": base[index]}
         same |= {"occurs": found.occurs[index], "unexplained": found.unexplained[index]}
+        columns = "input", "input_value", "sensitivity", "error"
+        cells = list(zip(inputs, inputs.values(), found.value[index], found.error[index]))
         if np.isnan(base[index]):
-            nothing = {"input": "", "input_value": np.nan, "sensitivity": np.nan, "error": np.nan}
-            rows.append(same | nothing)
-            continue
-        for place, (name, value) in enumerate(inputs.items()):
-            response = found.value[index, place], found.error[index, place]
-            column = {"input": name, "input_value": value}
-            rows.append(same | column | dict(zip(("sensitivity", "error"), response, strict=True)))
-    return [{key: _blank(value) for key, value in row.items()} for row in rows]
-
-
-def _blank(value):
-    """None instead of nan: tables leave it empty."""
-    return None if isinstance(value, float) and np.isnan(value) else value
+            cells = [("", np.nan, np.nan, np.nan)]
+        rows += [same | dict(zip(columns, each, strict=True)) for each in cells]
+    return [{key: None if value != value else value for key, value in row.items()} for row in rows]

@@ -1,10 +1,8 @@
 """Total Sobol indices: how much of a result's variance each unprinted input takes part in.
 
-The model is solved at evenly scattered sets of inputs.  A quadratic in the inputs, the response
-surface, is fitted to the logarithm of each output, and the indices are those of this surface.  How
-much of the variance it misses is measured on sets left out of the fit, and reported.
-
-Inputs are varied by *positions* between -1 and 1: the lower and upper end of the range of an input.
+A quadratic in the inputs, the response surface, is fitted to the logarithm of each output at evenly
+scattered sets of inputs, and the indices are those of this surface.  Inputs are varied by *positions*
+between -1 and 1, the ends of their ranges.
 
 Sampling and estimators: SALib (Iwanaga, Usher & Herman 2022, doi:10.18174/sesmo.18155; Herman &
 Usher 2017, doi:10.21105/joss.00097), after Saltelli et al. (2010), doi:10.1016/j.cpc.2009.09.018.
@@ -31,17 +29,9 @@ LEAST_SETS = 1.2  # solved sets of inputs for each term of a response surface
 
 
 def quadratic_terms(positions: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Terms of a quadratic: 1, every input, and every product of two inputs.
+    """Terms of a quadratic at ``positions`` [1], shape (sets, inputs): shape (sets, terms).
 
-    Parameters
-    ----------
-    positions : array, shape (sets, inputs)
-        From -1 to 1 [1].
-
-    Returns
-    -------
-    array, shape (sets, terms)
-        With n inputs there are (n + 1)(n + 2)/2 terms [1].
+    They are 1, every input, and every product of two inputs.
 
     Examples
     --------
@@ -66,8 +56,7 @@ class ResponseSurface:
     Attributes
     ----------
     unexplained : float
-        Share of the variance of the logarithm that the fit misses [1]: each set is compared with
-        the fit to all others.
+        Fraction of the variance of the logarithm that the fit to all other sets misses [1].
 
     Raises
     ------
@@ -94,12 +83,12 @@ class ResponseSurface:
 
 
 class Sampling:
-    """Saltelli's sampling scheme, from which total Sobol indices are estimated.
+    """Saltelli's sampling scheme for inputs distributed evenly from -1 to 1.
 
     Parameters
     ----------
     names : sequence of str
-        Inputs; each is distributed evenly from -1 to 1.
+        The inputs.
     base_samples : int
         A power of 2.
     seed : int
@@ -109,10 +98,6 @@ class Sampling:
     ----------
     positions : array, shape (samples, inputs)
         Where the output must be known [1].
-
-    References
-    ----------
-    Saltelli et al. (2010), doi:10.1016/j.cpc.2009.09.018.
     """
 
     def __init__(self, names: Sequence[str], base_samples: int, seed: int):
@@ -124,18 +109,9 @@ class Sampling:
     def total_indices(
         self, values: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Total index of each input.
+        """Total index of each input and half its 95 % confidence interval [1], shape (inputs,).
 
-        Parameters
-        ----------
-        values : array, shape (samples,)
-            The output at ``positions`` [its unit].
-
-        Returns
-        -------
-        index, half_width : array, shape (inputs,)
-            Share of the variance that the input takes part in [1], and half its 95 % confidence
-            interval.
+        ``values``, shape (samples,), are the output at ``positions``.
         """
         found = analysis.analyze(self._problem, values, **self._options)
         return found["ST"], found["ST_conf"]

@@ -1,58 +1,39 @@
-"""The verdict on every statement of the paper, and what would change those that fail.
+"""The verdict on every statement of the paper, as tables.
 
-All statements are judged under many sets of inputs: the default, the members of its ensemble, the
-default with one unknown moved at a time, and the best inputs of every reading.  ``Court`` judges
-them under one set of inputs, a ``Trial`` holds the judgements under all, and the functions below
-make rows of tables and text of a trial.
+All statements are judged under many sets of inputs: the default, its ensemble, the default with one
+unknown changed at a time, the inputs of every interpretation, and those of every fold of the
+cross-validation.  ``judge_everything`` does so; the other functions make tables of the result.
 """
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+import pandas as pd
 
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.spread import spread
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.calibration import Reading
+from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Verdict, judge
 from thirdbody.study.claims import Claim, referenced_conditions
 from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEvidence
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
-CONTRADICTED, WITHHELD = "contradicted by the paper itself", "value withheld"
-LEAST_GAIN = 0.01  # smaller improvements of a score are not told
+CONTRADICTED = "contradicted by the paper itself"
+FAINT = 0.01  # half of PROMINENCE, under which the counts are reported too
+LEAST_GAIN = 0.01  # smaller improvements of a score are not reported
+CHANGE = 0.08  # by how much an input is changed on its own, as a fraction of its bounds
 NO_RANGE = (np.nan, np.nan)
-NUDGE = 0.08  # how far an input is moved by itself, as a share of its bounds
+Verdicts = tuple[Verdict, ...]
 
 
-@dataclass(frozen=True)
-class Judgement:
-    """Verdicts on all statements under one set of inputs.
-
-    Attributes
-    ----------
-    name : str
-        Name of the set of inputs.
-    verdicts : tuple of Verdict
-        In the order of the statements.
-    """
-
-    name: str
-    verdicts: tuple[Verdict, ...]
-
-    def held(self) -> NDArray[np.bool_]:
-        """Which statements hold, shape (claims,)."""
-        return np.array([verdict.holds for verdict in self.verdicts], dtype=bool)
-
-
-class Court:
+class Judge:
     """Judges the same statements under any set of inputs.
 
     Parameters
@@ -68,328 +49,200 @@ class Court:
     def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
         self.claims = tuple(claims)
         self.base = base
-        self.newtons = newtons
-        self.asked = referenced_conditions(claims)
+        self._newtons = tuple(newtons)
 
-    def judge(
-        self, name: str, inputs: Mapping[str, Any], effort: Effort = QUICK_EFFORT
-    ) -> Judgement:
-        """Judge all statements under one set of inputs.
+    def __call__(
+        self,
+        inputs: Mapping[str, Any],
+        effort: Effort = QUICK_EFFORT,
+        prominence: float = PROMINENCE,
+        claims: Sequence[Claim] | None = None,
+    ) -> Verdicts:
+        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
 
-        Parameters
-        ----------
-        name : str
-            Name of the set, for the judgement.
-        inputs : mapping
-            Fields of ``Parameters`` that replace those of ``base``, SI.
-        effort : Effort
-            How finely curves and windows are solved.
+        A turning point counts if it stands out by ``prominence`` [1].
 
         Raises
         ------
         ValueError
             If the inputs are not physical.
         """
-        parameters = replace(self.base, **inputs)
-        evidence = SolvedEvidence(parameters, self.asked, self.newtons, effort)
-        return Judgement(name, tuple(judge(claim, evidence) for claim in self.claims))
+        some = self.claims if claims is None else tuple(claims)
+        some = [_at_prominence(claim, prominence) for claim in some]
+        effort = replace(effort, window=replace(effort.window, prominence=prominence))
+        evidence = SolvedEvidence(
+            replace(self.base, **inputs), referenced_conditions(some), self._newtons, effort
+        )
+        return tuple(judge(claim, evidence, prominence) for claim in some)
+
+
+def _at_prominence(claim: Claim, prominence: float) -> Claim:
+    """The claim with this tolerance, if it is about the existence of a turning point."""
+    is_peak = claim.kind == "absence" or claim.direction == "rising_then_falling"
+    return replace(claim, tolerance=prominence) if is_peak else claim
 
 
 @dataclass(frozen=True)
-class Trial:
-    """All statements, judged under all sets of inputs.
+class Judged:
+    """All statements, judged under all sets of inputs; verdicts are in the order of ``claims``.
 
     Attributes
     ----------
     claims : tuple of Claim
         The statements.
-    main : Judgement
-        Under the default inputs.
-    ensemble : tuple of Judgement
-        Under each member of the ensemble of the default.
-    nudged : tuple of Judgement
-        Under the default with one unknown moved, up and down for each, where a surface can have it.
-    readings : tuple of Judgement
-        Under the best inputs of each reading.
+    default : mapping
+        Content of the calibrated file whose inputs are the default.
+    verdicts, faint : tuple of Verdict
+        Under the default inputs; ``faint`` where turning points count from ``FAINT`` on.
+    members : tuple
+        Verdicts under each member of the ensemble.
+    changed : dict
+        Verdicts with one unknown changed, by what is changed.
+    interpretations : dict
+        Verdicts under the inputs of each interpretation, by name.
+    predicted : dict
+        Verdicts when the figure of a statement was left out, by interpretation and id.
+    comparison : DataFrame
+        From ``compare``.
     """
 
     claims: tuple[Claim, ...]
-    main: Judgement
-    ensemble: tuple[Judgement, ...]
-    nudged: tuple[Judgement, ...]
-    readings: tuple[Judgement, ...]
-
-    @classmethod
-    def of(
-        cls,
-        court: Court,
-        default: Mapping[str, Any],
-        reading: Reading,
-        readings: Sequence[Mapping[str, Any]],
-    ) -> Trial:
-        """Hold the trial.
-
-        Parameters
-        ----------
-        court : Court
-            Has the statements.
-        default : mapping
-            Content of the calibrated file whose inputs are the default.
-        reading : Reading
-            The reading that this file is of.
-        readings : sequence of mapping
-            Contents of the calibrated files of all readings.
-        """
-        inputs = court.base.as_dict() | default["inputs"]
-        nudged = []
-        for name, changed in _nudges(reading, inputs):
-            with suppress(ValueError):  # no surface has these inputs
-                nudged.append(court.judge(name, changed))
-        return cls(
-            court.claims,
-            court.judge("default", inputs, FULL_EFFORT),
-            tuple(court.judge("member", {**inputs, **member}) for member in default["ensemble"]),
-            tuple(nudged),
-            tuple(court.judge(each["reading"], each["inputs"]) for each in readings),
-        )
+    default: Mapping[str, Any]
+    verdicts: Verdicts
+    faint: Verdicts
+    members: tuple[Verdicts, ...]
+    changed: dict[str, Verdicts]
+    interpretations: dict[str, Verdicts]
+    predicted: dict[str, dict[str, Verdict]]
+    comparison: pd.DataFrame
 
 
-def verdict_rows(trial: Trial) -> list[dict[str, Any]]:
-    """Rows of the table ``claims``.
+def judge_everything(
+    judge_all: Judge,
+    default: Mapping[str, Any],
+    contents: Sequence[Mapping[str, Any]],
+    settings: Mapping[str, Any],
+) -> Judged:
+    """Judge all statements under all sets of inputs.
 
     Parameters
     ----------
-    trial : Trial
-        All statements, judged under all sets of inputs.
-
-    Returns
-    -------
-    list of dict
-        For each statement what is published and measured, how far apart they are, the verdict
-        under the default inputs, the range that holds 90 % of the ensemble, and how many members
-        of the ensemble and readings agree with the verdict.
-
-    Examples
-    --------
-    >>> claim = Claim(
-    ...     id="fig03a-ratio-zero-without-particles",
-    ...     place="Figure 3A, section 3.3",
-    ...     statement="Without particles the particle contact ratio is 0 at each load.",
-    ...     kind="value",
-    ...     role="calibration",
-    ...     quantity="particle_contact_area_ratio",
-    ...     extreme="maximum",
-    ...     conditions={
-    ...         "viscosity_cSt": 0,
-    ...         "particle_diameter_nm": 0,
-    ...         "roughness_nm": 100,
-    ...         "particle_density_per_m2": 1e11,
-    ...     },
-    ...     published=0.0,
-    ...     tolerance=0.001,
-    ...     relative=False,
-    ...     reason="true by definition of the ratio",
-    ... )
-    >>> from thirdbody import load_parameters
-    >>> court = Court([claim], load_parameters(), newtons=(0.04, 80.0))
-    >>> trial = Trial((claim,), court.judge("default", {}), (), (), ())
-    >>> (row,) = verdict_rows(trial)
-    >>> row["measured"], row["verdict"]
-    ('0', 'holds')
+    judge_all : Judge
+        Has the statements.
+    default : mapping
+        Content of the calibrated file whose inputs are the default.
+    contents : sequence of mapping
+        Contents of the calibrated files of all interpretations.
+    settings : mapping
+        Content of ``config/calibration.yaml``.
     """
-    return [
-        {
-            "id": claim.id,
-            "place": claim.place,
-            "statement": claim.statement,
-            "quote": claim.quote,
-            "kind": claim.kind,
-            "role": claim.role,
-            "curves": claim.curves_told,
-            "published": _published(claim),
-            "measured": verdict.measured,
-            "value": verdict.value,
-            **_range_of_value(trial, index),
-            "deviation": verdict.deviation,
-            "tolerance": claim.tolerance,
-            "tolerance_kind": "relative" if claim.relative else "absolute",
-            "score": verdict.score,
-            "verdict": outcome(claim, verdict),
-            "ensemble_agree": _agreeing(trial.ensemble, index, verdict),
-            "ensemble_size": len(trial.ensemble),
-            "readings_agree": _agreeing(trial.readings, index, verdict),
-            "readings_size": len(trial.readings),
-            "cluster": claim.cluster,
-            "contradicts": " ".join(claim.contradicts),
-        }
-        for index, (claim, verdict) in enumerate(
-            zip(trial.claims, trial.main.verdicts, strict=True)
-        )
-    ]
+    inputs = judge_all.base.as_dict() | default["inputs"]
+    changed = {}
+    for name, some in _changes(Interpretation.of(default["reading"], settings), inputs):
+        with suppress(ValueError):  # no surface has these inputs
+            changed[name] = judge_all(some)
+    interpretations = {each["reading"]: judge_all(each["inputs"]) for each in contents}
+    predicted = {each["reading"]: predict(judge_all, each) for each in contents}
+    return Judged(
+        judge_all.claims,
+        default,
+        judge_all(inputs, FULL_EFFORT),
+        judge_all(inputs, FULL_EFFORT, FAINT),
+        tuple(judge_all({**inputs, **member}) for member in default["ensemble"]),
+        changed,
+        interpretations,
+        predicted,
+        compare(judge_all, contents, interpretations, predicted, settings),
+    )
 
 
-def headline_rows(trial: Trial, chosen: Collection[str]) -> list[dict[str, Any]]:
-    """Numbers of the paper, of the model and of the ensemble, for some statements.
+def predict(judge_all: Judge, content: Mapping[str, Any]) -> dict[str, Verdict]:
+    """Judge each statement by the inputs that were found without its figure.
 
     Parameters
     ----------
-    trial : Trial
-        All statements, judged under all sets of inputs.
-    chosen : collection of str
-        Ids of the statements.
+    judge_all : Judge
+        Has the statements.
+    content : mapping
+        Content of a calibrated file.
 
     Returns
     -------
-    list of dict
-        For each, in the order of the statements: what it says, the paper's and the model's numbers,
-        of each the range that holds 90 % of the ensemble, and the verdict.  Numbers of several curves
-        that are the same are given once.  Where no numbers are compared, the range is the share of the
-        ensemble that agrees with the verdict.
+    dict
+        Verdict on each statement by its id; empty if the file has no cross-validation.
+    """
+    entries = content.get("folds", ())
+    found = {}
+    for fold, entry in zip(
+        make_folds(judge_all.claims, [each["figures"] for each in entries]), entries, strict=True
+    ):
+        verdicts = judge_all(entry["inputs"], claims=fold.judged)
+        found |= {claim.id: verdict for claim, verdict in zip(fold.judged, verdicts, strict=True)}
+    return found
+
+
+def compare(
+    judge_all: Judge,
+    contents: Sequence[Mapping[str, Any]],
+    interpretations: Mapping[str, Verdicts],
+    predicted: Mapping[str, Mapping[str, Verdict]],
+    settings: Mapping[str, Any],
+) -> pd.DataFrame:
+    """Compare the interpretations, in the order of the rule that chooses the default.
+
+    The rule: most statements predicted when their figure was left out, then the most plausible
+    inputs, then the fewest unknowns.
+
+    Returns
+    -------
+    DataFrame
+        For each interpretation the predicted and the fitted statements, repeats counted once, the
+        penalty of its inputs for being unusual, the number of its unknowns, the objective of its
+        inputs, and what is computed for the headline numbers; ``share`` is the predicted fraction.
     """
     rows = []
-    for index, (claim, verdict) in enumerate(zip(trial.claims, trial.main.verdicts, strict=True)):
-        if claim.id not in chosen:
-            continue
-        ends = ranges(trial, index)
-        if np.isfinite(ends).any():
-            within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
-        else:
-            same = _agreeing(trial.ensemble, index, verdict)
-            within = f"{same} of {len(trial.ensemble)} agree"
+    for content in contents:
+        name = content["reading"]
+        interpretation = Interpretation.of(name, settings)
+        objective = Objective.of(judge_all.claims, settings, judge_all.base)
+        by_id = dict(
+            zip((claim.id for claim in judge_all.claims), interpretations[name], strict=True)
+        )
+        penalty = interpretation.penalty(content["inputs"])
+        scores = [by_id[claim.id].score for claim in objective.claims]
+        right, of = count_once(
+            (claim, predicted[name][claim.id])
+            for claim in judge_all.claims
+            if claim.id in predicted[name]
+        )
+        held, judged = count_once(zip(judge_all.claims, interpretations[name], strict=True))
         rows.append(
             {
-                "statement": claim.statement,
-                "id": claim.id,
-                "paper": _published(claim),
-                "model": once(verdict.measured),
-                "ensemble, 90 %": once(within),
-                "verdict": outcome(claim, verdict),
+                "reading": name,
+                "share": right / of if of else np.nan,
+                "predicted": f"{right}/{of}" if of else "not cross-validated",
+                "fitted": f"{held}/{judged}",
+                "penalty": round(penalty, 2),
+                "inputs": len(interpretation.unknowns),
+                "objective": round(objective.value(penalty, scores), 2),
+            }
+            | {
+                id: by_id[id].computed + (" ✓" if by_id[id].holds else "")
+                for id in settings["headline"]
+                if id in by_id
             }
         )
-    return rows
-
-
-def ranges(trial: Trial, index: int) -> NDArray[np.float64]:
-    """Which range holds 90 % of the ensemble, for each number of a statement.
-
-    Parameters
-    ----------
-    trial : Trial
-        All statements, judged under all sets of inputs.
-    index : int
-        Place of the statement.
-
-    Returns
-    -------
-    array, shape (numbers, 2)
-        Low and high ends, in the order of ``Verdict.numbers`` [unit of the quantity]; nan without a
-        member that has the number.
-    """
-    members = [each.numbers for each in _on(trial.ensemble, index) if each.numbers]
-    places = range(len(trial.main.verdicts[index].numbers))
-    ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
-    return np.reshape(ends, (-1, 2))
-
-
-def _range_of_value(trial: Trial, index: int) -> dict[str, float]:
-    """Columns of the range of ``Verdict.value``, the number that is farthest off; nan if there is none."""
-    verdict = trial.main.verdicts[index]
-    ends = ranges(trial, index)[verdict.worst].tolist() if verdict.numbers else NO_RANGE
-    return dict(zip(("range_low", "range_high"), ends, strict=True))
-
-
-def once(text: str) -> str:
-    """What was measured on several curves, said once if it is the same on all.
-
-    Parameters
-    ----------
-    text : str
-        Numbers with ``, `` between them, or what else was measured.
-
-    Examples
-    --------
-    >>> once("0.2, 0.2"), once("0.2, 0.3")
-    ('0.2', '0.2, 0.3')
-    """
-    first, *others = text.split(", ")
-    return text if set(others) - {first} else first
-
-
-def _agreeing(judgements: Sequence[Judgement], index: int, verdict: Verdict) -> int:
-    """How many judgements come to the same as ``verdict`` on the statement at ``index``."""
-    same = verdict.tested, verdict.holds
-    return sum((other.tested, other.holds) == same for other in _on(judgements, index))
-
-
-def _on(judgements: Sequence[Judgement], index: int) -> list[Verdict]:
-    """The verdicts on the statement at ``index``."""
-    return [each.verdicts[index] for each in judgements]
-
-
-def reading_rows(
-    trial: Trial, readings: Sequence[Mapping[str, Any]], headline: Sequence[str]
-) -> list[dict[str, Any]]:
-    """Compare the readings, each at its best inputs.
-
-    Parameters
-    ----------
-    trial : Trial
-        All statements, judged under all sets of inputs.
-    readings : sequence of mapping
-        Contents of the calibrated files of all readings, in the order of ``trial.readings``.
-    headline : sequence of str
-        Ids of the statements to compare the readings by.
-
-    Returns
-    -------
-    list of dict
-        For each reading how many statements of each role hold, repeats counted once, the penalty
-        of its inputs for being unusual, how many they are, its objective, and what is measured for
-        the statements of ``headline``.  The first is to be the default: most statements that it was
-        fitted to hold under it, then its inputs are the least unusual, then the fewest.
-    """
-    rows, ranks = [], {}
-    for judgement, content in zip(trial.readings, readings, strict=True):
-        row = {"reading": judgement.name}
-        held = {}
-        for role in ("calibration", "validation"):
-            held[role], judged = count_held(trial.claims, judgement, role)
-            row[role] = f"{held[role]}/{judged}"
-        found = content["penalty"], len(content["identification"])
-        row |= {"penalty": f"{found[0]:.2f}", "inputs": found[1], "objective": content["objective"]}
-        ranks[judgement.name] = -held["calibration"], *found
-        for claim, verdict in zip(trial.claims, judgement.verdicts, strict=True):
-            if claim.id in headline:
-                row[claim.id] = verdict.measured + (" ✓" if verdict.holds else "")
-        rows.append(row)
-    return sorted(rows, key=lambda row: ranks[row["reading"]])
-
-
-def _published(claim: Claim) -> str:
-    """What the paper says, as text; empty if it is neither numbers nor a sequence of states."""
-    if claim.published is None:
-        return ""
-    separator = " > " if claim.kind.endswith("_sequence") else ", "
-    return separator.join(str(each) for each in np.atleast_1d(claim.published))
+    table = pd.DataFrame(rows)
+    if table.empty:
+        return table
+    order = ["share", "penalty", "inputs"]
+    return table.sort_values(
+        order, ascending=[False, True, True], kind="stable", na_position="last"
+    )
 
 
 def outcome(claim: Claim, verdict: Verdict) -> str:
-    """The word for a verdict.
-
-    Parameters
-    ----------
-    claim : Claim
-        A statement of the paper.
-    verdict : Verdict
-        What came of judging it.
-
-    Returns
-    -------
-    str
-        A statement that stands aside for others neither holds nor fails, whatever was measured.
-    """
-    if claim.is_withheld:
-        return WITHHELD
+    """The word for a verdict; a claim that stands aside for others neither holds nor fails."""
     if claim.aside:
         return CONTRADICTED
     if not verdict.tested:
@@ -397,160 +250,193 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
     return HOLDS if verdict.holds else FAILS
 
 
-def counted_once(outcomes: Iterable[tuple[str, str]]) -> tuple[int, int]:
-    """Count statements that hold, those that repeat one another once.
+def count_once(judged: Iterable[tuple[Claim, Verdict]]) -> tuple[int, int]:
+    """``held_once`` of pairs of a claim and the verdict on it."""
+    rows = [(claim.id, claim.cluster, outcome(claim, verdict)) for claim, verdict in judged]
+    return held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
 
-    Parameters
-    ----------
-    outcomes : iterable of (str, str)
-        Cluster of each statement, its id if it has none, and the word for its verdict.
+
+def statements_table(judged: Judged) -> pd.DataFrame:
+    """The table ``claims``: a row for each statement, in the order of the paper.
+
+    Columns are those of ``thirdbody.data.tables.TABLES["claims"]``.
+    """
+    predicted = judged.predicted.get(judged.default["reading"], {})
+    rows = []
+    for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
+        low, high = number_ranges(judged, index)[verdict.worst] if verdict.numbers else NO_RANGE
+        left_out = predicted.get(claim.id)
+        rows.append(
+            {
+                "id": claim.id,
+                "place": claim.place,
+                "statement": claim.statement,
+                "quote": claim.quote,
+                "kind": claim.kind,
+                "curves": claim.curves_text,
+                "published": published_text(claim),
+                "computed": verdict.computed,
+                "value": verdict.value,
+                "range_low": float(low),
+                "range_high": float(high),
+                "deviation": verdict.deviation,
+                "tolerance": claim.tolerance,
+                "tolerance_kind": "relative" if claim.relative else "absolute",
+                "score": verdict.score,
+                "verdict": outcome(claim, verdict),
+                "predicted": "" if left_out is None else outcome(claim, left_out),
+                "ensemble_agree": _agreeing(judged.members, index, verdict),
+                "ensemble_size": len(judged.members),
+                "readings_agree": _agreeing(judged.interpretations.values(), index, verdict),
+                "readings_size": len(judged.interpretations),
+                "cluster": claim.cluster,
+                "contradicts": " ".join(claim.contradicts),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def headline_table(judged: Judged, chosen: Iterable[str]) -> pd.DataFrame:
+    """Numbers of the paper, of the model and of the ensemble, for the statements ``chosen`` by id.
+
+    Where no numbers are compared, the range is how many members agree with the verdict.
+    """
+    rows = []
+    for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
+        if claim.id not in chosen:
+            continue
+        ends = number_ranges(judged, index)
+        within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
+        if not np.isfinite(ends).any():
+            same = _agreeing(judged.members, index, verdict)
+            within = f"{same} of {len(judged.members)} agree" if judged.members else ""
+        rows.append(
+            {
+                "statement": claim.statement,
+                "id": claim.id,
+                "paper": published_text(claim),
+                "model": once(verdict.computed),
+                "ensemble, 90 %": once(within) if within else "no ensemble",
+                "verdict": outcome(claim, verdict),
+            }
+        )
+    return pd.DataFrame(rows)
+
+
+def number_ranges(judged: Judged, index: int) -> np.ndarray:
+    """Range of 90 % of the ensemble for each number of the statement at ``index``.
 
     Returns
     -------
-    held, judged : int
-        A cluster holds if all its statements that were tested hold.
+    array, shape (numbers, 2)
+        Low and high ends [unit of the quantity]; nan without a member that has the number.
+    """
+    members = [each[index].numbers for each in judged.members if each[index].numbers]
+    places = range(len(judged.verdicts[index].numbers))
+    ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
+    return np.reshape(ends, (-1, 2))
+
+
+def published_text(claim: Claim) -> str:
+    """What the paper says, as text; empty if it is neither numbers nor a sequence of states."""
+    if claim.published is None:
+        return ""
+    separator = " > " if claim.kind.endswith("_sequence") else ", "
+    return separator.join(str(each) for each in np.atleast_1d(claim.published))
+
+
+def once(text: str) -> str:
+    """A list of results, reduced to one if all are the same.
 
     Examples
     --------
-    >>> counted_once([("a", HOLDS), ("a", FAILS), ("b", HOLDS), ("b", NOT_TESTED), ("c", WITHHELD)])
-    (1, 2)
+    >>> once("0.2, 0.2"), once("0.2, 0.3")
+    ('0.2', '0.2, 0.3')
     """
-    clusters: dict[str, bool] = {}
-    for name, word in outcomes:
-        if word in (HOLDS, FAILS):
-            clusters[name] = clusters.get(name, True) and word == HOLDS
-    return sum(clusters.values()), len(clusters)
+    parts = text.split(", ")
+    return parts[0] if len(set(parts)) == 1 else text
 
 
-def count_held(claims: Sequence[Claim], judgement: Judgement, role: str) -> tuple[int, int]:
-    """``counted_once`` of the ``claims`` of a role, as a judgement on all of them says."""
-    return counted_once(
-        (claim.counted_as, outcome(claim, verdict))
-        for claim, verdict in zip(claims, judgement.verdicts, strict=True)
-        if claim.role == role
-    )
-
-
-def held_once(rows: Iterable[Mapping[str, Any]]) -> tuple[int, int]:
-    """``counted_once`` of rows of the table ``claims``."""
-    return counted_once((row["cluster"] or row["id"], row["verdict"]) for row in rows)
-
-
-def discriminating(trial: Trial) -> list[str]:
-    """Ids of the statements that hold under some readings and fail under others."""
-    found = []
-    for index, claim in enumerate(trial.claims):
-        words = {outcome(claim, verdict) for verdict in _on(trial.readings, index)}
-        if {HOLDS, FAILS} <= words:
-            found.append(claim.id)
-    return found
-
-
-def explanations(trial: Trial) -> dict[str, str]:
-    """Explain the statements that fail.
+def counts_by_figure(table: pd.DataFrame) -> pd.DataFrame:
+    """How many statements of each part of the paper have each verdict.
 
     Parameters
     ----------
-    trial : Trial
-        All statements, judged under all sets of inputs.
-
-    Returns
-    -------
-    dict
-        For each statement that fails, by its id, a paragraph: what the model gives, which change
-        of one input or of the reading would bring it nearer, and which statements would be lost.
+    table : DataFrame
+        Has the columns of ``statements_table``.
     """
-    return {
-        claim.id: _paragraph(trial, index)
-        for index, (claim, verdict) in enumerate(
-            zip(trial.claims, trial.main.verdicts, strict=True)
-        )
-        if outcome(claim, verdict) == FAILS
-    }
+    part = table["place"].map(part_of_paper).rename("figure")
+    words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
+    counts = pd.crosstab(part, table["verdict"]).reindex(
+        index=part.unique(), columns=words, fill_value=0
+    )
+    held = table.groupby(part).apply(lambda rows: "{} of {}".format(*held_once(rows)))
+    return counts.assign(**{"hold, repeats once": held}).reset_index()
 
 
-def _nudges(reading: Reading, inputs: Mapping[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Names and sets of inputs with one unknown moved, down and up for each."""
-    for unknown in reading.unknowns:
-        for direction, step in (("lower", -NUDGE), ("higher", NUDGE)):
+def held_once(table: pd.DataFrame, column: str = "verdict") -> tuple[int, int]:
+    """Statements that hold and those judged, repeats counted once.
+
+    A cluster holds if all its statements that were tested hold.
+
+    Parameters
+    ----------
+    table : DataFrame
+        Has ``id``, ``cluster`` and the word for a verdict in ``column``.
+
+    Examples
+    --------
+    >>> rows = [("a", "x", HOLDS), ("b", "x", FAILS), ("c", "", HOLDS), ("d", "", NOT_TESTED)]
+    >>> held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
+    (1, 2)
+    """
+    tested = table[table[column].isin([HOLDS, FAILS])]
+    names = tested["cluster"].replace("", None).fillna(tested["id"])
+    held = (tested[column] == HOLDS).groupby(names).all()
+    return int(held.sum()), len(held)
+
+
+def _agreeing(sets: Iterable[Verdicts], index: int, verdict: Verdict) -> int:
+    """How many sets of verdicts come to the same on the statement at ``index``."""
+    same = verdict.tested, verdict.holds
+    return sum((other[index].tested, other[index].holds) == same for other in sets)
+
+
+def _changes(interpretation: Interpretation, inputs: Mapping[str, Any]):
+    """Names and sets of inputs with one unknown changed, down and up for each."""
+    for unknown in interpretation.unknowns:
+        for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
             name = f"{direction} {unknown.name.replace('_', ' ')}"
             yield name, {**inputs, unknown.name: unknown.value(position)}
 
 
-def _paragraph(trial: Trial, index: int) -> str:
-    """What the model gives for the statement at ``index``, and what would bring it nearer."""
-    verdict = trial.main.verdicts[index]
-    return " ".join(
-        [
-            f"The model gives {verdict.measured}, a score of {verdict.score:.2g}.",
-            _by_input(trial, index, verdict),
-            _by_reading(trial, index),
-        ]
-    )
+def explanation(judged: Judged, index: int) -> str:
+    """What would bring the statement at ``index`` nearer, and which statements that would cost."""
+    verdict = judged.verdicts[index]
+    text = "No single input, changed on its own, brings it nearer."
+    if judged.changed:
+        name, best = min(judged.changed.items(), key=lambda each: each[1][index].score)
+        found = best[index]
+        if verdict.score - found.score > LEAST_GAIN:
+            effect = "it would hold" if found.holds else f"its score would be {found.score:.2g}"
+            text = f"With a {name} {effect}; {_price(judged, best)}."
+    better = [name for name, each in judged.interpretations.items() if each[index].holds]
+    if better:
+        text += f" It holds under {', '.join(better)}."
+    else:
+        text += f" It holds under none of the {len(judged.interpretations)} interpretations."
+    return f"Score {verdict.score:.2g}. {text}"
 
 
-def _by_input(trial: Trial, index: int, verdict: Verdict) -> str:
-    best = min(trial.nudged, key=lambda each: each.verdicts[index].score)
-    found = best.verdicts[index]
-    if verdict.score - found.score <= LEAST_GAIN:
-        return "No single input, moved by itself, brings it nearer."
-    effect = "it would hold" if found.holds else f"its score would fall to {found.score:.2g}"
-    return f"With a {best.name} {effect}; {_price(trial, best)}."
-
-
-def _by_reading(trial: Trial, index: int) -> str:
-    better = [other for other in trial.readings if other.verdicts[index].holds]
-    if not better:
-        return f"It holds under none of the {len(trial.readings)} readings at their best inputs."
-    kindest = max(better, key=lambda other: int(other.held().sum()))
-    return (
-        f"It holds under {len(better)} of {len(trial.readings)} readings "
-        f"({', '.join(other.name for other in better)}); under the best of them, {kindest.name}, "
-        f"{_price(trial, kindest)}."
-    )
-
-
-def _price(trial: Trial, other: Judgement) -> str:
-    """Which statements hold under the default inputs and would fail under those of ``other``."""
+def _price(judged: Judged, other: Verdicts) -> str:
+    """Which statements hold under the default inputs and fail under others."""
     lost = [
         claim.id
-        for claim, before, after in zip(trial.claims, trial.main.held(), other.held(), strict=True)
-        if before and not after and not claim.aside
+        for claim, before, after in zip(judged.claims, judged.verdicts, other, strict=True)
+        if before.holds and not after.holds and not claim.aside
     ]
     if not lost:
-        return "no statement that holds now forbids it"
-    shown = ", ".join(lost[:4]) + (f" and {len(lost) - 4} more" if len(lost) > 4 else "")
-    return f"{len(lost)} that hold now forbid it: {shown}"
-
-
-def counts(rows: Sequence[Mapping[str, Any]], by: str) -> list[dict[str, Any]]:
-    """How many statements fare how, in each group of them.
-
-    Parameters
-    ----------
-    rows : sequence of Mapping
-        Rows of the table ``claims``.
-    by : str
-        ``role``, or ``figure``: the part of the paper that a statement stands in.
-
-    Returns
-    -------
-    list of dict
-        A row a group, in the order of the first statement of each: its name under ``by``, the
-        number of statements under each verdict, and how many hold if repeats count once.
-    """
-    groups: dict[str, list] = {}
-    for row in rows:
-        group = row["role"] if by == "role" else part_of_paper(row["place"])
-        groups.setdefault(group, []).append(row)
-    order = (HOLDS, FAILS, NOT_TESTED, CONTRADICTED, WITHHELD)
-    table = []
-    for name, group in groups.items():
-        count = Counter(row["verdict"] for row in group)
-        held, judged = held_once(group)
-        table.append(
-            {by: name, **{each: count[each] for each in order}}
-            | {"hold, repeats once": f"{held} of {judged}" if judged else ""}
-        )
-    return table
+        return "no other statement would be lost"
+    names = ", ".join(lost[:4]) + (f" and {len(lost) - 4} more" if len(lost) > 4 else "")
+    return f"{len(lost)} others would be lost: {names}"

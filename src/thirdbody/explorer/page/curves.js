@@ -1,6 +1,6 @@
 // Curves over the load, their turning points, and what lies between: all from the model's script.
 
-export const PROMINENCE = 0.01; // by how much A_sa,t* stands out at a turning point, on both sides
+export const PROMINENCE = 0.02; // by how much A_sa,t* stands out at a turning point, on both sides
 const SEPARATIONS = 60; // between which turning points are looked for
 
 export const logSpaced = (low, high, count) =>

@@ -172,7 +172,8 @@ export function judge(claim, evidence, axes, changes) {
     tested = isWithinTheLoads(given, evidence);
   } catch (error) {
     if (!(error instanceof NotReached)) throw error;
-    tested = false;
+    tested = Boolean(claim.must_be_reached);
+    distance = Infinity;
     measured = `not reached, by ${significant(error.shortfall, 3)}`;
   }
   if (source === "turning point") {
@@ -184,8 +185,7 @@ export function judge(claim, evidence, axes, changes) {
     }
   }
   const verdict =
-    claim.role === "withheld" ? "value withheld"
-    : claim.aside ? "contradicted by the paper itself"
+    claim.aside ? "contradicted by the paper itself"
     : !tested ? "not tested"
     : distance <= 1 ? "holds"
     : "fails";
@@ -208,6 +208,7 @@ function isWithinTheLoads(claim, evidence) {
   const found = scalars(claim, evidence);
   const beyond = found.map((load) => load >= last);
   if (claim.along) return !beyond.some((each, i) => i > 0 && each && beyond[i - 1]);
+  if (claim.kind === "reach") return beyond.includes(false);
   if (claim.published == null || !beyond.includes(true)) return !beyond.includes(true);
   return againstPublished(claim, found.map((load) => Math.min(load, last)), "")[1] > 1;
 }
@@ -217,7 +218,9 @@ function isWithinTheLoads(claim, evidence) {
 const CHECKS = {
   value(claim, evidence) {
     const values = scalars(claim, evidence);
-    return againstPublished(claim, values, shown(claim, evidence, values));
+    const text = shown(claim, evidence, values);
+    if (!claim.any_curve) return againstPublished(claim, values, text);
+    return [text, least(values.map((value) => againstPublished(claim, [value], "")[1]))];
   },
   reach(claim, evidence) {
     const values = scalars(claim, evidence);
@@ -225,10 +228,17 @@ const CHECKS = {
     const lacks = values.map((value) => Math.max(sign * (value - claim.published), 0));
     return [shown(claim, evidence, values), most(lacks) / claim.tolerance];
   },
-  range(claim, evidence) {
+  span(claim, evidence) {
+    const curve = evidence.curve(claim.curves[0]);
     const [course] = courses(claim, evidence);
-    const ends = [least(course), most(course)];
-    return againstPublished(claim, ends, ends.map((end) => significant(end, 4)).join(" to "));
+    const [low, high] = [least(course), most(course)];
+    const nearest = claim.published.map((value) => Math.min(Math.max(value, low), high));
+    const newtons = claim.published.map((value) =>
+      significant(interpolate(value, course, curve.load) * evidence.model.newtonsPerLoad, 3),
+    );
+    const ends = [low, high].map((value) => significant(value, 4)).join(" to ");
+    const text = `${ends}; nearest to the printed ends at ${newtons.map((each) => `${each} N`).join(" and ")}`;
+    return againstPublished(claim, nearest, text);
   },
   window(claim, evidence) {
     const windows = claim.curves.map((each) => evidence.window(each.roughness));
@@ -270,8 +280,8 @@ function checkCourse(claim, evidence) {
 function checkSequence(claim, evidence) {
   const curves = claim.curves.map(evidence.curve);
   const misses = curves.map((curve) => sequenceMiss(claim, curve));
-  const worst = placeOfMost(misses);
-  return [visited(claim, curves[worst]), misses[worst] / claim.step];
+  const chosen = claim.any_curve ? misses.indexOf(least(misses)) : placeOfMost(misses);
+  return [visited(claim, curves[chosen]), misses[chosen] / claim.step];
 }
 
 function againstPublished(claim, measured, text) {
@@ -295,6 +305,7 @@ function scalars(claim, evidence) {
     const mixed = mixedLoads(claim, evidence);
     return bendLoads(claim, evidence).map((load, i) => load / mixed[i]);
   }
+  if (claim.quantity === "departure_sharpness") return departureSharpness(claim, evidence);
   const source = sourceOf(claim);
   if (source === "turning point") {
     const pick = TURNING_POINT[claim.quantity];
@@ -350,6 +361,33 @@ function mixedLoads(claim, evidence) {
     const curve = evidence.curve(each);
     return firstFall(curve.load, log(curve.solid_load_fraction.map((v) => v / LIMITS.boundary)));
   });
+}
+
+// How suddenly H_c leaves that of the reference: the greatest change of the slope of the logarithm of
+// their ratio within a tenth of a decade, over the greatest slope.
+function departureSharpness(claim, evidence) {
+  return claim.curves.map((each, i) => {
+    const wet = evidence.curve(each);
+    const dry = evidence.curve(claim.references[i]).at("film_thickness", wet.load);
+    const ratios = log(wet.film_thickness.map((value, k) => value / dry[k]));
+    const places = wet.load.map(Math.log);
+    const slopes = ratios.slice(1).map((value, k) => (value - ratios[k]) / (places[k + 1] - places[k]));
+    const middles = places.slice(1).map((value, k) => (value + places[k]) / 2);
+    const changes = middles.map(
+      (place, k) => interpolate(place + 0.1 * Math.log(10), middles, slopes) - slopes[k],
+    );
+    return most(changes) / Math.max(most(slopes), TINY);
+  });
+}
+
+// Linear interpolation in a table whose abscissa rises or falls; its ends beyond them.
+function interpolate(x, abscissa, ordinate) {
+  const falls = abscissa[0] > abscissa[abscissa.length - 1];
+  const [xs, ys] = falls ? [[...abscissa].reverse(), [...ordinate].reverse()] : [abscissa, ordinate];
+  const right = xs.findIndex((each) => each >= x);
+  if (right <= 0) return right < 0 ? ys[ys.length - 1] : ys[0];
+  const share = (x - xs[right - 1]) / (xs[right] - xs[right - 1]);
+  return ys[right - 1] + share * (ys[right] - ys[right - 1]);
 }
 
 // Abscissa and quantity of some curves, where the statement speaks of them.
@@ -449,38 +487,41 @@ const COURSES = {
   constant: (values) => most(values) - least(values),
   rising_then_falling: peakMiss,
   falling_then_rising: (values, step) => peakMiss(opposite(values), step),
+  increasing_at_each_step: (values, step) =>
+    2 * step - least(values.slice(1).map((value, i) => value - values[i])),
   absence: peakHeight,
 };
 
-// How far a curve leaves the published states, passed in turn: points are given to the steps in turn,
-// and the division with the least miss counts.
+// How far a curve leaves the published states, passed in turn: points are divided among the steps in
+// turn, and the division with the least miss counts.  Each step must also be met by a point.
 function sequenceMiss(claim, curve) {
   const excursions = claim.published.map((step) => excursion(curve, step));
   if (excursions.flat().some(Number.isNaN)) return NaN;
+  const required = claim.open_end ? excursions.slice(0, -1) : excursions;
+  const unmet = Math.max(most(required.map(least)) + claim.tolerance, 0);
   let enter = -Infinity;
   const reached = claim.published.map(() => Infinity);
   for (let point = 0; point < curve.load.length; point++) {
     let come = enter;
     for (let step = 0; step < reached.length; step++) {
       const stay = reached[step];
-      reached[step] = Math.max(Math.min(stay, come), excursions[step][point]);
+      reached[step] = Math.max(Math.min(stay, come), excursions[step][point], 0);
       come = stay;
     }
     enter = Infinity;
   }
-  return least(claim.open_end ? reached.slice(-2) : reached.slice(-1));
+  return Math.max(least(claim.open_end ? reached.slice(-2) : reached.slice(-1)), unmet);
 }
 
 function excursion(curve, step) {
   const alternatives = step.split(" or ").map((alternative) =>
     curve.load.map((_, i) =>
-      most([
-        0,
-        ...alternative.split(" ").flatMap((name) => {
+      most(
+        alternative.split(" ").flatMap((name) => {
           const [quantity, low, high] = STATES[name];
           return [low - curve[quantity][i], curve[quantity][i] - high];
         }),
-      ]),
+      ),
     ),
   );
   return curve.load.map((_, i) => least(alternatives.map((row) => row[i])));

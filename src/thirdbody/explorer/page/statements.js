@@ -124,7 +124,7 @@ function more(claim, measured) {
   quote.textContent = claim.quote;
   const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
   const lines = [
-    `Measured: ${measured || "nothing"}`,
+    `Computed: ${measured || "nothing"}`,
     claim.published == null ? "" : `Printed: ${printed(claim.published)}`,
     `Tolerance: ${tolerance}, ${claim.reason}`,
     replaced(claim),

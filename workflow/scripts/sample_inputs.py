@@ -1,23 +1,27 @@
-"""Sample the inputs that explain about as much as the best ones of one reading, from one seed."""
+"""Sample the inputs that explain about as much as the best ones of one interpretation, from one seed."""
+
+from pathlib import Path
 
 import numpy as np
 
 from thirdbody.data.files import whole
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.calibration import Objective, Reading
+from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.claims import load_claims
 from thirdbody.study.sampling import posterior_sample
 
 
 def sample(name, seed, evaluations, claims, settings, parameters, samples):
-    """Write sets of inputs of the reading ``name``, drawn from what its searches have found."""
+    """Write sets of inputs drawn from what the searches have found."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
     found = np.vstack([np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations])
-    reading, budget = Reading.of(name, settings), settings["budget"]
-    drawn = posterior_sample(reading, objective, found, budget, seed)
+    record = Path(samples).with_suffix(".record")
+    interpretation = Interpretation.of(name, settings)
+    drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed, record)
     with whole(samples) as part:
-        np.savetxt(part, drawn, fmt="%.10g", delimiter=",")
+        np.savetxt(part, drawn, fmt="%.17g", delimiter=",")
+    record.unlink()
 
 
 if __name__ == "__main__":

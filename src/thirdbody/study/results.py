@@ -1,0 +1,231 @@
+"""Results of the searches for the unprinted inputs, as the content of calibrated files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.study.calibration import Interpretation, Objective
+from thirdbody.study.verdicts import Judge, count_once
+
+DIGITS = 6  # significant ones of a number in the file
+IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
+NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
+QUANTILES = 0.05, 0.5, 0.95  # of what each seed draws
+PROFILE_BINS = 12  # equal parts of an input's bounds
+COMPARED = 200  # acceptable sets, the best ones, among which the inputs are chosen
+PRICED = 100  # sets of a search for a price that are judged anew, the best ones
+
+
+def summary(
+    interpretation: Interpretation,
+    judge_all: Judge,
+    searches: Sequence[NDArray[np.float64]],
+    samples: Sequence[NDArray[np.float64]],
+    folds: Sequence[NDArray[np.float64]],
+    settings: Mapping[str, Any],
+) -> dict[str, Any]:
+    """Sum up the searches of an interpretation.
+
+    Parameters
+    ----------
+    interpretation : Interpretation
+        Its unknowns were searched.
+    judge_all : Judge
+        Has all statements.
+    searches : sequence of array, shape (evaluations, unknowns + 1)
+        Positions and objectives of the search of each seed, over all statements.
+    samples : sequence of array, shape (samples, unknowns + 1)
+        What was drawn from each seed.
+    folds : sequence of array, shape (evaluations, unknowns + 1)
+        Positions and objectives of the search of each fold.
+    settings : mapping
+        Content of ``config/calibration.yaml``.
+
+    Returns
+    -------
+    dict
+        Content of ``config/calibrated/<interpretation>.yaml``, SI.  ``inputs`` are those of the
+        acceptable sets under which most statements hold, and of these the most plausible.
+    """
+    rows = np.concatenate([*searches, *samples])
+    good = acceptable(rows, settings["acceptance"])
+    pooled = np.concatenate(samples)
+    drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1).round().astype(int)
+    chosen = _most_held(interpretation, judge_all, good[:COMPARED])
+    inputs = inputs_of(interpretation, chosen)
+    members = [inputs, *(inputs_of(interpretation, row) for row in pooled[drawn])]
+    return {
+        "reading": interpretation.name,
+        "objective": _rounded(chosen[-1]),
+        "least_objective": _rounded(good[0, -1]),
+        "penalty": _rounded(interpretation.penalty(inputs)),
+        "objective_of_each_seed": [_rounded(each[:, -1].min()) for each in searches],
+        "evaluations": sum(map(len, searches)),
+        "acceptable": len(good),
+        "inputs": {**interpretation.fixed, **inputs},
+        "folds": [
+            {
+                "figures": list(figures),
+                "objective": _rounded(found[:, -1].min()),
+                "inputs": {
+                    **interpretation.fixed,
+                    **inputs_of(interpretation, found[found[:, -1].argmin()]),
+                },
+            }
+            for figures, found in zip(settings["folds"], folds, strict=True)
+        ],
+        "ensemble": members,
+        "ensemble_readings": [interpretation.name] * len(members),
+        "identification": _identification(interpretation, rows, good, samples),
+        "correlations": _correlations(interpretation, pooled),
+        "fronts": {},
+    }
+
+
+def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
+    """Evaluations with an objective up to ``acceptance`` above the least, best first, each once."""
+    ordered = np.unique(rows, axis=0)
+    ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
+    return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
+
+
+def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[str, float]:
+    """The unknowns of a row of positions and objective, SI, rounded to ``DIGITS``."""
+    return {name: _rounded(value) for name, value in interpretation.values(row[:-1]).items()}
+
+
+def _most_held(interpretation, judge_all: Judge, sets):
+    """The set under which most statements hold; of several the most plausible."""
+    ranks = []
+    for row in sets:
+        inputs = inputs_of(interpretation, row)
+        verdicts = judge_all({**interpretation.fixed, **inputs})
+        held, _ = count_once(zip(judge_all.claims, verdicts, strict=True))
+        ranks.append((-held, interpretation.penalty(inputs)))
+    return sets[min(range(len(sets)), key=ranks.__getitem__)]
+
+
+def price_front(
+    interpretation: Interpretation,
+    objective: Objective,
+    name: str,
+    rows: NDArray[np.float64],
+    inputs: Mapping[str, float],
+) -> list[list[float]]:
+    """What the other statements lose as one of them comes to hold: a Pareto front.
+
+    Parameters
+    ----------
+    interpretation : Interpretation
+        Its unknowns were searched.
+    objective : Objective
+        Over all statements, with their ordinary weights.
+    name : str
+        Id of the statement whose price is asked for.
+    rows : array, shape (evaluations, unknowns + 1)
+        A search in which the weight of this statement was raised.
+    inputs : mapping
+        Values of the unknowns that are published, where the front begins.
+
+    Returns
+    -------
+    list of [float, float]
+        Score of the statement, and the objective without it and those that repeat it; no other set
+        of inputs that was judged is better in both.
+    """
+    cluster = next(claim.counted_as for claim in objective.claims if claim.id == name)
+    own = np.array([claim.counted_as == cluster for claim in objective.claims])
+    place = [claim.id for claim in objective.claims].index(name)
+    best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
+    points = set()
+    for some in (dict(inputs), *(interpretation.values(row[:-1]) for row in best)):
+        scores = objective.scores(interpretation, some)
+        others = objective.value(interpretation.penalty(some), np.where(own, 0.0, scores))
+        points.add((_rounded(scores[place]), _rounded(others)))
+    front, least = [], np.inf
+    for score, others in sorted(points):
+        if others < least:
+            front.append([score, others])
+            least = others
+    return front
+
+
+def mixed_ensemble(
+    contents: Sequence[Mapping[str, Any]], shares: Mapping[str, Sequence[float]], size: int
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """An ensemble over all interpretations that predict about as much as the best.
+
+    Parameters
+    ----------
+    contents : sequence of mapping
+        Contents of calibrated files, that of the default first.
+    shares : mapping
+        By interpretation, the fraction of the statements that is predicted in each fold.
+    size : int
+        Number of members.
+
+    Returns
+    -------
+    members : list of dict
+        Inputs, SI.  The first are those of the default.  An interpretation has a place if its mean
+        share is at most one standard deviation of the folds of the default below that of the
+        default, and a number of members in proportion to its share.
+    labels : list of str
+        The interpretation of each member.
+    """
+    means = {name: float(np.mean(each)) for name, each in shares.items()}
+    first = contents[0]["reading"]
+    least = means[first] - float(np.std(shares[first]))
+    taken = [each for each in contents if means[each["reading"]] >= least]
+    weights = np.array([means[each["reading"]] for each in taken])
+    ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)
+    members, labels = [], []
+    for content, count in zip(taken, np.diff(ends, prepend=0), strict=True):
+        sets = content["ensemble"]
+        places = np.linspace(0, len(sets) - 1, count).round().astype(int)
+        members += [{**content["inputs"], **sets[place]} for place in places]
+        labels += [content["reading"]] * int(count)
+    return members, labels
+
+
+def _rounded(value) -> float:
+    return float(f"{value:.{DIGITS}g}")
+
+
+def _identification(interpretation, rows, good, samples) -> dict:
+    """For each unknown its acceptable range, what is drawn, and the least objective along it."""
+    result = {}
+    for index, unknown in enumerate(interpretation.unknowns):
+        low, high = good[:, index].min(), good[:, index].max()
+        part = np.minimum((rows[:, index] * PROFILE_BINS).astype(int), PROFILE_BINS - 1)
+        drawn = [
+            [_rounded(unknown.value(place)) for place in np.quantile(each[:, index], QUANTILES)]
+            for each in samples
+        ]
+        least = [rows[part == each, -1].min(initial=np.inf) for each in range(PROFILE_BINS)]
+        result[unknown.name] = {
+            "acceptable": [_rounded(unknown.value(low)), _rounded(unknown.value(high))],
+            "identified": bool(high - low < IDENTIFIED),
+            "median_of_each_seed": [median for _, median, _ in drawn],
+            "range_of_each_seed": [[first, last] for first, _, last in drawn],
+            "profile": [_rounded(value) if np.isfinite(value) else None for value in least],
+        }
+    return result
+
+
+def _correlations(interpretation, sample) -> list[dict]:
+    """Pairs of unknowns that are correlated among the sets that are drawn."""
+    if len(sample) < 3:
+        return []
+    with np.errstate(invalid="ignore"):
+        matrix = np.atleast_2d(np.corrcoef(sample[:, :-1].T))
+    names = [unknown.name for unknown in interpretation.unknowns]
+    return [
+        {"between": [names[a], names[b]], "coefficient": float(f"{matrix[a, b]:.2f}")}
+        for a, b in zip(*np.triu_indices(len(names), 1), strict=True)
+        if abs(matrix[a, b]) >= NOTABLE_CORRELATION
+    ]

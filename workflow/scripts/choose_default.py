@@ -1,0 +1,85 @@
+"""Choose the default by the rule, and search what each headline number that it misses would cost."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.files import whole
+from thirdbody.job_log import logged
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Interpretation, Objective
+from thirdbody.study.claims import load_claims
+from thirdbody.study.results import mixed_ensemble, price_front
+from thirdbody.study.search import search
+from thirdbody.study.verdicts import Judge, compare, count_once, predict
+
+
+def choose(calibrated, claims, settings, parameters, chosen):
+    """Write the name of the default, its fronts, and its ensemble over interpretations."""
+    statements, base = load_claims(claims), Parameters(**parameters)
+    judge_all = Judge(statements, base, settings["newtons"])
+    contents = {content["reading"]: content for content in map(read_yaml, calibrated)}
+    verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
+    predicted = {name: predict(judge_all, content) for name, content in contents.items()}
+    table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
+    print(table[["reading", "predicted", "fitted", "penalty", "inputs"]].to_string(index=False))
+    ranking = table["reading"].tolist()
+    default = ranking[0]
+    interpretation = Interpretation.of(default, settings)
+    plain = Objective.of(statements, settings, base)
+    inputs = {
+        unknown.name: contents[default]["inputs"][unknown.name]
+        for unknown in interpretation.unknowns
+    }
+    missed = [
+        claim.id
+        for claim, verdict in zip(statements, verdicts[default], strict=True)
+        if claim.id in settings["headline"] and not verdict.holds
+    ]
+    fronts = {}
+    for name in missed:
+        raised = Objective.of(statements, settings, base, name, settings["price_weight"])
+        record = Path(chosen).with_name(f"price-{name}.record")
+        budget = settings["budget"] | {"evaluations": settings["budget"]["fold_evaluations"]}
+        rows = search(interpretation, raised, budget, settings["seeds"][0], record)
+        fronts[name] = price_front(interpretation, plain, name, rows, inputs)
+    shares = {
+        name: _shares(judge_all, predicted[name], contents[name]["folds"]) for name in contents
+    }
+    members, labels = mixed_ensemble(
+        [contents[name] for name in ranking], shares, settings["ensemble"]
+    )
+    content = {
+        "reading": default,
+        "fronts": fronts,
+        "ensemble": members,
+        "ensemble_readings": labels,
+    }
+    with whole(chosen) as part:
+        part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    for record in Path(chosen).parent.glob("price-*.record"):
+        record.unlink()
+
+
+def _shares(judge_all, verdicts, folds):
+    """The fraction of the statements that is predicted in each fold."""
+    shares = []
+    for fold in folds:
+        figures = set(fold["figures"])
+        judged = [claim for claim in judge_all.claims if min(claim.all_figures) in figures]
+        held, of = count_once((claim, verdicts[claim.id]) for claim in judged)
+        shares.append(held / max(of, 1))
+    return np.array(shares)
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        choose(
+            snakemake.input.calibrated,
+            snakemake.input.claims,
+            snakemake.params.settings,
+            snakemake.params.parameters,
+            snakemake.output.chosen,
+        )

@@ -1,0 +1,39 @@
+"""Search the unprinted inputs of one interpretation, over all statements or without those of a fold."""
+
+from pathlib import Path
+
+import numpy as np
+
+from thirdbody.data.files import whole
+from thirdbody.job_log import logged
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Interpretation, Objective, make_folds
+from thirdbody.study.claims import load_claims
+from thirdbody.study.search import search
+
+
+def run(name, seed, fold, claims, settings, parameters, evaluations):
+    """Write all evaluations of the search; a number ``fold`` says whose statements are left out."""
+    statements, budget = load_claims(claims), settings["budget"]
+    if fold is not None:
+        statements = make_folds(statements, settings["folds"])[fold].fitted
+        budget = budget | {"evaluations": budget["fold_evaluations"]}
+    objective = Objective.of(statements, settings, Parameters(**parameters))
+    record = Path(evaluations).with_suffix(".record")
+    rows = search(Interpretation.of(name, settings), objective, budget, seed, record)
+    with whole(evaluations) as part:
+        np.savetxt(part, rows, fmt="%.17g", delimiter=",")
+    record.unlink()
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        run(
+            snakemake.wildcards.reading,
+            snakemake.params.seed,
+            snakemake.params.fold,
+            snakemake.input.claims,
+            snakemake.params.settings,
+            snakemake.params.parameters,
+            snakemake.output.evaluations,
+        )

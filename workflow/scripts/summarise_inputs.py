@@ -1,0 +1,45 @@
+"""The calibrated inputs of one interpretation from its searches."""
+
+import numpy as np
+import yaml
+
+from thirdbody.data.files import whole
+from thirdbody.job_log import logged
+from thirdbody.model.parameters import Parameters
+from thirdbody.study.calibration import Interpretation
+from thirdbody.study.claims import load_claims
+from thirdbody.study.results import summary
+from thirdbody.study.verdicts import Judge
+
+
+def read(paths):
+    """Positions and objectives of each file."""
+    return [np.loadtxt(path, delimiter=",", ndmin=2) for path in paths]
+
+
+def summarise(name, evaluations, samples, folds, claims, settings, parameters, calibrated):
+    """Write the chosen inputs, their ensemble, those of the folds, and what is identified."""
+    content = summary(
+        Interpretation.of(name, settings),
+        Judge(load_claims(claims), Parameters(**parameters), settings["newtons"]),
+        read(evaluations),
+        read(samples),
+        read(folds),
+        settings,
+    )
+    with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
+        yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
+
+
+if __name__ == "__main__":
+    with logged(snakemake.log[0]):
+        summarise(
+            snakemake.wildcards.reading,
+            snakemake.input.evaluations,
+            snakemake.input.samples,
+            snakemake.input.folds,
+            snakemake.input.claims,
+            snakemake.params.settings,
+            snakemake.params.parameters,
+            snakemake.output.calibrated,
+        )
