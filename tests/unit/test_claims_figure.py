@@ -4,7 +4,6 @@ from pathlib import Path
 
 import matplotlib.style
 import numpy as np
-import pandas as pd
 import pytest
 from numpy.testing import assert_allclose
 
