@@ -119,14 +119,9 @@ class Parameters:
     @property
     def elastic_factor(self) -> float:
         """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1], the weight of elastic particles."""
-        return (  # of Eqs. 4 and 5
-            2.25
-            * math.pi**2
-            * (
-                (self.hardness_surface_1 / self.elastic_modulus_particle) ** 2
-                + (self.hardness_surface_2 / self.elastic_modulus_surfaces) ** 2
-            )
-        )
+        particle = self.hardness_surface_1 / self.elastic_modulus_particle
+        surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
+        return 2.25 * math.pi**2 * (particle**2 + surface**2)  # of Eqs. 4 and 5
 
     @property
     def particle_pressure(self) -> float:

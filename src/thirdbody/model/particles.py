@@ -31,7 +31,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.readings import SizeLaw
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
@@ -87,7 +86,8 @@ class ParticleLayer:
         """
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
         sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
-        moment = Moment.of(sizes, parameters)
+        smallest = max(sizes.smallest, FARTHEST)
+        moment = _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
@@ -173,12 +173,6 @@ class Moment:
         self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
         self.of_all = float(self(np.array(-np.inf))[0])
 
-    @classmethod
-    def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
-        """The moment that a law of ``sizes`` has, cut off at the truncation."""
-        smallest = max(sizes.smallest, FARTHEST)
-        return _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
-
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
 
@@ -210,9 +204,7 @@ class Moment:
         return scipy.special.ndtr(-alpha) + polynomial * density, slope
 
 
-@lru_cache(maxsize=64)
-def _moment(constant, linear, smallest, largest):
-    return Moment(constant, linear, smallest, largest)
+_moment = lru_cache(maxsize=64)(Moment)
 
 
 def log_bare_fraction(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
