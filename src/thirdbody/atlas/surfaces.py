@@ -46,7 +46,7 @@ LIMITED = {  # axis of a limit, the variable that passes a level along it, the l
     ),
     "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
 }
-# what has a value for each set of inputs, and over the ensemble quantiles and the share that has one
+# what has a value for each set of inputs, and over the ensemble quantiles and the fraction that has one
 LIMITS = tuple(LIMITED)
 TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
@@ -313,7 +313,7 @@ def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
 
 
 def _summed_up(found: Mapping[str, list], weights) -> dict[str, NDArray]:
-    """The values of the default, the quantiles of the ensemble, and which share of it has a value."""
+    """The values of the default, the quantiles of the ensemble, and which fraction of it has a value."""
     result = {}
     for name, each in found.items():
         members = np.repeat(np.stack(each), weights, axis=0)

@@ -1,6 +1,6 @@
 """Turning points of the contact area (TPCA).
 
-As the load on a contact with particles grows, the particles' share of the real contact area,
+As the load on a contact with particles grows, the fraction of particles in the real contact area,
 A_sa,t*, first grows because more particles are touched, and falls once the summits between them
 touch in numbers.  "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section
 3.3): a curve has a turning point if A_sa,t* has a maximum within its range of loads that stands out,
@@ -151,7 +151,7 @@ def film_turning_points(
     -------
     TurningPoints
         Arrays of shape (films, solids).  ``prominence`` is negative where the maximum lies beyond the
-        loads, as ``share_maxima`` says; all else is known of turning points alone.
+        loads, as ``ratio_maxima`` says; all else is known of turning points alone.
 
     Examples
     --------
@@ -198,7 +198,7 @@ def _turning_points(
     columns = (each[three_body] for each in (diameter, roughness, density))
     solids = make_contact(*columns, parameters, rtol)
     ends = tuple(each[:, three_body] for each in ends)
-    solid, peak, width, prominence = share_maxima(
+    solid, peak, width, prominence = ratio_maxima(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
     )
     film, maximum = np.nonzero(np.isfinite(prominence))
@@ -220,7 +220,7 @@ def _turning_points(
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def share_maxima(
+def ratio_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find the maxima of A_sa,t* over the separation, and how far each stands out.
@@ -255,11 +255,11 @@ def share_maxima(
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
     place, width = bracketed_roots(solids.take(curve).odds_slope, near, far, rtol * near)
-    share = particle_share(solids.take(curve), place)
+    ratio = particle_ratio(solids.take(curve), place)
     high = falling[step + 1, curve]
     prominence = _prominence(
-        (curve[high], place[high], share[high]),
-        (curve[~high], place[~high], share[~high]),
+        (curve[high], place[high], ratio[high]),
+        (curve[~high], place[~high], ratio[~high]),
         np.array(ends),
         solids,
     )
@@ -268,21 +268,21 @@ def share_maxima(
 
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     """Prominence of maxima, each a curve, d [m] and A_sa,t*, among minima and the ends [m]."""
-    curve, place, share = maxima
+    curve, place, ratio = maxima
     first, last = ends[..., curve]
-    before, after = share - particle_share(solids.take(curve), np.stack([first, last]))
+    before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
     before = np.where(place < first, before, -np.abs(before))
     after = np.where(place > last, after, -np.abs(after))
     inside = (last < place) & (place < first)
     for other, valley, least in zip(*minima, strict=True):  # rarely any
         between = inside & (curve == other) & (last < valley) & (valley < first)
         for side, beside in ((before, valley > place), (after, valley < place)):
-            side[between & beside] = np.maximum(side, share - least)[between & beside]
+            side[between & beside] = np.maximum(side, ratio - least)[between & beside]
     return np.minimum(before, after)
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def particle_share(solids: Contact, separation: NDArray) -> NDArray:
+def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
     particle_area, log_summit_area = solids.areas(separation)
     return expit(np.log(particle_area) - log_summit_area)
@@ -310,7 +310,7 @@ def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) ->
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),
-        "peak_ratio": particle_share(solids, separation),
+        "peak_ratio": particle_ratio(solids, separation),
         "solid_load_fraction": solid / load,
         "separation": separation,
     }
