@@ -225,8 +225,8 @@ def passed_diameter(
 
     def excess(log_diameter, some):
         columns = np.exp(log_diameter), roughness[some], density[some]
-        area, log_summits = make_contact(*columns, parameters, rtol).areas(d[some])
-        return np.log(area) - log_summits - logit(level)
+        state = make_contact(*columns, parameters, rtol).log_solid_load(d[some], with_areas=True)
+        return np.log(state.area) - state.log_beside - logit(level)
 
     every = np.arange(d.size)
     low, high = (np.full(d.size, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))

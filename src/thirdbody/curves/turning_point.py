@@ -14,6 +14,7 @@ lies at one separation d*, dry or lubricated, and its load follows from the bala
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
+from thirdbody.model.particles import TINY, has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 
@@ -249,12 +250,13 @@ def ratio_maxima(
         larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much
         it exceeds the end, negatively: so the prominence passes 0 where a maximum leaves the loads.
     """
-    falling = solids.odds_slope(separation) > 0.0
+    falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
     bracket = solved[:-1] & solved[1:] & (falling[:-1] != falling[1:])
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
-    place, width = bracketed_roots(solids.take(curve).odds_slope, near, far, rtol * near)
+    slope = partial(odds_slope, solids.take(curve))
+    place, width = bracketed_roots(slope, near, far, rtol * near)
     ratio = particle_ratio(solids.take(curve), place)
     high = falling[step + 1, curve]
     prominence = _prominence(
@@ -284,8 +286,18 @@ def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
-    particle_area, log_summit_area = solids.areas(separation)
-    return expit(np.log(particle_area) - log_summit_area)
+    state = solids.log_solid_load(separation, with_areas=True)
+    return expit(np.log(state.area) - state.log_beside)
+
+
+def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
+    """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
+
+    It is finite where no summit touches, and negative where no particle touches.
+    """
+    state = solids.log_solid_load(separation, with_areas=True)
+    slope = state.area_slope - state.area * state.beside_slope
+    return np.where(state.area > 0.0, slope, -TINY)
 
 
 def _greatest(curve, values):
