@@ -238,7 +238,7 @@ def passed_diameter(
     contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
     solid = np.exp(contact.log_solid_load(d).value).reshape(densities.size, -1)
     film = film_loads(separation, axes["viscosity"], axes["roughness"][0], parameters)
-    total = parameters.readings.film_load.total_load(solid, film[:, np.newaxis])
+    total = parameters.interpretation.film_load.total_load(solid, film[:, np.newaxis])
     total = np.maximum.accumulate(np.log(total), axis=-1)
     log_diameter = log_diameter.reshape(densities.size, -1)
     found = np.empty((*total.shape[:2], loads.size))
@@ -275,7 +275,7 @@ def passed_viscosity(
     """
     names = "load", "particle_diameter", "roughness", "particle_density"
     given = {name: axes[name][each] for name, each in zip(names, place, strict=True)}
-    log_fluid = parameters.readings.film_load.log_fraction(np.log1p(-level))
+    log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
     log_parameter = log_load_parameter(np.log(given["load"]) + log_fluid, parameters)  # ln W
     dry = given | {"load": level * given["load"], "viscosity": np.zeros(1)}
     separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation

@@ -318,7 +318,7 @@ def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) ->
     fluid[wet] = np.exp(log_parameter - log_load_parameter(0.0, inputs))  # Eq. 8
     film_slope = 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
     steepest[wet] = np.maximum(steepest[wet], film_slope)
-    load = inputs.readings.film_load.total_load(solid, fluid)  # Eq. 1
+    load = inputs.interpretation.film_load.total_load(solid, fluid)  # Eq. 1
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),

@@ -129,7 +129,7 @@ class _Surface:
         which points with films are ``unsure``: to be solved one by one."""
         dry = self._dry(diameter, density, rtol, variables)
         beyond = self.load > greatest_single_load(self.parameters)
-        films_share = self.parameters.readings.film_load.depends_on_shares
+        films_share = self.parameters.interpretation.film_load.depends_on_shares
         half = log_load_parameter(np.log(0.5 * self.load[0]), self.parameters)
         farthest = self.parameters.ball_radius * self.film.thickness(half)[0].max()
         low = np.nan_to_num(0.999 * dry["separation"][-1])
@@ -288,7 +288,7 @@ def _separations(low, high, roughness, particles, solid):
             each[solid] for each in (particles.mean, particles.spread, particles.depth)
         )
         smallest, largest = particles.moment.smallest, particles.moment.largest
-        for shift in (0.0, particles.parameters.readings.elastic_limits.side * depth):
+        for shift in (0.0, particles.parameters.interpretation.elastic_limits.side * depth):
             first = max(smallest, LOWEST)
             places.append(mean + spread * (first + SIZES * (largest - first) - shift))
             for kink in (smallest, largest):
