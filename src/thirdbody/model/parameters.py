@@ -107,9 +107,8 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
-        object.__setattr__(
-            self, "interpretation", Interpretations.of(self)
-        )  # the objects that words choose
+        # the objects that words choose
+        object.__setattr__(self, "interpretation", Interpretations.of(self))
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.interpretation.size_distribution
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
