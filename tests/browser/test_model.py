@@ -14,7 +14,7 @@ from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import shown_combinations
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.model.readings import KINDS
+from thirdbody.model.interpretations import KINDS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.study.claims import load_claims

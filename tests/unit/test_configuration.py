@@ -13,8 +13,8 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory, read_schema
 from thirdbody.configuration.settings import read_plain, workflow_settings
 from thirdbody.model.bounds import BOUNDS
+from thirdbody.model.interpretations import KINDS
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.readings import KINDS
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.curves.turning_point import odds_slope
 from thirdbody.model.contact import Contact
 from thirdbody.model.particles import ParticleLayer
 from thirdbody.solver.summits import RoughSurfaces
@@ -26,14 +27,17 @@ class ExponentialSummits:
     def log_load(self, t):
         return -3.0 - 2.0 * t, np.full_like(t, -2.0)
 
-    def log_area(self, t):
-        return -1.0 - 1.5 * t, np.full_like(t, -1.5)
-
     def log_load_and_area(self, t):
-        return self.log_load(t), self.log_area(t)
+        return self.log_load(t), (-1.0 - 1.5 * t, np.full_like(t, -1.5))
 
     def take(self, chosen):
         return self
+
+
+def areas(contact, separation):
+    """A_sa/A_n and ln(A_ss-sa/A_n)."""
+    state = contact.log_solid_load(separation, with_areas=True)
+    return state.area, state.log_beside
 
 
 @pytest.fixture
@@ -61,7 +65,7 @@ def test_the_solids_bear_what_summits_and_particles_bear(contact, layer, reading
 def test_summits_touch_beside_the_particles(contact, layer):
     area, _, coverage, _ = layer.contact(SEPARATION)
     summits = np.exp(-1.0 - 1.5 * (SEPARATION - 1e-7) / 2e-7)
-    particles, log_summits = contact.areas(SEPARATION)
+    particles, log_summits = areas(contact, SEPARATION)
     assert np.array_equal(particles, area)
     assert_allclose(np.exp(log_summits), summits * (1.0 - coverage), rtol=1e-12)  # Eq. 5
 
@@ -75,17 +79,17 @@ def test_slopes_are_those_of_differences(contact):
     assert_allclose(slope[smooth], ((loads[0] - loads[1]) / (2.0 * step))[smooth], rtol=1e-5)
     logarithms = []
     for separation in beside:
-        particles, log_summits = contact.areas(separation)
+        particles, log_summits = areas(contact, separation)
         logarithms.append(np.log(particles) - log_summits)
-    area, _ = contact.areas(SEPARATION)
+    area, _ = areas(contact, SEPARATION)
     touching = smooth & (area > 0.0)
     expected = area * (logarithms[0] - logarithms[1]) / (2.0 * step)
-    assert_allclose(contact.odds_slope(SEPARATION)[touching], expected[touching], rtol=1e-4)
+    assert_allclose(odds_slope(contact, SEPARATION)[touching], expected[touching], rtol=1e-4)
 
 
 def test_no_part_of_load_or_area_is_steeper_than_the_steepest(contact):
     step = 1e-6 * ROUGHNESS
-    near, far = contact.areas(SEPARATION - step), contact.areas(SEPARATION + step)
+    near, far = areas(contact, SEPARATION - step), areas(contact, SEPARATION + step)
     load = contact.log_solid_load(SEPARATION)
     smooth = np.abs(SEPARATION - contact.particles.reach) > 2.0 * step
     logarithms = [(np.log(particles), summits) for particles, summits in (near, far)]
@@ -101,7 +105,7 @@ def test_without_particles_summits_are_all_there_is(reading):
     load = alone.log_solid_load(SEPARATION)
     assert np.array_equal(load.value, -3.0 - 2.0 * alone.summit_separation(SEPARATION))
     assert np.array_equal(load.slope, -load.steepest)
-    particles, log_summits = alone.areas(SEPARATION)
+    particles, log_summits = areas(alone, SEPARATION)
     assert not particles.any()
     assert np.array_equal(log_summits, -1.0 - 1.5 * alone.summit_separation(SEPARATION))
 

@@ -13,7 +13,7 @@ import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.section import size_quantiles
-from thirdbody.model.readings import KINDS, Centred, FilmLoad, SizeDistribution
+from thirdbody.model.interpretations import KINDS, Centred, FilmLoad, SizeDistribution
 
 SOURCES = Path(tb.__file__).parent, Path(benchmarks.__file__).parent
 LOADS = np.geomspace(1e-7, 1e-4, 5)
@@ -36,7 +36,7 @@ def test_an_unknown_word_is_refused_by_name(parameters, name, word):
 
 def test_each_field_has_the_object_of_its_word(reading):
     for name, kind in KINDS.items():
-        chosen = getattr(reading.readings, name)
+        chosen = getattr(reading.interpretation, name)
         assert isinstance(chosen, kind)
         assert chosen is kind.known[getattr(reading, name)]
 
@@ -92,7 +92,7 @@ def test_a_new_size_distribution_is_one_class(parameters, narrowed, method):
 
 
 def test_quantiles_go_from_the_smallest_size_to_the_largest(sizes):
-    distribution, diameter = sizes.readings.size_distribution, 500e-9
+    distribution, diameter = sizes.interpretation.size_distribution, 500e-9
     mean, spread = distribution.sizes(diameter, sizes)
     largest = mean + sizes.truncation * spread
     shares = np.linspace(0.0, 1.0, 11)
@@ -103,7 +103,7 @@ def test_quantiles_go_from_the_smallest_size_to_the_largest(sizes):
 
 def test_the_sizes_that_are_drawn_are_those_that_are_solved(sizes):
     alone, diameter = replace(sizes, gap_ratio=0.0), np.array([500e-9])
-    distribution = alone.readings.size_distribution
+    distribution = alone.interpretation.size_distribution
     law = distribution.law(diameter, 300e-9, alone)
     mean, spread = distribution.sizes(diameter, alone)
     assert_allclose(law.mean, mean, rtol=1e-15)

@@ -37,7 +37,7 @@ COMMENT = (
     "Each member of the ensemble is solved at the same normal_load, which is another F_t* where its "
     "apparent area differs; turning_point_load is F_t* of each member's own area. ensemble gives what "
     "differs from the default in each member, by the names of config/inputs.yaml, SI. A probability is "
-    "the share of the members; a _range has quantiles of those members that have a value."
+    "the fraction of the members; a _range has quantiles of those members that have a value."
 )
 PASSED = "0: on this side at the least value of the axis already; infinite: at none"
 
@@ -58,8 +58,8 @@ class Finding:
         Symbol of the paper, ``none`` where it has none.
     comment : str
         What else there is to say of it, or nothing.
-    is_share : bool
-        Whether it is a share of the members: stored as their number.
+    is_fraction : bool
+        Whether it is a fraction of the members: stored as their number.
     """
 
     long_name: str
@@ -67,7 +67,7 @@ class Finding:
     units: str = "1"
     symbol: str = "none"
     comment: str = ""
-    is_share: bool = False
+    is_fraction: bool = False
 
 
 def _without(*left_out: str) -> tuple[str, ...]:
@@ -76,7 +76,7 @@ def _without(*left_out: str) -> tuple[str, ...]:
 
 def _of_state(kind: str, state: str) -> Finding:
     told = f"probability of {state.replace('_', '-')} {kind} over the ensemble"
-    return Finding(told, DIMENSIONS, is_share=True)
+    return Finding(told, DIMENSIONS, is_fraction=True)
 
 
 _OF_LIMITS = {
@@ -121,7 +121,7 @@ def _findings() -> Iterator[tuple[str, Finding]]:
         yield f"{name}_range", replace(finding, long_name=told, dimensions=dimensions)
     for name, of in (("turning_point", TURNING[0]), ("turning_point_window", TURNING[1])):
         told = f"probability of a {name.replace('_', ' ')} over the ensemble"
-        yield f"{name}_probability", Finding(told, _OF_LIMITS[of].dimensions, is_share=True)
+        yield f"{name}_probability", Finding(told, _OF_LIMITS[of].dimensions, is_fraction=True)
 
 
 FINDINGS = dict(_findings())
@@ -198,11 +198,11 @@ def _described(grid, default, members, kept, rtol) -> xr.Dataset:
     described = described_grid(grid.axes(default), empty, default, rtol).to_xarray()
     # the normal loads are given: those of the grid have no rounding
     described["normal_load"].values[:] = grid.newtons
-    told = {"units": "1", "long_name": "share of the ensemble below"}
+    told = {"units": "1", "long_name": "fraction of the ensemble below"}
     described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, told)})
     for name, finding in FINDINGS.items():
         shape = [described.sizes[each] for each in finding.dimensions]
-        kind = np.int16 if finding.is_share else float
+        kind = np.int16 if finding.is_fraction else float
         values = np.broadcast_to(np.zeros((), kind), shape)
         described[name] = finding.dimensions, values, _attributes(finding, len(members))
     ends = " to ".join(
@@ -223,4 +223,4 @@ def _attributes(finding: Finding, members: int) -> dict:
         "coverage_content_type": "modelResult",
     }
     attributes |= {"comment": finding.comment} if finding.comment else {}
-    return attributes | ({"scale_factor": 1.0 / members} if finding.is_share else {})
+    return attributes | ({"scale_factor": 1.0 / members} if finding.is_fraction else {})

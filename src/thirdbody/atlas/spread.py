@@ -10,14 +10,14 @@ from thirdbody.data.spread import ENDS
 QUANTILES = np.array([ENDS[0], 0.5, ENDS[1]])  # nine in ten lie between the first and the last
 
 
-def quantiles(values: NDArray, shares: ArrayLike = QUANTILES) -> NDArray[np.float64]:
+def quantiles(values: NDArray, fractions: ArrayLike = QUANTILES) -> NDArray[np.float64]:
     """Quantiles over the members, with linear interpolation.
 
     Parameters
     ----------
     values : array, shape (members, ...)
         Infinite where a member is beyond all bounds; nan where it has no value, and does not count.
-    shares : array_like, shape (n,)
+    fractions : array_like, shape (n,)
         Shares of the members below each quantile [1].
 
     Returns
@@ -33,7 +33,7 @@ def quantiles(values: NDArray, shares: ArrayLike = QUANTILES) -> NDArray[np.floa
     """
     ordered = np.sort(values, axis=0)  # nan last
     known = np.count_nonzero(~np.isnan(values), axis=0)
-    place = np.multiply.outer(np.asarray(shares), np.maximum(known - 1, 0))
+    place = np.multiply.outer(np.asarray(fractions), np.maximum(known - 1, 0))
     below = np.floor(place).astype(int)
     above = np.minimum(below + 1, np.maximum(known - 1, 0))
     low, high = (np.take_along_axis(ordered, each, axis=0) for each in (below, above))

@@ -46,7 +46,7 @@ LIMITED = {  # axis of a limit, the variable that passes a level along it, the l
     ),
     "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
 }
-# what has a value for each set of inputs, and over the ensemble quantiles and the share that has one
+# what has a value for each set of inputs, and over the ensemble quantiles and the fraction that has one
 LIMITS = tuple(LIMITED)
 TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
@@ -225,8 +225,8 @@ def passed_diameter(
 
     def excess(log_diameter, some):
         columns = np.exp(log_diameter), roughness[some], density[some]
-        area, log_summits = make_contact(*columns, parameters, rtol).areas(d[some])
-        return np.log(area) - log_summits - logit(level)
+        state = make_contact(*columns, parameters, rtol).log_solid_load(d[some], with_areas=True)
+        return np.log(state.area) - state.log_beside - logit(level)
 
     every = np.arange(d.size)
     low, high = (np.full(d.size, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))
@@ -238,7 +238,7 @@ def passed_diameter(
     contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
     solid = np.exp(contact.log_solid_load(d).value).reshape(densities.size, -1)
     film = film_loads(separation, axes["viscosity"], axes["roughness"][0], parameters)
-    total = parameters.readings.film_load.total_load(solid, film[:, np.newaxis])
+    total = parameters.interpretation.film_load.total_load(solid, film[:, np.newaxis])
     total = np.maximum.accumulate(np.log(total), axis=-1)
     log_diameter = log_diameter.reshape(densities.size, -1)
     found = np.empty((*total.shape[:2], loads.size))
@@ -275,7 +275,7 @@ def passed_viscosity(
     """
     names = "load", "particle_diameter", "roughness", "particle_density"
     given = {name: axes[name][each] for name, each in zip(names, place, strict=True)}
-    log_fluid = parameters.readings.film_load.log_fraction(np.log1p(-level))
+    log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
     log_parameter = log_load_parameter(np.log(given["load"]) + log_fluid, parameters)  # ln W
     dry = given | {"load": level * given["load"], "viscosity": np.zeros(1)}
     separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
@@ -313,7 +313,7 @@ def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
 
 
 def _summed_up(found: Mapping[str, list], weights) -> dict[str, NDArray]:
-    """The values of the default, the quantiles of the ensemble, and which share of it has a value."""
+    """The values of the default, the quantiles of the ensemble, and which fraction of it has a value."""
     result = {}
     for name, each in found.items():
         members = np.repeat(np.stack(each), weights, axis=0)

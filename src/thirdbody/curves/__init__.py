@@ -1,6 +1,6 @@
 """What a curve over the load holds beside its points: turning points, their windows, transitions.
 
-This room knows at which load the share of the particles in the contact area turns
+This package finds at which load the fraction of the particles in the contact area turns
 (``turning_point``; the paper's TPCA), for which diameters it does so (``windows``), and at which
 loads one lubrication regime or contact mode passes into the next (``transitions``; ``crossings``
 along any condition).  It may import ``thirdbody.solver`` and ``thirdbody.model``.  Begin with

@@ -57,10 +57,10 @@ def bracketed_roots(
         if done.all():
             break
         with np.errstate(all="ignore"):  # where it divides by zero it bisects
-            share = _interpolated(newest, other, last, f_newest, f_other, f_last)
+            fraction = _interpolated(newest, other, last, f_newest, f_other, f_last)
             least = np.minimum(0.5 * limit / width, 0.5)
-        share = np.where(np.isfinite(share), np.clip(share, least, 1.0 - least), 0.5)
-        trial = np.where(done, best, newest + share * (other - newest))
+        fraction = np.where(np.isfinite(fraction), np.clip(fraction, least, 1.0 - least), 0.5)
+        trial = np.where(done, best, newest + fraction * (other - newest))
         value = function(trial)
         same = (value > 0.0) == (f_newest > 0.0)
         last, f_last = np.where(same, newest, other), np.where(same, f_newest, f_other)
@@ -74,8 +74,8 @@ def _interpolated(newest, other, last, f_newest, f_other, f_last):
     from 0 to 1; nan where the three points do not promise that it is near there."""
     place, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
     guide = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
-    share = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)
-    share = share + (last - newest) / (other - newest) * f_newest / (f_last - f_newest) * (
+    fraction = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)
+    fraction = fraction + (last - newest) / (other - newest) * f_newest / (f_last - f_newest) * (
         f_other / (f_last - f_other)
     )
-    return np.where(guide, share, np.nan)
+    return np.where(guide, fraction, np.nan)

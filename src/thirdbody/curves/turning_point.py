@@ -1,6 +1,6 @@
 """Turning points of the contact area (TPCA).
 
-As the load on a contact with particles grows, the particles' share of the real contact area,
+As the load on a contact with particles grows, the fraction of particles in the real contact area,
 A_sa,t*, first grows because more particles are touched, and falls once the summits between them
 touch in numbers.  "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section
 3.3): a curve has a turning point if A_sa,t* has a maximum within its range of loads that stands out,
@@ -14,6 +14,7 @@ lies at one separation d*, dry or lubricated, and its load follows from the bala
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
 from thirdbody.model.film import Film, log_load_parameter
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import has_particles
+from thirdbody.model.particles import TINY, has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 
@@ -151,7 +152,7 @@ def film_turning_points(
     -------
     TurningPoints
         Arrays of shape (films, solids).  ``prominence`` is negative where the maximum lies beyond the
-        loads, as ``share_maxima`` says; all else is known of turning points alone.
+        loads, as ``ratio_maxima`` says; all else is known of turning points alone.
 
     Examples
     --------
@@ -198,7 +199,7 @@ def _turning_points(
     columns = (each[three_body] for each in (diameter, roughness, density))
     solids = make_contact(*columns, parameters, rtol)
     ends = tuple(each[:, three_body] for each in ends)
-    solid, peak, width, prominence = share_maxima(
+    solid, peak, width, prominence = ratio_maxima(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
     )
     film, maximum = np.nonzero(np.isfinite(prominence))
@@ -220,7 +221,7 @@ def _turning_points(
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def share_maxima(
+def ratio_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find the maxima of A_sa,t* over the separation, and how far each stands out.
@@ -249,17 +250,18 @@ def share_maxima(
         larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much
         it exceeds the end, negatively: so the prominence passes 0 where a maximum leaves the loads.
     """
-    falling = solids.odds_slope(separation) > 0.0
+    falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
     bracket = solved[:-1] & solved[1:] & (falling[:-1] != falling[1:])
     step, curve = np.nonzero(bracket)
     near, far = separation[step + 1, curve], separation[step, curve]
-    place, width = bracketed_roots(solids.take(curve).odds_slope, near, far, rtol * near)
-    share = particle_share(solids.take(curve), place)
+    slope = partial(odds_slope, solids.take(curve))
+    place, width = bracketed_roots(slope, near, far, rtol * near)
+    ratio = particle_ratio(solids.take(curve), place)
     high = falling[step + 1, curve]
     prominence = _prominence(
-        (curve[high], place[high], share[high]),
-        (curve[~high], place[~high], share[~high]),
+        (curve[high], place[high], ratio[high]),
+        (curve[~high], place[~high], ratio[~high]),
         np.array(ends),
         solids,
     )
@@ -268,24 +270,34 @@ def share_maxima(
 
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
     """Prominence of maxima, each a curve, d [m] and A_sa,t*, among minima and the ends [m]."""
-    curve, place, share = maxima
+    curve, place, ratio = maxima
     first, last = ends[..., curve]
-    before, after = share - particle_share(solids.take(curve), np.stack([first, last]))
+    before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
     before = np.where(place < first, before, -np.abs(before))
     after = np.where(place > last, after, -np.abs(after))
     inside = (last < place) & (place < first)
     for other, valley, least in zip(*minima, strict=True):  # rarely any
         between = inside & (curve == other) & (last < valley) & (valley < first)
         for side, beside in ((before, valley > place), (after, valley < place)):
-            side[between & beside] = np.maximum(side, share - least)[between & beside]
+            side[between & beside] = np.maximum(side, ratio - least)[between & beside]
     return np.minimum(before, after)
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def particle_share(solids: Contact, separation: NDArray) -> NDArray:
+def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     """A_sa,t* [1] at ``separation`` d [m] (Eq. 10)."""
-    particle_area, log_summit_area = solids.areas(separation)
-    return expit(np.log(particle_area) - log_summit_area)
+    state = solids.log_solid_load(separation, with_areas=True)
+    return expit(np.log(state.area) - state.log_beside)
+
+
+def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
+    """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
+
+    It is finite where no summit touches, and negative where no particle touches.
+    """
+    state = solids.log_solid_load(separation, with_areas=True)
+    slope = state.area_slope - state.area * state.beside_slope
+    return np.where(state.area > 0.0, slope, -TINY)
 
 
 def _greatest(curve, values):
@@ -306,11 +318,11 @@ def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) ->
     fluid[wet] = np.exp(log_parameter - log_load_parameter(0.0, inputs))  # Eq. 8
     film_slope = 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
     steepest[wet] = np.maximum(steepest[wet], film_slope)
-    load = inputs.readings.film_load.total_load(solid, fluid)  # Eq. 1
+    load = inputs.interpretation.film_load.total_load(solid, fluid)  # Eq. 1
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),
-        "peak_ratio": particle_share(solids, separation),
+        "peak_ratio": particle_ratio(solids, separation),
         "solid_load_fraction": solid / load,
         "separation": separation,
     }

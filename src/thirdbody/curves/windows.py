@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import PROMINENCE, share_maxima
+from thirdbody.curves.turning_point import PROMINENCE, ratio_maxima
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
@@ -161,8 +161,8 @@ def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArra
         with np.errstate(
             divide="ignore", invalid="ignore"
         ):  # of no run, and of one that is not closed
-            share = np.where(inner == outer, 0.0, at_inner / (at_inner - at_outer))
-            ends.append(ratios[inner] + share * (ratios[outer] - ratios[inner]))
+            fraction = np.where(inner == outer, 0.0, at_inner / (at_inner - at_outer))
+            ends.append(ratios[inner] + fraction * (ratios[outer] - ratios[inner]))
     return tuple(np.where(longest > 0, end, np.nan) for end in ends)
 
 
@@ -186,8 +186,8 @@ def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
     ends = inner.copy()
     errors = np.where(enclosed, np.abs(outer - inner), np.inf)
     coarse, fine = enclosed & np.isinf(tolerance), enclosed & np.isfinite(tolerance + inner)
-    share = margin_inner[coarse] / (margin_inner[coarse] - margin_outer[coarse])
-    ends[coarse] += share * (outer[coarse] - inner[coarse])
+    fraction = margin_inner[coarse] / (margin_inner[coarse] - margin_outer[coarse])
+    ends[coarse] += fraction * (outer[coarse] - inner[coarse])
     if fine.any():
         window, _ = np.nonzero(fine)
         ends[fine], width = bracketed_roots(
@@ -211,7 +211,7 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     ).separation
     solids = make_contact(*columns, parameters, search.rtol)
     between = _between(first, last, roughness, search.separations)
-    curve, _, _, prominence = share_maxima(solids, between, (first, last), search.rtol)
+    curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
     greatest = np.full_like(first, np.nan)
     np.fmax.at(greatest, curve, prominence)
     return _above_least(greatest, search.prominence)

@@ -133,10 +133,10 @@ def section_through(state: State, parameters: Parameters, length: float, seed: i
 def _reach(state, parameters):
     """By how much a gap may exceed a particle that carries load in it [m]: by the height of the plane
     that particles meet, and by the elastic zone as printed."""
-    readings = parameters.readings
-    height = readings.particle_plane.height(state.condition.roughness, parameters)
+    interpretation = parameters.interpretation
+    height = interpretation.particle_plane.height(state.condition.roughness, parameters)
     depth = parameters.elastic_depth_ratio * state.condition.particle_diameter
-    return height + readings.elastic_limits.beyond * depth
+    return height + interpretation.elastic_limits.beyond * depth
 
 
 def correlation_length(state: State, parameters: Parameters) -> float:
@@ -205,7 +205,7 @@ def size_quantiles(
 ) -> NDArray:
     """Sizes [m] below which a ``fraction`` of the particles from ``smallest`` [m] to X_max lies, for a
     mean ``diameter`` x_a [m]."""
-    mean, spread = parameters.readings.size_distribution.sizes(diameter, parameters)
+    mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
     above = ndtr(parameters.truncation)
     below = np.minimum(ndtr((smallest - mean) / spread), above)
     return mean + spread * ndtri(below + (above - below) * fraction)

@@ -146,10 +146,8 @@ class SummitPopulation:
     def _logarithm(self, above, v, terms, unit):
         """ln of the sum of ``terms`` in a ``unit`` of pi eta_s R sigma_s, and its first two derivatives
         by t."""
-        nodes = (
-            *above.shape,
-            3 * NODES.size,
-        )  # in one axis, along which sums do not depend on other points
+        # in one axis, along which sums do not depend on other points
+        nodes = *above.shape, 3 * NODES.size
         terms, v = terms.reshape(nodes), v.reshape(nodes)
         total = np.maximum(terms.sum(-1), np.finfo(float).tiny)
         moments = terms * v

@@ -18,10 +18,10 @@ class Bounds(NamedTuple):
 
     Examples
     --------
-    >>> share = Bounds(0.0, 1.0)
-    >>> share.hold(1), share.hold(1.5), share.hold(float("nan")), share.hold("1")
+    >>> fraction = Bounds(0.0, 1.0)
+    >>> fraction.hold(1), fraction.hold(1.5), fraction.hold(float("nan")), fraction.hold("1")
     (True, False, False, False)
-    >>> print(share)
+    >>> print(fraction)
     a number from 0 to 1
     """
 

@@ -52,9 +52,9 @@ class Contact:
     Parameters
     ----------
     summits : RoughSurfaces
-        Their ``log_load`` and ``log_area`` map summit separations t = (d - y_s)/sigma_s [1] to ln F_ss*
-        and ln(A_ss/A_n), each with its slope d/dt, and ``log_load_and_area`` to both; ``offset`` is
-        y_s and ``deviation`` sigma_s [m].
+        Their ``log_load`` maps summit separations t = (d - y_s)/sigma_s [1] to ln F_ss* and its slope
+        d/dt, ``log_load_and_area`` to ln(A_ss/A_n) and its slope as well; ``offset`` is y_s and
+        ``deviation`` sigma_s [m].
     particles : ParticleLayer or None
         The third bodies; None where there are none (two-body contact).
     parameters : Parameters
@@ -122,25 +122,6 @@ class Contact:
             slope + bare_slope,
         )
 
-    def areas(self, separation: NDArray) -> tuple[NDArray, NDArray]:
-        """A_sa/A_n [1] of the particles and ln(A_ss-sa/A_n) [1] of the summits beside them (Eq. 5)."""
-        log_summits, _ = self.summits.log_area(self.summit_separation(separation))
-        if self.particles is None:
-            return np.zeros_like(log_summits), log_summits
-        area, _, *coverage = self.particles.contact(separation)
-        return area, log_summits + log_bare_fraction(*coverage)[0]
-
-    def odds_slope(self, separation: NDArray) -> NDArray:
-        """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
-
-        It is finite where no summit touches, and negative where no particle touches.
-        """
-        _, summit_slope = self.summits.log_area(self.summit_separation(separation))
-        area, area_slope, *coverage = self.particles.contact(separation)
-        _, bare_slope = log_bare_fraction(*coverage)
-        summit_slope = summit_slope / self.summits.deviation + bare_slope
-        return np.where(area > 0.0, area_slope - area * summit_slope, -TINY)
-
 
 def _log_sum(log_first, log_second):
     """ln of the sum of two loads from their logarithms, and the fraction of the first in it."""
@@ -159,7 +140,10 @@ def greatest_single_load(parameters: Parameters) -> float:
     u (H_s2/E_ss) c, where u is the weight of the sizes above d, so that F_s cannot rise unless
     F_ss* > u H_s2/E_ss, and is itself above that there.
     """
-    limits, coverage = parameters.readings.elastic_limits, parameters.readings.coverage_limits
+    limits, coverage = (
+        parameters.interpretation.elastic_limits,
+        parameters.interpretation.coverage_limits,
+    )
     weight, _ = limits.weights(parameters.elastic_factor)
     if not 0.0 <= weight <= 1.0:
         return 0.0

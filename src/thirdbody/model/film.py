@@ -169,7 +169,7 @@ def _inverse(x, a, b):
     y = np.maximum(x / a, x / b)
     for _ in range(INVERSE_STEPS):
         y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
-    rough = scipy.special.expit((b - a) * y)  # the share of the second term
+    rough = scipy.special.expit((b - a) * y)  # the fraction of the second term
     slope = 1.0 / (a + (b - a) * rough)
     return y, slope, -rough * (1.0 - rough) * (b - a) ** 2 * slope**3
 

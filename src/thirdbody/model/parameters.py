@@ -1,4 +1,4 @@
-"""The inputs of the model: one frozen record of every number and reading that it depends on."""
+"""The inputs of the model: one frozen record of every number and interpretation that it depends on."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
+from thirdbody.model.interpretations import Interpretations
 from thirdbody.model.load_unit import newtons_per_load
-from thirdbody.model.readings import Readings
 
 # sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
@@ -49,8 +49,8 @@ class Parameters:
 
     ``config/inputs.yaml`` says of each field what it is and where its value comes from,
     ``thirdbody.model.bounds`` what numbers may be; ``thirdbody.load_parameters`` gives them with the
-    calibrated values.  Fields that are words, and ``summit_offset``, choose a reading of the paper:
-    ``readings`` has the object for each.
+    calibrated values.  Fields that are words, and ``summit_offset``, choose an interpretation of the paper:
+    ``interpretation`` has the object for each.
 
     Raises
     ------
@@ -107,9 +107,10 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
-        object.__setattr__(self, "readings", Readings.of(self))  # the objects that words choose
+        # the objects that words choose
+        object.__setattr__(self, "interpretation", Interpretations.of(self))
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
-        sizes = self.readings.size_distribution
+        sizes = self.interpretation.size_distribution
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
             return
         for name in outside:
@@ -119,14 +120,9 @@ class Parameters:
     @property
     def elastic_factor(self) -> float:
         """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1], the weight of elastic particles."""
-        return (  # of Eqs. 4 and 5
-            2.25
-            * math.pi**2
-            * (
-                (self.hardness_surface_1 / self.elastic_modulus_particle) ** 2
-                + (self.hardness_surface_2 / self.elastic_modulus_surfaces) ** 2
-            )
-        )
+        particle = self.hardness_surface_1 / self.elastic_modulus_particle
+        surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
+        return 2.25 * math.pi**2 * (particle**2 + surface**2)  # of Eqs. 4 and 5
 
     @property
     def particle_pressure(self) -> float:
@@ -151,7 +147,7 @@ class Parameters:
         """Summits of a surface, or of several.
 
         eta_s R sigma and R follow power laws of the roughness, which are assumptions; scatter and
-        height of the summits are those of the reading ``summit_offset``.
+        height of the summits are those of the interpretation ``summit_offset``.
 
         Parameters
         ----------
@@ -192,7 +188,7 @@ class Parameters:
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)
-        plane = self.readings.summit_offset
+        plane = self.interpretation.summit_offset
         return Surface(
             roughness, density, radius, *plane.deviation_and_offset(roughness, density, radius)
         )

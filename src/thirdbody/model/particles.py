@@ -31,7 +31,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.readings import SizeLaw
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
 VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
@@ -86,17 +85,18 @@ class ParticleLayer:
         True
         """
         diameter = np.minimum(diameter, LARGEST_DIAMETER)
-        sizes = parameters.readings.size_distribution.law(diameter, roughness, parameters)
-        moment = Moment.of(sizes, parameters)
+        sizes = parameters.interpretation.size_distribution.law(diameter, roughness, parameters)
+        smallest = max(sizes.smallest, FARTHEST)
+        moment = _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
         hardness = parameters.hardness_surface_1 + parameters.hardness_surface_2
         factor = np.pi * parameters.participation / hardness * density * sizes.square
         depth = parameters.elastic_depth_ratio * diameter / sizes.spread
-        if parameters.readings.coverage_limits.contacting:
+        if parameters.interpretation.coverage_limits.contacting:
             log_bare = np.zeros(factor.shape)
         else:
             every = moment.of_all * factor  # I(X_min, X_max)
             log_bare = np.log(_bare_fraction(parameters.hardness_surface_1 * every))
-        height = parameters.readings.particle_plane.height(roughness, parameters)
+        height = parameters.interpretation.particle_plane.height(roughness, parameters)
         return cls(sizes.mean + height, sizes.spread, depth, factor, log_bare, moment, parameters)
 
     def take(self, chosen) -> ParticleLayer:
@@ -108,7 +108,7 @@ class ParticleLayer:
     @property
     def reach(self) -> NDArray:
         """Separation [m] beyond which no particle touches: X_max, or X_max + h_e as printed."""
-        beyond = self.parameters.readings.elastic_limits.beyond
+        beyond = self.parameters.interpretation.elastic_limits.beyond
         return self.mean + (self.parameters.truncation + beyond * self.depth) * self.spread
 
     def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
@@ -117,7 +117,7 @@ class ParticleLayer:
         Returns A_sa/A_n [1] and its derivative by d [m-1], then the fraction of the interface under
         particles larger than d [1] and its derivative [m-1].
         """
-        limits = self.parameters.readings.elastic_limits
+        limits = self.parameters.interpretation.elastic_limits
         alpha = (separation - self.mean) / self.spread
         here, here_slope = self.moment(alpha)  # I(d, X_max) over c_1
         there, there_slope = self.moment(alpha + limits.side * self.depth)
@@ -135,7 +135,9 @@ class ParticleLayer:
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
         """Relative error [1] that rounding leaves in the ``area`` that ``contact`` returns, with its
         ``slope``, at ``separation`` d [m]; 0 where no particle touches."""
-        weights = self.parameters.readings.elastic_limits.weights(self.parameters.elastic_factor)
+        weights = self.parameters.interpretation.elastic_limits.weights(
+            self.parameters.elastic_factor
+        )
         terms = (8.0 + self.moment.largest**2) * sum(map(abs, weights))
         terms = terms * self.moment.cancellation * area
         placed = 2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
@@ -145,14 +147,14 @@ class ParticleLayer:
     def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
         """ln of the fraction of the summits' load that particles leave, the bracket of Eq. 4, and its
         derivative by d [m-1], for a coverage and its slope."""
-        if self.parameters.readings.coverage_limits.contacting:
+        if self.parameters.interpretation.coverage_limits.contacting:
             return log_bare_fraction(coverage, slope)
         return self.log_bare, 0.0
 
     def leave_no_room(self, coverage: NDArray) -> NDArray:
         """Whether particles cover the whole interface, in Eq. 4 or in Eq. 5, for the ``coverage`` [1] of
         those larger than d; Eq. 4 counts at least those."""
-        if self.parameters.readings.coverage_limits.contacting:
+        if self.parameters.interpretation.coverage_limits.contacting:
             return 1.0 - coverage <= EPSILON
         return self.log_bare < FULL
 
@@ -172,12 +174,6 @@ class Moment:
         # by how much rounding of M is magnified in the moment at most
         self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
         self.of_all = float(self(np.array(-np.inf))[0])
-
-    @classmethod
-    def of(cls, sizes: SizeLaw, parameters: Parameters) -> Moment:
-        """The moment that a law of ``sizes`` has, cut off at the truncation."""
-        smallest = max(sizes.smallest, FARTHEST)
-        return _moment(sizes.constant, sizes.linear, smallest, parameters.truncation)
 
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
@@ -210,9 +206,7 @@ class Moment:
         return scipy.special.ndtr(-alpha) + polynomial * density, slope
 
 
-@lru_cache(maxsize=64)
-def _moment(constant, linear, smallest, largest):
-    return Moment(constant, linear, smallest, largest)
+_moment = lru_cache(maxsize=64)(Moment)
 
 
 def log_bare_fraction(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
@@ -243,7 +237,7 @@ def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     parameters = layer.parameters
     wanted = area / (layer.factor * parameters.hardness_surface_2)
     sampled = layer.moment.samples()
-    limits = parameters.readings.elastic_limits
+    limits = parameters.interpretation.elastic_limits
     alpha, shifted = (
         np.interp(wanted / weight, *sampled, right=-np.inf) if weight > 0.0 else -np.inf
         for weight in limits.weights(parameters.elastic_factor)

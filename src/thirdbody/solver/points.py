@@ -102,7 +102,7 @@ class Points:
     @property
     def shares_load(self) -> bool:
         """Whether the film takes part in the balance: whether W of Eq. 8 holds F_f, not F_t."""
-        return self.film is not None and self.parameters.readings.film_load.depends_on_shares
+        return self.film is not None and self.parameters.interpretation.film_load.depends_on_shares
 
     def take(self, chosen) -> Points:
         """The points that an index or mask ``chosen`` picks."""

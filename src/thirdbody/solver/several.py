@@ -112,7 +112,7 @@ def _places(points, start, end):
     """Where loads are sampled, increasing from ``start`` to ``end``: a row for each point."""
     surfaces, particles = points.contact.summits, points.contact.particles
     alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_PLACES]
-    shift = points.parameters.readings.elastic_limits.side * particles.depth
+    shift = points.parameters.interpretation.elastic_limits.side * particles.depth
     kinks = [alpha + np.zeros_like(shift) for alpha in alphas]
     kinks += [alpha - shift for alpha in alphas]
     places = [particles.mean + alpha * particles.spread for alpha in kinks]

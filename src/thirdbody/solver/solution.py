@@ -195,16 +195,10 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     fluid = expit(ends.log_fluid - ends.log_solid)
     particle_ratio = expit(np.log(ends.area) - ends.log_beside)  # Eq. 10
     summit_ratio = expit(ends.log_beside - np.log(ends.area))
-    found = {
-        "separation": ends.separation,
-        "film_thickness": ends.separation / points.parameters.ball_radius,
-        "solid_load_fraction": solid,
-        "fluid_load_fraction": fluid,
-        "total_contact_area": ends.area + np.exp(ends.log_beside),  # Eq. 3
-        "particle_contact_area_ratio": particle_ratio,
-        "surface_contact_area_ratio": summit_ratio,
-    }
-    found = {name: 0.5 * (both[0] + both[1]) for name, both in found.items()}
+    total_area = ends.area + np.exp(ends.log_beside)  # Eq. 3
+    thickness = ends.separation / points.parameters.ball_radius
+    both = total_area, particle_ratio, summit_ratio, solid, fluid, ends.separation, thickness
+    found = {name: 0.5 * each.sum(axis=0) for name, each in zip(QUANTITIES, both, strict=True)}
     error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
@@ -249,7 +243,7 @@ def add_flags(
     statuses["area_exceeded"] = found["total_contact_area"] > 1.0
     if film is not None:
         fluid = found["fluid_load_fraction"]
-        log_fluid = parameters.readings.film_load.log_fraction(np.log(fluid))
+        log_fluid = parameters.interpretation.film_load.log_fraction(np.log(fluid))
         meaningful = film.is_meaningful(log_load_parameter(log_load + log_fluid, parameters))
         meaningful &= found["film_thickness"] <= THICKEST
         statuses["outside_film_formula"] = ~meaningful & (fluid > FILM_COUNTS)

@@ -67,7 +67,7 @@ def solve(
     particle_density : array_like
         Number eta_a of particles per area [m-2]; 0 where there are none (two-body contact).
     parameters : Parameters
-        Materials, geometry and readings of the model.
+        Materials, geometry and interpretations of the model.
     rtol : float
         Relative error asked for in every variable, from 1e-11 to 1e-2.
     variables : collection of str

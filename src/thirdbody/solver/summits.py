@@ -85,12 +85,8 @@ class RoughSurfaces:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
         return self._read(t, 0)
 
-    def log_area(self, t: NDArray) -> tuple[NDArray, NDArray]:
-        """ln(A_ss/A_n) and its slope d/dt at summit separations ``t`` [1]."""
-        return self._read(t, 1)
-
     def log_load_and_area(self, t: NDArray) -> tuple:
-        """What ``log_load`` and ``log_area`` return, for little more than one of them takes."""
+        """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
         if self.table is None:
             return tuple(self.population.log_load_and_area(t)[:, :2])
         return self._read(t, 0), self._read(t, 1)

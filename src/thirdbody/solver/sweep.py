@@ -20,7 +20,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import TINY, has_particles
 from thirdbody.progress import Progress
 from thirdbody.solver.points import make_contact
-from thirdbody.solver.solution import Solution, add_flags, type_of
+from thirdbody.solver.solution import QUANTITIES, Solution, add_flags, type_of
 from thirdbody.solver.solve import CONDITIONS, solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
@@ -32,6 +32,7 @@ LOWEST = -6.0  # (size - mean)/spread below which particles do not matter
 BESIDE = 1e-12  # relative distance of the separations on both sides of a kink
 SAFETY = 2.0  # times the error in the middle between two separations
 SUMMIT_RTOL = 1e-7  # error of the summits' load and area
+MOST_LOG_LOAD = 10.0  # ln F_s* for which those stand that particles without room between them carry
 SOLIDS = 500  # pairs of particle size and density whose tables are made together
 GUESSES = 200  # separations at which films are known where Newton's method begins
 NEWTON_STEPS = 2
@@ -128,7 +129,7 @@ class _Surface:
         which points with films are ``unsure``: to be solved one by one."""
         dry = self._dry(diameter, density, rtol, variables)
         beyond = self.load > greatest_single_load(self.parameters)
-        films_share = self.parameters.readings.film_load.depends_on_shares
+        films_share = self.parameters.interpretation.film_load.depends_on_shares
         half = log_load_parameter(np.log(0.5 * self.load[0]), self.parameters)
         farthest = self.parameters.ball_radius * self.film.thickness(half)[0].max()
         low = np.nan_to_num(0.999 * dry["separation"][-1])
@@ -214,13 +215,16 @@ class _Surface:
         What follows from the last change of d is expanded about the place before it.
         """
         radius, low, high = self.parameters.ball_radius, table.x[0], table.x[-1]
-        log_summits, area, *_ = table(table.x[::-1]).T
+        places = table.x[::-1]
+        log_summits, area, *_ = table(places).T
         log_solid = np.logaddexp(log_summits, np.log(area * self.parameters.particle_pressure))
-        log_film = log_film(table.x[::-1])
-        held = np.logaddexp(np.nan_to_num(log_solid, nan=np.inf, neginf=-np.inf), log_film)
-        log_fluid = np.empty(self.alone.shape)
-        for guess, loads, film in zip(log_fluid, held, log_film, strict=True):
-            guess[:] = np.interp(self.log_load, loads, film) - self.log_load
+        log_solid = np.nan_to_num(log_solid, nan=MOST_LOG_LOAD, neginf=-np.inf)
+        log_film = log_film(places)
+        held = np.logaddexp(log_solid, log_film)
+        # all films in one interpolation, one after the other
+        apart = np.arange(len(held))[:, np.newaxis] * (np.ptp(held) + 1.0)
+        wanted = np.clip(self.log_load, held[:, :1], held[:, -1:]) + apart
+        log_fluid = np.interp(wanted, (held + apart).ravel(), log_film.ravel()) - self.log_load
         log_fluid = np.minimum(log_fluid, 0.0)
         step = np.inf
         for _ in range(NEWTON_STEPS):
@@ -252,17 +256,10 @@ class _Surface:
     def _variables(self, d, solid, fluid, area, summit_area, error):
         """Variables by name (Eqs. 3, 9 and 10)."""
         total_area = area + summit_area
-        return {
-            "separation": d,
-            "film_thickness": d / self.parameters.ball_radius,
-            "solid_load_fraction": solid,
-            "fluid_load_fraction": fluid,
-            "total_contact_area": total_area,
-            "particle_contact_area_ratio": area / total_area,
-            "surface_contact_area_ratio": summit_area / total_area,
-            "separation_count": np.ones(d.shape, np.int8),
-            "error_bound": error,
-        }
+        ratios = area / total_area, summit_area / total_area
+        values = total_area, *ratios, solid, fluid, d, d / self.parameters.ball_radius
+        found = dict(zip(QUANTITIES, values, strict=True))
+        return found | {"separation_count": np.ones(d.shape, np.int8), "error_bound": error}
 
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], with an error that Newton's method removes."""
@@ -291,7 +288,7 @@ def _separations(low, high, roughness, particles, solid):
             each[solid] for each in (particles.mean, particles.spread, particles.depth)
         )
         smallest, largest = particles.moment.smallest, particles.moment.largest
-        for shift in (0.0, particles.parameters.readings.elastic_limits.side * depth):
+        for shift in (0.0, particles.parameters.interpretation.elastic_limits.side * depth):
             first = max(smallest, LOWEST)
             places.append(mean + spread * (first + SIZES * (largest - first) - shift))
             for kink in (smallest, largest):

@@ -1,12 +1,12 @@
-"""The readings: what the paper leaves open, each way to read it as an object.
+"""The interpretations: what the paper leaves open, each one as an object.
 
-Six places of the paper can be read in several ways.  Each place is a class here, a *kind* of
-reading, and each way to read it is a subclass, which knows the word that the configuration has for
+Six places of the paper can be interpreted in several ways.  Each place is a class here, a *kind* of
+interpretation, and each interpretation is a subclass, which knows the word that the configuration has for
 it and whatever the equations need to know of it.  This module alone knows these words: all others
-ask the objects that ``Parameters.readings`` holds.
+ask the objects that ``Parameters.interpretation`` holds.
 
-A new way to read a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
-reading in the independent implementations: ``verification/plain_model.py``,
+A new interpretation of a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
+interpretation in the independent implementations: ``verification/plain_model.py``,
 ``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
 """
 
@@ -29,14 +29,14 @@ SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4
 
 
-class Reading:
-    """A way to read one place of the paper.
+class Interpretation:
+    """An interpretation of one place of the paper.
 
-    A direct subclass is a kind of reading, and ``known`` are its readings by their words.  A subclass
+    A direct subclass is a kind of interpretation, and ``known`` are its interpretations by their words.  A subclass
     of a kind states its ``word``; the one object that there is of it has no state of its own.
     """
 
-    known: ClassVar[dict[str | bool, Reading]]
+    known: ClassVar[dict[str | bool, Interpretation]]
 
     def __init_subclass__(cls, word: str | bool | None = None):
         super().__init_subclass__()
@@ -49,7 +49,7 @@ class Reading:
 # --- the summits of a rough surface ---
 
 
-class SummitOffset(Reading):
+class SummitOffset(Interpretation):
     """Where the summits' mean plane lies, and how widely summits scatter about it."""
 
     def deviation_and_offset(
@@ -98,7 +98,7 @@ class SummitsAtTheMeanPlane(SummitOffset, word=False):
 
 @dataclass(frozen=True)
 class SizeLaw:
-    """One reading of phi_a as numbers: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size.
+    """One interpretation of phi_a as numbers: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size.
 
     Their meaning is said at the head of ``thirdbody.model.particles``.
     """
@@ -111,7 +111,7 @@ class SizeLaw:
     smallest: float
 
 
-class SizeDistribution(Reading):
+class SizeDistribution(Interpretation):
     """How the sizes of particles are distributed: phi_a of Eqs. 4-6."""
 
     def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
@@ -170,7 +170,7 @@ class GapConvolved(SizeDistribution, word="gap_convolved"):
         return parameters.gap_ratio >= LEAST_SPREAD
 
 
-class ParticlePlane(Reading):
+class ParticlePlane(Interpretation):
     """From which plane the separation is measured that particles meet."""
 
     def height(self, roughness: ArrayLike, parameters: Parameters) -> ArrayLike:
@@ -193,7 +193,7 @@ class ParticlesBetweenSummitPlanes(ParticlePlane, word="summit"):
         return parameters.surface(roughness).summit_offset
 
 
-class ElasticLimits(Reading):
+class ElasticLimits(Interpretation):
     """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e."""
 
     side: ClassVar[float]
@@ -227,7 +227,7 @@ class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
         return elastic_factor, 1.0 - elastic_factor
 
 
-class CoverageLimits(Reading):
+class CoverageLimits(Interpretation):
     """Which particles take room from the summits' load in Eq. 4: if ``contacting``, those that touch at
     the separation d, as in Eq. 5; if not, the same at every separation."""
 
@@ -249,7 +249,7 @@ class CoverageOfContacting(CoverageLimits, word="contacting"):
 # --- film ---
 
 
-class FilmLoad(Reading):
+class FilmLoad(Interpretation):
     """Which load F stands in the film's load parameter W = F/(E_ss R_x^2) (Eq. 8).
 
     ``depends_on_shares`` says whether W is known only when L_f is.
@@ -296,8 +296,8 @@ class TotalLoad(FilmLoad, word="total"):
 
 
 @dataclass(frozen=True)
-class Readings:
-    """The reading chosen at each place; fields are named as those of ``Parameters`` that choose."""
+class Interpretations:
+    """The interpretation chosen at each place; fields are named as those of ``Parameters`` that choose."""
 
     summit_offset: SummitOffset
     size_distribution: SizeDistribution
@@ -307,8 +307,8 @@ class Readings:
     film_load: FilmLoad
 
     @classmethod
-    def of(cls, parameters: Parameters) -> Readings:
-        """The readings that the words in ``parameters`` mean.
+    def of(cls, parameters: Parameters) -> Interpretations:
+        """The interpretations that the words in ``parameters`` mean.
 
         Raises ``ValueError`` that names the field, its word and the words that it may have.
         """
@@ -323,6 +323,6 @@ def _named(name, word):
     return known[word]
 
 
-KINDS: dict[str, type[Reading]] = {
-    field.name: get_type_hints(Readings)[field.name] for field in fields(Readings)
+KINDS: dict[str, type[Interpretation]] = {
+    field.name: get_type_hints(Interpretations)[field.name] for field in fields(Interpretations)
 }
