@@ -7,7 +7,6 @@ import re
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import netCDF4
 import numpy as np
@@ -119,7 +118,7 @@ def scene(parameters):
 
 @pytest.fixture(scope="module")
 def shown(scene, parameters):
-    return scene_dataset(scene, parameters).to_xarray()
+    return scene_dataset(scene, parameters)
 
 
 @pytest.fixture
@@ -213,7 +212,7 @@ def test_a_dataset_with_several_separations_holds_their_number(parameters, tmp_p
 
 
 def test_so_does_that_of_a_figure_and_tells_what_is_not_shown(scene, parameters, shown):
-    several = scene_dataset(scene, replace(parameters, **SOFT)).to_xarray()
+    several = scene_dataset(scene, replace(parameters, **SOFT))
     count, hidden_ones = several["separation_count"], hidden(several["solution_status"])
     assert (count.values[hidden_ones] == FILL_FLAG).all()
     assert (count.values[~hidden_ones] > 0).all() and (count > 1).any()
@@ -423,16 +422,6 @@ def test_another_user_place_time_zone_and_hash_seed_give_the_same_bytes(
         env=os.environ | stranger,
     )
     assert digest(tmp_path / "other.nc") == digest(on_disk)
-
-
-def test_what_solves_and_draws_figures_does_not_load_xarray():
-    code = "import compute_schematic, render_figure, render_schematic, solve_scene, sys; print(*sys.modules)"
-    scripts = Path(__file__).parents[2] / "workflow" / "scripts"
-    run = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=scripts
-    )
-    assert "netCDF4" in run.stdout.split()
-    assert {"pandas", "xarray"}.isdisjoint(run.stdout.split())
 
 
 def digest(path):

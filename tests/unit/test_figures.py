@@ -82,7 +82,7 @@ INTERFACE = [
 
 def decoded(scene, parameters):
     """The dataset of ``scene``, as it is read from a file."""
-    return xr.decode_cf(scene_dataset(scene, parameters, 1e-4).to_xarray())
+    return xr.decode_cf(scene_dataset(scene, parameters, 1e-4))
 
 
 @pytest.fixture(scope="module")

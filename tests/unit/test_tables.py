@@ -5,7 +5,7 @@ import json
 
 import pytest
 
-from thirdbody.data.tables import TABLES, Column, read_csv, write_csv, write_schema, write_text
+from thirdbody.data.tables import TABLES, Column, read_csv, write_csv, write_latex, write_schema
 
 COLUMNS = (
     Column("figure", "string", "", "figure of the paper"),
@@ -91,22 +91,9 @@ def test_the_schema_describes_each_column_in_its_order(tmp_path):
     assert schema["missingValues"] == [""]
 
 
-def test_a_table_for_reading_shows_each_row(tmp_path):
-    path = tmp_path / "table.md"
-    write_text(path, ROWS[:1], COLUMNS, "github")
-    header, rule, row = path.read_text().splitlines()
-    assert [cell.strip() for cell in header.strip("|").split("|")] == [c.name for c in COLUMNS]
-    assert set(rule) <= set("|-:")
-    assert [cell.strip() for cell in row.strip("|").split("|")] == [
-        "fig03",
-        "3.56304e-06",
-        "3.62648e-07",
-    ]
-
-
 def test_a_latex_table_escapes_what_latex_would_read(tmp_path):
     path = tmp_path / "table.tex"
-    write_text(path, [ROWS[0] | {"figure": "50 % & more_of #1"}], COLUMNS, "latex_booktabs")
+    write_latex(path, [ROWS[0] | {"figure": "50 % & more_of #1"}], COLUMNS)
     text = path.read_text()
     assert r"50 \% \& more\_of \#1" in text
     assert r"separation\_m" in text

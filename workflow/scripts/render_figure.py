@@ -2,7 +2,7 @@
 
 import matplotlib.style
 
-from thirdbody.data.netcdf import read_plain
+from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption_text
 from thirdbody.figures.marks import read_turning_points
@@ -19,11 +19,11 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, band)
     of the turning point, and ``band`` that of the envelope around the curves; the last two may be
     empty for none.
     """
-    data = read_plain(dataset)
+    data = read_dataset(dataset)
     points = read_turning_points(turning_points)
     numbers = read_printed(printed, figure)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    envelope = read_plain(band) if band else None
+    envelope = read_dataset(band) if band else None
     with matplotlib.style.context(style, after_reset=True):
         drawn = curve_figure(figure, data).plot(data, points, envelope, numbers, ends)
         save(drawn, stem, caption_text(figure, drawn, data))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS, Quantity
+from thirdbody.data.quantities import FILL_FLAG, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
@@ -74,7 +74,7 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable, with what stands for the points which it does not hold."""
+    """Attributes of a variable in memory and on file, except its fill value."""
     attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
     return attributes | ({"comment": quantity.comment} if quantity.comment else {})
 
@@ -87,7 +87,7 @@ def _number_attributes(quantity):
         "equation": quantity.equation,
         "ancillary_variables": STATUS,
         "coverage_content_type": "modelResult",
-    } | ({} if quantity.counts else {"_FillValue": FILL_FLOAT})
+    }
 
 
 def _flag_attributes(flag):

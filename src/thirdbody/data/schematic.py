@@ -11,12 +11,12 @@ from dataclasses import dataclass
 from os import PathLike
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import load, write_netcdf
-from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.regimes import CONTACT_MODES
 
@@ -130,7 +130,7 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     variables[TOUCHES] = (("panel", "position"), touches, {"long_name": "whether they touch"})
     variables |= _particle_variables([section.particles for section in sections])
     position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
-    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+    dataset = xr.Dataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
     write_netcdf(dataset, path, {})
 
 
@@ -165,7 +165,7 @@ def read_sections(path: str | PathLike) -> list[Section]:
     return [_section(data, index) for index in range(data.sizes["panel"])]
 
 
-def _section(data: PlainDataset, index: int) -> Section:
+def _section(data: xr.Dataset, index: int) -> Section:
     """The section of one panel of a file."""
     panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
     state = State(

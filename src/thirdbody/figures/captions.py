@@ -21,7 +21,7 @@ from thirdbody.figures.sheet.scales import SCALES
 from thirdbody.figures.shown import shown_curves
 
 if TYPE_CHECKING:  # figures without a dataset do without
-    from thirdbody.data.plain import PlainDataset
+    import xarray as xr
 
 
 @dataclass(frozen=True)
@@ -166,7 +166,7 @@ CAPTIONS = {
 }
 
 
-def caption_text(name: str, figure: Figure, data: PlainDataset | None = None) -> str:
+def caption_text(name: str, figure: Figure, data: xr.Dataset | None = None) -> str:
     """Caption and alternative text of a figure.
 
     Parameters
@@ -175,7 +175,7 @@ def caption_text(name: str, figure: Figure, data: PlainDataset | None = None) ->
         One of ``CAPTIONS``, or that of a scene of one's own, whose dataset has a title.
     figure : Figure
         The figure as it is drawn.
-    data : PlainDataset, optional
+    data : xarray.Dataset, optional
         Of a figure of curves, their dataset.
 
     Returns

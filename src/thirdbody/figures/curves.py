@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.marks import (
     TURNING_POINTS,
     WINDOW,
@@ -91,9 +91,9 @@ class CurveFigure:
 
     def plot(
         self,
-        data: PlainDataset,
+        data: xr.Dataset,
         turning_points: Sequence[Mapping] = (),
-        band: PlainDataset | None = None,
+        band: xr.Dataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Figure:
@@ -101,11 +101,11 @@ class CurveFigure:
 
         Parameters
         ----------
-        data : PlainDataset
-            One of ``read_plain``.
+        data : xarray.Dataset
+            One of ``read_dataset``.
         turning_points : sequence of Mapping
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        band : PlainDataset, optional
+        band : xarray.Dataset, optional
             ``<variable>_low`` and ``_high`` on the axes of ``data``, drawn behind the curves.
         printed : sequence of Mapping
             Rows of the table ``printed``: the paper's numbers for this figure.
@@ -176,7 +176,7 @@ class CurveFigure:
         return self.two_body or not condition.is_two_body
 
 
-def draw_curve(panel: Panel, data: PlainDataset, curve: Curve, styles: Styles) -> Line2D:
+def draw_curve(panel: Panel, data: xr.Dataset, curve: Curve, styles: Styles) -> Line2D:
     """Draw ``curve`` into ``panel``."""
     x, y = curve.values(data, panel.x_name), curve.values(data, panel.y_name)
     return panel.add_line(Line2D(x, y, label=curve.label, **styles.of(curve.condition)))
@@ -241,7 +241,7 @@ def _staggered(free, stagger) -> list[int]:
     return [int(longest.mean())]
 
 
-def draw_bands(panel: Panel, band: PlainDataset, curves: Sequence[Curve], styles: Styles) -> None:
+def draw_bands(panel: Panel, band: xr.Dataset, curves: Sequence[Curve], styles: Styles) -> None:
     """Draw the envelopes of ``curves`` at each load, in a tint of their colours.
 
     The tints are opaque: many curves lie on one another, and so would their bands.

@@ -6,12 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from os import PathLike
 
 import numpy as np
+import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
-from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.sheet.key import Entry
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
@@ -93,7 +93,7 @@ def turning_points_of(
 
 def mark_turning_points(
     panel: Panel,
-    data: PlainDataset,
+    data: xr.Dataset,
     marked: Sequence[tuple[Curve, Mapping]],
     label: str = "turning points",
 ) -> None:
@@ -103,7 +103,7 @@ def mark_turning_points(
     ----------
     panel : Panel
         Where to draw.
-    data : PlainDataset
+    data : xarray.Dataset
         The dataset of the curves.
     marked : sequence of (Curve, Mapping)
         Pairs of ``turning_points_of``.
@@ -122,7 +122,7 @@ def mark_turning_points(
         panel.add_line(Line2D(x, y, label=label, zorder=3, **MARKS[label][1]))
 
 
-def mark_statuses(panel: Panel, data: PlainDataset, curves: Sequence[Curve]) -> None:
+def mark_statuses(panel: Panel, data: xr.Dataset, curves: Sequence[Curve]) -> None:
     """Draw marks along ``curves`` where the status of their points is not plain ``converged``, and at
     the ends next to points without values."""
     status = data["solution_status"].attrs

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from os import PathLike
 
 import numpy as np
+import xarray as xr
 
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.marks import PRINTED, condition_key
 from thirdbody.figures.sheet.panel import NamedPoints, Panel
@@ -60,7 +60,7 @@ def read_printed(path: str | PathLike, figure: str) -> list[dict]:
 
 def draw_printed(
     panel: Panel,
-    data: PlainDataset,
+    data: xr.Dataset,
     curves: Sequence[Curve],
     printed: Sequence[Mapping],
     turning_points: Sequence[tuple[Curve, Mapping]],
@@ -72,7 +72,7 @@ def draw_printed(
     ----------
     panel : Panel
         Where to draw; its curves must stand in it.
-    data : PlainDataset
+    data : xarray.Dataset
         The dataset of the curves.
     curves : sequence of Curve
         Those of the panel.
@@ -125,7 +125,7 @@ class _Places:
 
     Parameters
     ----------
-    data : PlainDataset
+    data : xarray.Dataset
         The dataset of the curve.
     curve : Curve
         The curve.

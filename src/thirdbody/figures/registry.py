@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import xarray as xr
 from matplotlib.figure import Figure
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.plain import PlainDataset
 from thirdbody.data.schematic import Section
 from thirdbody.figures import schematics
 from thirdbody.figures.curves import Content, CurveFigure
@@ -64,14 +64,14 @@ CURVE_FIGURES = {
 }
 
 
-def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
+def curve_figure(name: str, data: xr.Dataset) -> CurveFigure:
     """What a figure of curves shows.
 
     Parameters
     ----------
     name : str
         Of a figure of the paper, its row; any other is that of a scene of one's own.
-    data : PlainDataset
+    data : xarray.Dataset
         Its dataset.
 
     Returns

@@ -107,11 +107,10 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         return np.asarray(float(values))  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
-        raise ValueError(
-            f"{name} is a {kind} of pandas; allowed: .to_numpy() or .to_xarray() of it"
-        )
-    given = values.data if is_labelled(values) else values
-    given = without_unit(name, given, parameters.newtons_per_load)
+        ways = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
+        raise ValueError(f"{name} is a {kind} of pandas; allowed: {ways} of it")
+    given = without_unit(name, values, parameters.newtons_per_load)
+    given = given.data if is_labelled(given) else given
     if np.ma.is_masked(given):
         raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     try:

@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import pandas as pd
 from tabulate import tabulate
 
 from thirdbody.data.readable import Sheet, page
@@ -114,7 +115,9 @@ def claims_html(trial: Trial) -> str:
     columns = ("place", "statement", "published", "measured")
     cells = [[*(row[name] for name in columns), _tolerance(row), row["verdict"]] for row in rows]
     title = "The paper's statements and their verdicts"
-    return page([Sheet(title, _summary(rows).replace("**", ""), headings, cells)])
+    return page(
+        [Sheet(title, _summary(rows).replace("**", ""), pd.DataFrame(cells, columns=headings))]
+    )
 
 
 def claims_json(
