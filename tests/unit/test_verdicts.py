@@ -98,7 +98,7 @@ def test_the_page_shows_contradictions_apart():
     (row,) = (line for line in apart.splitlines() if "Figure 9" in line)
     cells = [cell.strip() for cell in row.replace("\\|", "or").split("|")[1:-1]]
     assert cells == ["statement", "yes", "taken (fails)", "Figure 9 says so or twice"]
-    assert claims_html(held).count("<tr>") == 1 + len(held.claims)
+    assert claims_html(held).count("</tr>") == 1 + len(held.claims)
     failed = page.split("## What fails, and what would change it")[1]
     assert "**taken**" in failed
     assert "**other**" in failed

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.bracketing import bracketed_roots
-from thirdbody.solver.solve import solve
+from thirdbody.solver.conditions import CONDITIONS
+from thirdbody.solver.solve import solve_arrays
 
 
 def excess_over(
@@ -46,7 +47,7 @@ def excess_over(
         The variables of ``also``.
     """
     wanted = {*quantities, *also}
-    found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted)
+    found = solve_arrays({name: given[name] for name in CONDITIONS}, parameters, rtol, wanted)
     values = np.choose(chosen, [getattr(found, name) for name in quantities])
     return values - level, {name: getattr(found, name) for name in also}
 

@@ -9,27 +9,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.solver.units import ENGINEERING, UNITS
+from thirdbody.units import ENGINEERING, UNITS
 
 
 @dataclass(frozen=True)
 class Axis:
     """One condition: names, symbols and units.
 
-    Attributes
-    ----------
-    name : str
-        Argument of ``thirdbody.solve`` and dimension of every dataset.
-    symbol : str
-        Symbol of the paper in plain letters, as data files and labels of curves give it.
-    sign : str
-        The same symbol as figures print it.
-    long_name : str
-        What it is, for the attributes of datasets.
-    column : str
-        Column of tables, its name ending with the SI unit.
-    description : str
-        What it is, for the schema of tables.
+    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset; ``symbol`` and
+    ``sign`` are the symbol of the paper in plain letters and as figures print it; ``column`` is the
+    column of tables, its name ending with the SI unit; ``long_name`` and ``description`` say what it
+    is in datasets and in the schema of tables.
     """
 
     name: str

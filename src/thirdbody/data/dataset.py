@@ -17,7 +17,6 @@ from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
-    FILL_FLOAT,
     FLAGS,
     NORMAL_LOAD,
     NUMBERS,
@@ -160,17 +159,14 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     ----------
     scene : Scene
         Axes, and which of their combinations the figure shows.
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float, optional
-        Relative error asked for in every variable [1].
+    parameters, rtol
+        As of ``grid``.
 
     Returns
     -------
     xarray.Dataset
-        All variables of ``CONTRACT`` over the five axes of ``scene``, and ``separation_count`` where
-        a point has several; combinations that the figure does not show hold ``FILL_FLOAT`` or
-        ``FILL_FLAG``.
+        All variables of ``CONTRACT`` over the five axes, and ``separation_count`` where a point has
+        several; combinations that the figure does not show hold nan or ``FILL_FLAG``.
 
     Raises
     ------
@@ -179,7 +175,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     """
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())
-    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
+    values = {name: np.full(shape, np.nan) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)

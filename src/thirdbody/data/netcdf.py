@@ -10,14 +10,14 @@ from typing import Any
 import xarray as xr
 
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, QUANTITIES, STATUS
 
 
 def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     """Write a dataset of points.
 
-    Values are written as they are: ``FILL_FLOAT``, and ``FILL_FLAG`` of a flag, where a figure shows
-    no point, nan where a point has no solution.
+    Where a figure shows no point, numbers become ``FILL_FLOAT``; where a point has no solution, they
+    stay nan.
 
     Parameters
     ----------
@@ -49,9 +49,10 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
         name: compression | {"chunksizes": variable.shape}
         for name, variable in dataset.data_vars.items()
     }
-    # As an attribute, not as encoding, which would replace nan by it.
+    shown = dataset[STATUS] != FILL_FLAG if STATUS in dataset else True
+    # The fill value is an attribute, not an encoding, which would replace every nan by it.
     filled = {
-        name: variable.assign_attrs(_FillValue=FILL_FLOAT)
+        name: variable.where(shown, FILL_FLOAT).assign_attrs(_FillValue=FILL_FLOAT)
         for name, variable in dataset.data_vars.items()
         if variable.dtype.kind == "f"
     }

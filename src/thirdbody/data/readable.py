@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from itertools import groupby
+from pathlib import Path
 from string import Template
 
 import pandas as pd
@@ -137,28 +138,8 @@ def page(sheets: Sequence[Sheet]) -> str:
             f"{sheet.table.to_html(index=False, border=0)}"
             for sheet in sheets
         ]
-    return PAGE.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
-
-
-PAGE = Template("""\
-<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>$title</title>
-<style>
-body { background: white; color: black; font: 14px/1.4 sans-serif; margin: 1em; }
-table { border-collapse: collapse; margin-bottom: 2em; }
-th, td { border: 1px solid #bbb; padding: 0.2em 0.6em; text-align: left; vertical-align: top; }
-th { background: #eee; }
-</style>
-</head>
-<body>
-$tables
-</body>
-</html>
-""")
+    template = Template(Path(__file__).with_name("page.html").read_text(encoding="utf-8"))
+    return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
 
 def _paper_table(title) -> Callable[..., list[Sheet]]:

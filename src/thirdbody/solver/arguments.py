@@ -17,7 +17,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.solver.labelled import is_labelled
 from thirdbody.solver.solution import VARIABLES
-from thirdbody.solver.units import without_unit
+from thirdbody.units import without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 PLAIN_NUMBERS = float, int, np.float64

@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.arguments import check_parameters, checked_axis
-from thirdbody.solver.units import ENGINEERING, UNITS, Unit, has_unit, unit_of
 from thirdbody.solver.usual import warn_unusual
+from thirdbody.units import ENGINEERING, UNITS, Unit, has_unit, unit_of
 
 CONDITIONS = tuple(ENGINEERING)
 

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.solver.units import UNITS, Unit
+from thirdbody.units import UNITS, Unit
 
 # SI, far wider than the paper's ranges; 0 is no oil, or no particle
 USUAL = {
@@ -81,7 +81,8 @@ def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
         outside = values[((values < least) & (values != 0.0)) | (values > most)]
         if outside.size:
             suffix = "" if unit == "1" else f" {unit}"
-            told.append(f"{name} is {outside[0]:g}{suffix}; usual: {least:g} to {most:g}{suffix}")
+            ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
+            told.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
     if told:
         warnings.warn(", and ".join(told), OutOfRangeWarning, stacklevel=_outside_of_package())
 

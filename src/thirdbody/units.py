@@ -17,7 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.extras import require
 from thirdbody.messages import shown
-from thirdbody.solver.labelled import is_labelled
 
 
 @dataclass(frozen=True)
@@ -79,6 +78,14 @@ UNITS = {
 }
 # name of each condition in engineering units
 ENGINEERING = {unit.condition: key for key, unit in UNITS.items() if key != unit.condition}
+# Default ends of a search, in engineering units: the paper's ranges (Table 2) and about a decade beyond
+SEARCHED = {
+    "load": (0.01, 1000.0),
+    "viscosity": (1.0, 1000.0),
+    "particle_diameter": (10.0, 10_000.0),
+    "roughness": (20.0, 2000.0),
+    "particle_density": (1e8, 1e14),
+}
 
 
 def unit_of(key: Any) -> Unit:
@@ -125,16 +132,17 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
     ModuleNotFoundError
         In one line, if pint is not installed, which reads units of other packages.
     """
-    given = getattr(given, "quantity", given)  # of an array of pint-pandas
     if is_labelled(given) and has_unit(given.data):
         given = given.data
-    if isinstance(given, (list, tuple)) or getattr(given, "dtype", 0) == np.dtype("O"):
-        parts = list(np.ravel(given)) if isinstance(given, np.ndarray) else given
+    given = getattr(given, "quantity", given)  # of an array of pint-pandas
+    of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
+    if of_objects or isinstance(given, (list, tuple)):
+        parts = list(given.flat) if of_objects else given
         kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
             return given
         found = [without_unit(name, each, newtons_per_load) for each in parts]
-        return np.reshape(found, given.shape) if isinstance(given, np.ndarray) else found
+        return np.reshape(found, given.shape) if of_objects else found
     if not has_unit(given):
         return given
     quantity = given if is_quantity(given) else _of_pint(name, given)
@@ -142,11 +150,10 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
     if not quantity.check(wanted.dimensions):
         unit = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{name} is in {unit}; allowed: {wanted.words}")
-    numbers = quantity.to(wanted.unit).magnitude
     try:
-        numbers = _decimal(numbers, 1.0, 15)
+        numbers = _decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
     except (TypeError, ValueError):
-        kind = type(np.ravel(numbers)[0]).__name__
+        kind = type(quantity.magnitude).__name__
         raise ValueError(f"{name} is a quantity of {kind}; allowed: one of numbers") from None
     return numbers / newtons_per_load if wanted is FORCE else numbers
 
@@ -159,6 +166,11 @@ def has_unit(given: Any) -> bool:
 def is_quantity(given: Any) -> bool:
     """Whether an object, or those of a class, are quantities of pint."""
     return hasattr(given, "dimensionality") and hasattr(given, "to")
+
+
+def is_labelled(given: Any) -> bool:
+    """Whether ``given`` is a ``DataArray`` or ``Variable`` of xarray."""
+    return hasattr(given, "dims") and hasattr(given, "data")
 
 
 # where astropy, quantities and unyt keep the unit
