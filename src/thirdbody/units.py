@@ -154,7 +154,7 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
         numbers = _decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
-        raise ValueError(f"{name} is a quantity of {kind}; allowed: one of numbers") from None
+        raise ValueError(f"{name} is a quantity of {kind}; allowed: plain numbers") from None
     return numbers / newtons_per_load if wanted is FORCE else numbers
 
 

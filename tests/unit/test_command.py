@@ -31,7 +31,7 @@ REFUSED = {
     f"size {DRY} --from 100 --to 10": "--from is 100; allowed: less than --to, 10",
     "bearing --ball wood": "--ball is 'wood'; allowed: steel, silicon-nitride, alumina",
     "bearing --ball 205,0.7,5": "--ball is '205,0.7,5'",
-    "bearing --speed-m-per-s 2": "--speed-m-per-s is 2.0 and the oil's density None; allowed: both",
+    "bearing --speed-m-per-s 2": "--speed-m-per-s is 2 and the oil's density None; allowed: both",
     "curve --along time --from 1 --to 2": "--along is 'time'; allowed: load, viscosity",
     "curve --along load --from 1 --to 2": "--viscosity-cSt is missing; allowed: a number",
     f"{CURVE} --count 1": "count is 1; allowed: whole numbers from 2 to 1000000",

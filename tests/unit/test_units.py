@@ -108,7 +108,7 @@ def test_arrays_of_quantities_are_converted(solved):
 
 def test_an_uncertainty_is_refused_by_name(solved):
     uncertain = pytest.importorskip("uncertainties").ufloat(10, 1)
-    with pytest.raises(ValueError, match="^load is a quantity of .*; allowed: one of numbers$"):
+    with pytest.raises(ValueError, match="^load is a quantity of .*; allowed: plain numbers$"):
         solved(load=UNIT.Quantity(uncertain, "N"))
 
 
