@@ -2,7 +2,7 @@
 
 from thirdbody.data.extraction import tpca_rows, transition_rows
 from thirdbody.data.files import whole
-from thirdbody.data.netcdf import read_plain
+from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -10,7 +10,7 @@ from thirdbody.model.parameters import Parameters
 
 def extract(figure, dataset, inputs, tpca_loads, transitions):
     """Write both tables of ``figure`` from its ``dataset``, which was solved with ``inputs``."""
-    curves = read_plain(dataset)
+    curves = read_dataset(dataset)
     turning = tpca_rows(figure, curves, inputs)
     crossings = transition_rows(figure, curves, inputs)
     with whole(tpca_loads, transitions) as (tpca_part, transitions_part):

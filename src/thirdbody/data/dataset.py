@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_parameters, check_rtol, check_variables, checked_axis
-from thirdbody.conditions.usual import warn_beyond_usual
+from thirdbody.conditions.checks import check_rtol, check_variables
+from thirdbody.conditions.in_si import in_si
 from thirdbody.data.attributes import (
     coordinate_attributes,
     global_attributes,
     variable_attributes,
 )
 from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
-from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
-    FILL_FLOAT,
     FLAGS,
     NORMAL_LOAD,
     NUMBERS,
@@ -35,40 +33,22 @@ from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
 
-if TYPE_CHECKING:
-    import xarray as xr
-
 SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
 
 def grid(
     *,
-    load: ArrayLike,
-    viscosity: ArrayLike,
-    particle_diameter: ArrayLike,
-    roughness: ArrayLike,
-    particle_density: ArrayLike,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
     progress: bool = True,
+    **conditions: ArrayLike,
 ) -> xr.Dataset:
     """Every combination of five axes, solved and described, in memory.
 
     Parameters
     ----------
-    load : array_like, shape (n,) or scalar
-        F_t* = F_t/(A_n E_ss) [1], above 0; as every axis, increasing, and of numbers or quantities
-        as in ``solve``.
-    viscosity : array_like, shape (n,) or scalar
-        Kinematic ν [m2/s]; 0 is dry contact.
-    particle_diameter : array_like, shape (n,) or scalar
-        Mean x_a [m]; 0 is two-body contact.
-    roughness : array_like, shape (n,) or scalar
-        Equivalent σ [m], above 0.
-    particle_density : array_like, shape (n,) or scalar
-        η_a [m-2]; 0 is two-body contact.
     parameters : Parameters
         Inputs of the model.
     rtol : float, optional
@@ -79,6 +59,12 @@ def grid(
         ``separation_count`` where a point has the status ``several_separations``.
     progress : bool, optional
         Whether a call that takes long says how far it has come, as ``solve``.
+    **conditions : array_like, shape (n,) or scalar
+        The five axes, increasing, as numbers or quantities: ``load`` [1] or ``load_N``, ``viscosity``
+        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
+        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` [m-2] or
+        ``particle_density_per_m2``.  Viscosity 0 is dry contact; diameter or density 0 is two-body
+        contact.
 
     Returns
     -------
@@ -89,8 +75,8 @@ def grid(
     Raises
     ------
     ValueError
-        In one line: for an axis that is not 1-D, increasing and of physical meaning, a quantity of
-        another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
+        In one line: for an axis that is missing, not 1-D, not increasing or not physical, a quantity
+        of another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
         float64 cannot keep, or an unknown variable.
 
     Warns
@@ -102,11 +88,11 @@ def grid(
     --------
     >>> import thirdbody as tb
     >>> points = tb.grid(
-    ...     load=[1e-6, 1e-5],
-    ...     viscosity=[0.0, 9e-5],
-    ...     particle_diameter=[3e-7],
-    ...     roughness=[3e-7],
-    ...     particle_density=[1e11],
+    ...     load_N=[1, 10],
+    ...     viscosity_cSt=[0, 90],
+    ...     particle_diameter_nm=300,
+    ...     roughness_nm=300,
+    ...     particle_density_per_m2=1e11,
     ...     parameters=tb.load_parameters(),
     ...     variables=["solid_load_fraction"],
     ... )
@@ -115,36 +101,42 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    check_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
     names = with_status(variables)
-    axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
-    solved = dict.fromkeys([*names, SEPARATION_COUNT.name])
+    axes = grid_axes(parameters, conditions)
+    wanted = dict.fromkeys([*names, SEPARATION_COUNT.name])
     if is_worthwhile(axes, rtol):
-        solution = sweep(axes, parameters, rtol, solved, progress)
+        solution = sweep(axes, parameters, rtol, wanted, progress)
     else:
-        solution = solve_arrays(crossed(axes), parameters, rtol, solved, progress)
-    values = {name: getattr(solution, name) for name in solved}
+        solution = solve_arrays(crossed(axes), parameters, rtol, wanted, progress)
+    values = {name: getattr(solution, name) for name in wanted}
     if SEPARATION_COUNT.name not in names:
         _keep_counts_of_several(values)
-    return described_grid(axes, values, parameters, rtol).to_xarray()
+    return described_grid(axes, values, parameters, rtol)
 
 
 def with_status(variables: Collection[str]) -> list[str]:
     """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
     check_variables(variables, VARIABLES)
-    return [name for name in VARIABLES if name in variables or name == "solution_status"]
+    return [name for name in VARIABLES if name in variables or name == STATUS]
 
 
-def grid_axes(parameters: Parameters, *given: ArrayLike) -> Axes:
+def grid_axes(parameters: Parameters, conditions: Mapping[str, ArrayLike]) -> Axes:
     """The five axes of a grid by name; errors and warnings as of ``grid``."""
-    axes = {
-        name: _checked_increasing(name, values, parameters)
-        for name, values in zip(DIMENSIONS, given, strict=True)
-    }
-    warn_beyond_usual({name: axis[-1] for name, axis in axes.items()})
-    return axes
+    return in_si(conditions, parameters, check=_checked_increasing)
+
+
+def _checked_increasing(key: str, values: NDArray) -> NDArray:
+    axis = np.atleast_1d(values)
+    if axis.ndim != 1 or axis.size == 0:
+        raise ValueError(f"{key} has shape {axis.shape}; allowed: one increasing dimension")
+    back = np.flatnonzero(np.diff(axis) <= 0.0)
+    if back.size:
+        first, second = axis[back[0] :][:2]
+        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
+        raise ValueError(f"{key} has {told}")
+    return axis
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
@@ -154,30 +146,27 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
 
 def described_grid(
     axes: Axes, values: Mapping[str, NDArray], parameters: Parameters, rtol: float
-) -> PlainDataset:
+) -> xr.Dataset:
     """The dataset of ``grid`` around ``values``, an array over all ``axes`` for each variable."""
     request = {name: axis.tolist() for name, axis in axes.items()}
     return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
 
 
-def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
+def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> xr.Dataset:
     """The dataset of one figure.
 
     Parameters
     ----------
     scene : Scene
         Axes, and which of their combinations the figure shows.
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float, optional
-        Relative error asked for in every variable [1].
+    parameters, rtol
+        As of ``grid``.
 
     Returns
     -------
-    PlainDataset
-        All variables of ``CONTRACT`` over the five axes of ``scene``, and ``separation_count`` where
-        a point has several; combinations that the figure does not show hold ``FILL_FLOAT`` or
-        ``FILL_FLAG``.
+    xarray.Dataset
+        All variables of ``CONTRACT`` over the five axes, and ``separation_count`` where a point has
+        several; combinations that the figure does not show hold nan or ``FILL_FLAG``.
 
     Raises
     ------
@@ -186,7 +175,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     """
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())
-    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
+    values = {name: np.full(shape, np.nan) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)
@@ -211,19 +200,7 @@ def _keep_counts_of_several(values):
         del values[SEPARATION_COUNT.name]
 
 
-def _checked_increasing(name, values, parameters):
-    axis = np.atleast_1d(checked_axis(name, values, parameters))
-    if axis.ndim != 1 or axis.size == 0:
-        raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
-    back = np.flatnonzero(np.diff(axis) <= 0.0)
-    if back.size:
-        first, second = axis[back[0] :][:2]
-        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
-        raise ValueError(f"{name} has {told}")
-    return axis
-
-
-def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:
+def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
     """Coordinates, variables and attributes of the data contract around solved ``values``."""
     variables = {
         name: (DIMENSIONS, values[name], variable_attributes(quantity))
@@ -236,4 +213,4 @@ def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:
     newtons = axes["load"] * parameters.newtons_per_load
     coordinates["normal_load"] = ("load", newtons, coordinate_attributes(NORMAL_LOAD))
     attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
-    return PlainDataset(variables, coordinates, attributes)
+    return xr.Dataset(variables, coordinates, attributes)
