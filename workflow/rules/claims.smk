@@ -10,9 +10,7 @@ rule judge_claims:
         default=settings["calibrated"],
         calibrated=CALIBRATED,
         earlier=f"{CONFIG}/earlier_predictions.yaml",
-        templates=[
-            project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")
-        ],
+        templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
         modules=modules_of("judge_claims.py"),
     output:
         table="<results>/claims/claims.csv",
