@@ -6,8 +6,6 @@ close meet the largest first, and stay there; so this is the one that is solved.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,17 +21,6 @@ CLOSER = 9  # at so many places
 ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
 
 
-class Enclosures(NamedTuple):
-    """Separations [m] on either side of the largest that balances the forces, the ``count`` of all, and
-    whether rounding leaves it ``undecided`` which is the largest, or whether there is any: loads stay
-    near F_t along a plateau, or at a crest."""
-
-    low: NDArray
-    high: NDArray
-    count: NDArray
-    undecided: NDArray
-
-
 def may_be_several(points: Points) -> NDArray:
     """Whether more than one separation may balance the forces, at each point."""
     if points.contact.particles is None:
@@ -41,13 +28,18 @@ def may_be_several(points: Points) -> NDArray:
     return np.exp(points.log_load) > greatest_single_load(points.parameters)
 
 
-def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
+def enclose_largest(
+    points: Points, start: NDArray, end: NDArray
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find all separations that balance the forces from ``start`` [m] on, and enclose the largest.
 
     The sum of loads is sampled between all places at which its parts change their ways, to beyond
-    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.  Two
-    separations so close together that rounding hides what lies between pass for none in the
-    ``count``, which is 0 where nothing balances; ``low`` and ``high`` are nan there.
+    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.
+
+    Returns separations [m] on either side of the largest, nan where nothing balances; how many there
+    are, of which two so close together that rounding hides what lies between pass for none; and
+    whether rounding leaves open which is the largest, or whether there is any, as loads stay near F_t
+    along a plateau or at a crest.
     """
 
     def excess(separation, which):
@@ -84,7 +76,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
             undecided[index] |= not certain
             if certain:
                 low[index], high[index] = crest, foot
-    return Enclosures(low, high, count, undecided)
+    return low, high, count, undecided
 
 
 def _where_room_is_left(points, places, values):
