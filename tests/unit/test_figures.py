@@ -65,7 +65,7 @@ def datasets(parameters):
 
 def dataset_of(name, scene, parameters):
     computed = Scene.of(name, scene, parameters.newtons_per_load)
-    return xr.decode_cf(scene_dataset(computed, parameters, 1e-4).to_xarray())
+    return xr.decode_cf(scene_dataset(computed, parameters, 1e-4))
 
 
 @pytest.fixture(autouse=True)
