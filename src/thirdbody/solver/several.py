@@ -18,6 +18,7 @@ SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
 SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
+HALVINGS = 60  # of an interval, which leave only rounding
 ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
 
 
@@ -65,7 +66,7 @@ def enclose_largest(
     # a single place next to the separation may be as good as on it
     undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
-    values = _where_room_is_left(points, places, values)
+    values = _where_room_is_left(points.contact.particles, excess, places, values)
     count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
     point, *_, certain = pairs
@@ -79,13 +80,27 @@ def enclose_largest(
     return low, high, count, undecided
 
 
-def _where_room_is_left(points, places, values):
-    """The ``values`` where particles cover everything, which mean nothing, become the next that do."""
+def _where_room_is_left(particles, excess, places, values):
+    """The ``values`` where particles cover everything, which mean nothing, become that where they begin
+    to leave room."""
+
+    def is_room(separation, which):
+        return 1.0 - particles.take(which).contact(separation)[2] > EPSILON
+
     rows, columns = places.shape
-    particles = points.contact.particles.take(np.repeat(np.arange(rows), columns))
-    room = 1.0 - particles.contact(places.ravel())[2] > EPSILON
-    first = room.reshape(places.shape).argmax(axis=1)[:, np.newaxis]  # coverage falls with d
-    return np.where(np.arange(columns) < first, np.take_along_axis(values, first, axis=1), values)
+    room = is_room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
+    first = room.argmax(axis=1)  # as coverage falls with d
+    some = np.flatnonzero(first)
+    low, high = places[some, first[some] - 1], places[some, first[some]]
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        wide = is_room(middle, some)
+        low, high = np.where(wide, low, middle), np.where(wide, middle, high)
+    there, _ = excess(high, some)
+    values = values.copy()
+    covered = np.arange(columns) < first[some, np.newaxis]
+    values[some] = np.where(covered, there[:, np.newaxis], values[some])
+    return values
 
 
 def _last(holds):
