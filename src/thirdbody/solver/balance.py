@@ -78,21 +78,21 @@ def bracket(points: Points) -> Brackets:
     several = np.flatnonzero(may_be_several(points))
     if several.size:
         some = points.take(several)
-        found = enclose_largest(some, low[several], guess[several])
-        beyond = found.count > 0
+        near, far, number, undecided = enclose_largest(some, low[several], guess[several])
+        beyond = number > 0
         # a film so thin that particles cover everything is no balance
         particles = some.contact.particles
         covered = particles.leave_no_room(particles.contact(low[several])[2])
-        count[several] = (held[several] & ~covered) + found.count
+        count[several] = (held[several] & ~covered) + number
         if points.film is not None and not points.shares_load:
             # along a plateau as high as the load nothing may be found beyond the film
-            held[several] = ~beyond & (held[several] | found.undecided)
-            count[several] = np.maximum(count[several], found.undecided)
+            held[several] = ~beyond & (held[several] | undecided)
+            count[several] = np.maximum(count[several], undecided)
         exists[several], sure[several] = beyond, True
-        certain[several] = ~found.undecided
+        certain[several] = ~undecided
         there = several[beyond]
-        low[there], high[there] = found.low[beyond], found.high[beyond]
-        guess[there] = 0.5 * (found.low + found.high)[beyond]
+        low[there], high[there] = near[beyond], far[beyond]
+        guess[there] = 0.5 * (near + far)[beyond]
     low = np.where(held, alone * (1.0 - rounded), np.where(exists, low, np.nan))
     high = np.where(held, alone * (1.0 + rounded), high)
     return Brackets(guess, low, high, sure, held, count, certain)

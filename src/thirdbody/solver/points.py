@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -79,18 +80,12 @@ class Points:
 
     @classmethod
     def of(
-        cls,
-        load: NDArray,
-        viscosity: NDArray,
-        particle_diameter: NDArray,
-        roughness: NDArray,
-        particle_density: NDArray,
-        parameters: Parameters,
-        table_rtol: float | None,
+        cls, conditions: Iterable[NDArray], parameters: Parameters, table_rtol: float | None
     ) -> Points:
-        """The points at five conditions, 1-D and SI; ``table_rtol`` is as in ``make_contact``."""
-        solids = particle_diameter, roughness, particle_density
-        contact = make_contact(*solids, parameters, table_rtol)
+        """The points at five ``conditions``, in the order of the arguments of ``solve``, 1-D and SI;
+        ``table_rtol`` is as in ``make_contact``."""
+        load, viscosity, diameter, roughness, density = conditions
+        contact = make_contact(diameter, roughness, density, parameters, table_rtol)
         film = Film.of(viscosity, roughness, parameters) if has_film(viscosity[0]) else None
         return cls(contact, film, np.log(load))
 

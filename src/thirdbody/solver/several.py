@@ -6,8 +6,6 @@ close meet the largest first, and stay there; so this is the one that is solved.
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -20,18 +18,8 @@ SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
 SAMPLES = 24  # between two neighbouring places
 ZOOMS = 8  # how often an extremum is looked at more closely, each time
 CLOSER = 9  # at so many places
+HALVINGS = 60  # of an interval, which leave only rounding
 ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
-
-
-class Enclosures(NamedTuple):
-    """Separations [m] on either side of the largest that balances the forces, the ``count`` of all, and
-    whether rounding leaves it ``undecided`` which is the largest, or whether there is any: loads stay
-    near F_t along a plateau, or at a crest."""
-
-    low: NDArray
-    high: NDArray
-    count: NDArray
-    undecided: NDArray
 
 
 def may_be_several(points: Points) -> NDArray:
@@ -41,13 +29,18 @@ def may_be_several(points: Points) -> NDArray:
     return np.exp(points.log_load) > greatest_single_load(points.parameters)
 
 
-def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
+def enclose_largest(
+    points: Points, start: NDArray, end: NDArray
+) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find all separations that balance the forces from ``start`` [m] on, and enclose the largest.
 
     The sum of loads is sampled between all places at which its parts change their ways, to beyond
-    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.  Two
-    separations so close together that rounding hides what lies between pass for none in the
-    ``count``, which is 0 where nothing balances; ``low`` and ``high`` are nan there.
+    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.
+
+    Returns separations [m] on either side of the largest, nan where nothing balances; how many there
+    are, of which two so close together that rounding hides what lies between pass for none; and
+    whether rounding leaves open which is the largest, or whether there is any, as loads stay near F_t
+    along a plateau or at a crest.
     """
 
     def excess(separation, which):
@@ -73,7 +66,7 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
     # a single place next to the separation may be as good as on it
     undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
-    values = _where_room_is_left(points, places, values)
+    values = _where_room_is_left(points.contact.particles, excess, places, values)
     count = _changes(values > 0.0, above | below)
     pairs = _hidden_pairs(excess, places, values, noise)
     point, *_, certain = pairs
@@ -84,16 +77,30 @@ def enclose_largest(points: Points, start: NDArray, end: NDArray) -> Enclosures:
             undecided[index] |= not certain
             if certain:
                 low[index], high[index] = crest, foot
-    return Enclosures(low, high, count, undecided)
+    return low, high, count, undecided
 
 
-def _where_room_is_left(points, places, values):
-    """The ``values`` where particles cover everything, which mean nothing, become the next that do."""
+def _where_room_is_left(particles, excess, places, values):
+    """The ``values`` where particles cover everything, which mean nothing, become that where they begin
+    to leave room."""
+
+    def is_room(separation, which):
+        return 1.0 - particles.take(which).contact(separation)[2] > EPSILON
+
     rows, columns = places.shape
-    particles = points.contact.particles.take(np.repeat(np.arange(rows), columns))
-    room = 1.0 - particles.contact(places.ravel())[2] > EPSILON
-    first = room.reshape(places.shape).argmax(axis=1)[:, np.newaxis]  # coverage falls with d
-    return np.where(np.arange(columns) < first, np.take_along_axis(values, first, axis=1), values)
+    room = is_room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
+    first = room.argmax(axis=1)  # as coverage falls with d
+    some = np.flatnonzero(first)
+    low, high = places[some, first[some] - 1], places[some, first[some]]
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        wide = is_room(middle, some)
+        low, high = np.where(wide, low, middle), np.where(wide, middle, high)
+    there, _ = excess(high, some)
+    values = values.copy()
+    covered = np.arange(columns) < first[some, np.newaxis]
+    values[some] = np.where(covered, there[:, np.newaxis], values[some])
+    return values
 
 
 def _last(holds):

@@ -169,7 +169,7 @@ def solve_arrays(
         ):
             for piece in _pieces(left if table_rtol is None else by_table, kinds, roughness, size):
                 some = (column[piece] for column in columns)
-                points = Points.of(*some, parameters, table_rtol)
+                points = Points.of(some, parameters, table_rtol)
                 balance = enclose(points, bracket(points), tolerance)
                 found = describe(points, balance, rtol)
                 for name, values in result.items():
