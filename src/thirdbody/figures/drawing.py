@@ -141,6 +141,9 @@ def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
         for panel in panels:
             for series in panel.series:
                 known = np.isfinite(series.x) & np.isfinite(series.y)
-                for x, y in zip(series.x[known], series.y[known], strict=True):
-                    x_y = panel.x, f"{x:.10g}", panel.y, f"{y:.10g}"
-                    writer.writerow((panel.letter, series.label, *x_y))
+                x, y = (values[known].tolist() for values in (series.x, series.y))
+                label = series.label
+                writer.writerows(
+                    (panel.letter, label, panel.x, f"{a:.10g}", panel.y, f"{b:.10g}")
+                    for a, b in zip(x, y, strict=True)
+                )
