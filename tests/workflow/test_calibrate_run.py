@@ -1,7 +1,9 @@
 """`snakemake calibrate` for real, with a small budget: same seeds, same files; nothing done twice."""
 
+import json
 import shutil
 
+import yaml
 from workspace import READINGS, Workspace
 
 
@@ -13,7 +15,12 @@ def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     found = files(calibrated, "results/calibration")
     assert set(found) == {f"{name}.yaml" for name in READINGS}
     adopted = files(calibrated, "config/calibrated")
-    assert {name: adopted[name] for name in found} == found
+    chosen = json.loads((calibrated.root / "results/calibration/chosen.json").read_text())
+    for name, content in found.items():
+        expected = yaml.safe_load(content)
+        expected |= chosen if expected["reading"] == chosen["reading"] else {}
+        assert yaml.safe_load(adopted[name]) == expected
+    assert len(chosen["ensemble"]) == len(chosen["ensemble_readings"])
 
 
 def test_the_same_seeds_give_the_same_files(calibrated, tmp_path):
@@ -29,7 +36,7 @@ def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):
     again = calibrated.copied_to(tmp_path / "thirdbody")
     searches = again.root / "results/calibration/uncentred_surface_wide_full"
     (searches / "seed2.csv").unlink()
-    for follower in ("uncentred_surface_wide_full.yaml", "adopted.txt"):
+    for follower in ("uncentred_surface_wide_full.yaml", "chosen.json", "adopted.txt"):
         (again.root / "results/calibration" / follower).unlink()
     before = again.stamps()
     run = again.snakemake("calibrate")

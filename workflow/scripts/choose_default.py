@@ -45,11 +45,11 @@ def choose(calibrated, claims, settings, parameters, chosen):
         budget = settings["budget"] | {"evaluations": settings["budget"]["fold_evaluations"]}
         rows = search(interpretation, raised, budget, settings["seeds"][0], record)
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
-    shares = {
-        name: _shares(judge_all, predicted[name], contents[name]["folds"]) for name in contents
+    fractions = {
+        name: _fractions(judge_all, predicted[name], contents[name]["folds"]) for name in contents
     }
     members, labels = mixed_ensemble(
-        [contents[name] for name in ranking], shares, settings["ensemble"]
+        [contents[name] for name in ranking], fractions, settings["ensemble"]
     )
     content = {
         "reading": default,
@@ -63,15 +63,15 @@ def choose(calibrated, claims, settings, parameters, chosen):
         record.unlink()
 
 
-def _shares(judge_all, verdicts, folds):
+def _fractions(judge_all, verdicts, folds):
     """The fraction of the statements that is predicted in each fold."""
-    shares = []
+    fractions = []
     for fold in folds:
         figures = set(fold["figures"])
         judged = [claim for claim in judge_all.claims if min(claim.all_figures) in figures]
         held, of = count_once((claim, verdicts[claim.id]) for claim in judged)
-        shares.append(held / max(of, 1))
-    return np.array(shares)
+        fractions.append(held / max(of, 1))
+    return np.array(fractions)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ def judge_claims(
     claims, default, calibrated, earlier, settings, parameters, laid_over, table, text, page, data
 ):
     """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
-    under those of all ``calibrated``."""
+    under those of all ``calibrated`` interpretations that ``settings`` have."""
     judge_all = Judge(load_claims(claims), Parameters(**parameters), settings["newtons"])
     entries = read_entries()
     found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
@@ -24,7 +24,10 @@ def judge_claims(
         "inputs": main["inputs"] | laid_over,
         "ensemble": [member | laid_over for member in main["ensemble"]],
     }
-    judged = judge_everything(judge_all, main, [found[path] for path in calibrated], settings)
+    compared = [
+        found[path] for path in calibrated if found[path]["reading"] in settings["readings"]
+    ]
+    judged = judge_everything(judge_all, main, compared, settings)
     headline = settings["headline"]
     contents = (
         claims_markdown(judged, headline, read_valid(earlier, "earlier_predictions")),

@@ -404,7 +404,7 @@ def _departure_sharpness(claim, evidence):
 
 
 def _table(claim, evidence, group, quantity=""):
-    """Abscissa [points] and quantity [curves, points] of curves, where the claim speaks of them."""
+    """Abscissa [points] and quantity [curves, points] of curves, where the claim refers to them."""
     curves = [evidence.curve(*condition) for condition in group]
     # Bounds of the load hold on a curve itself, not on the reference that it is compared with.
     x = _loads(claim, curves, curves[bool(claim.references) :])
@@ -417,7 +417,7 @@ def _table(claim, evidence, group, quantity=""):
 
 
 def _loads(claim, curves, bounded):
-    """Loads F_t* [1] that the claim speaks of.
+    """Loads F_t* [1] that the claim refers to.
 
     One load if the claim names it or a level; else all within its bounds on the curves ``bounded``.
     """

@@ -43,7 +43,7 @@ QUANTITIES = (
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
-KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions that tell curves apart
+KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions that distinguish curves
 
 # "Figure 4B", "Figures 4B and 4C", "Figures 4 to 7": first number and, of a range, the last
 FIGURES = re.compile(r"(?:Figures? |and (?=\d))(\d+)[A-D]?(?: to (\d+))?")
@@ -148,7 +148,7 @@ class Claim:
 
     @property
     def source(self) -> str:
-        """Method of ``thirdbody.study.evidence.SolvedEvidence`` that gives what the claim speaks of."""
+        """Method of ``thirdbody.study.evidence.SolvedEvidence`` that gives what the claim refers to."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
@@ -218,7 +218,7 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
 
 
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
-    """Each of ``conditions`` that tell curves apart, as text: ``nu = 0, 90 cSt``."""
+    """Each of ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
         f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.unit}"
         for axis in CONDITION_AXES

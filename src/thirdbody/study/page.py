@@ -56,7 +56,7 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
             earlier_note=earlier["note"].strip(),
             earlier=earlier_table(judged, earlier),
             counts=counts_by_figure(table),
-            comparison=judged.comparison.drop(columns="share", errors="ignore"),
+            comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
             statements=_statements(table),
             failing=failing.to_dict("records"),
         )
@@ -107,10 +107,10 @@ def score_sentence(judged: Judged, table: pd.DataFrame) -> str:
         if tested
         else "No cross-validation has been run for these inputs. "
     )
-    share = f" ({100 * held / of:.0f} %)" if of else ""
+    percentage = f" ({100 * held / of:.0f} %)" if of else ""
     faint, faint_of = count_once(zip(judged.claims, judged.faint, strict=True))
     return (
-        f"**{predicted}Of {of} that can be judged {held} hold{share}**, with one set of inputs for all "
+        f"**{predicted}Of {of} that can be judged {held} hold{percentage}**, with one set of inputs for all "
         f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
         f"if {FAINT:g} were enough, {faint} of {faint_of} would hold."
     )

@@ -54,7 +54,7 @@ def _rows(claim):
 
 
 def _curves(claim) -> Sequence[Condition]:
-    """The curves that a number is printed for; one of several between which it tells a reversal."""
+    """The curves that a number is printed for; the middle one of those whose order reverses."""
     if claim.quantity == REVERSAL_LOAD:
         return claim.curves[len(claim.curves) // 2 :][:1]
     return claim.curves

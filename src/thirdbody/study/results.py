@@ -155,7 +155,7 @@ def price_front(
 
 
 def mixed_ensemble(
-    contents: Sequence[Mapping[str, Any]], shares: Mapping[str, Sequence[float]], size: int
+    contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
     """An ensemble over all interpretations that predict about as much as the best.
 
@@ -163,7 +163,7 @@ def mixed_ensemble(
     ----------
     contents : sequence of mapping
         Contents of calibrated files, that of the default first.
-    shares : mapping
+    fractions : mapping
         By interpretation, the fraction of the statements that is predicted in each fold.
     size : int
         Number of members.
@@ -172,14 +172,14 @@ def mixed_ensemble(
     -------
     members : list of dict
         Inputs, SI.  The first are those of the default.  An interpretation has a place if its mean
-        share is at most one standard deviation of the folds of the default below that of the
-        default, and a number of members in proportion to its share.
+        fraction is at most one standard deviation of the folds of the default below that of the
+        default, and a number of members in proportion to its fraction.
     labels : list of str
         The interpretation of each member.
     """
-    means = {name: float(np.mean(each)) for name, each in shares.items()}
+    means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["reading"]
-    least = means[first] - float(np.std(shares[first]))
+    least = means[first] - float(np.std(fractions[first]))
     taken = [each for each in contents if means[each["reading"]] >= least]
     weights = np.array([means[each["reading"]] for each in taken])
     ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)

@@ -198,7 +198,7 @@ def compare(
     DataFrame
         For each interpretation the predicted and the fitted statements, repeats counted once, the
         penalty of its inputs for being unusual, the number of its unknowns, the objective of its
-        inputs, and what is computed for the headline numbers; ``share`` is the predicted fraction.
+        inputs, and what is computed for the headline numbers; ``predicted_fraction`` is nan without a cross-validation.
     """
     rows = []
     for content in contents:
@@ -219,7 +219,7 @@ def compare(
         rows.append(
             {
                 "reading": name,
-                "share": right / of if of else np.nan,
+                "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
                 "fitted": f"{held}/{judged}",
                 "penalty": round(penalty, 2),
@@ -235,7 +235,7 @@ def compare(
     table = pd.DataFrame(rows)
     if table.empty:
         return table
-    order = ["share", "penalty", "inputs"]
+    order = ["predicted_fraction", "penalty", "inputs"]
     return table.sort_values(
         order, ascending=[False, True, True], kind="stable", na_position="last"
     )

@@ -108,7 +108,8 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
     adopted = f"results/calibration/{READINGS[0]}.yaml"
     complete(submit(there, "results/atlas/catalogue.json", adopted))
     # two searches and two chains of samples
-    wanted = {"solve_chunk": 3, "search_reading": 2, "sample_reading": 2, "summarise_reading": 1}
+    wanted = {"solve_chunk": 3, "search_inputs": 2, "search_fold": 2}
+    wanted |= {"sample_inputs": 2, "summarise_inputs": 1}
     for rule, jobs in wanted.items():
         assert cluster.submitted(rule, but=before) == jobs
     chunks = [f"results/atlas/chunks/{number}-of-3.nc" for number in (1, 2, 3)]
