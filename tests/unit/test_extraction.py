@@ -19,7 +19,7 @@ AXES = {
     "particle_density": [1e11],
 }
 # surfaces so soft that films press harder than they are, and summits soon cover more than there is
-SOFT = {"hardness_surface_1": 1e7, "hardness_surface_2": 1e7}
+SOFT = {"hardness_surface_1": 3e7, "hardness_surface_2": 3e7}
 
 
 @pytest.mark.parametrize("rows_of", [tpca_rows, transition_rows])

@@ -12,7 +12,7 @@ import benchmarks
 import thirdbody as tb
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.data.section import size_quantiles
+from thirdbody.figures.sections import size_quantiles
 from thirdbody.model.interpretations import KINDS, Centred, FilmLoad, SizeDistribution
 
 SOURCES = Path(tb.__file__).parent, Path(benchmarks.__file__).parent
