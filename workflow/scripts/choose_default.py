@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective
@@ -57,7 +57,7 @@ def choose(calibrated, claims, settings, parameters, chosen):
         "ensemble": members,
         "ensemble_readings": labels,
     }
-    with whole(chosen) as part:
+    with atomic_write(chosen) as part:
         part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
     for record in Path(chosen).parent.glob("price-*.record"):
         record.unlink()

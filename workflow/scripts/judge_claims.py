@@ -2,7 +2,7 @@
 
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.schema import read_valid
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -34,7 +34,7 @@ def judge_claims(
         claims_html(judged),
         claims_json(judged, headline),
     )
-    with whole(table, text, page, data) as (table_part, *parts):
+    with atomic_write(table, text, page, data) as (table_part, *parts):
         write_csv(table_part, statements_table(judged).to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")

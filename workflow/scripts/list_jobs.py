@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 
 
@@ -66,5 +66,5 @@ if __name__ == "__main__":
         found = jobs_of(
             summary(snakemake.params.config, snakemake.params.run), snakemake.params.run
         )
-        with whole(snakemake.output.jobs) as part:
+        with atomic_write(snakemake.output.jobs) as part:
             part.write_text(json.dumps(found, indent=1), encoding="utf-8")

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective
@@ -19,7 +19,7 @@ def sample(name, seed, evaluations, claims, settings, parameters, samples):
     record = Path(samples).with_suffix(".record")
     interpretation = Interpretation.of(name, settings)
     drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed, record)
-    with whole(samples) as part:
+    with atomic_write(samples) as part:
         np.savetxt(part, drawn, fmt="%.17g", delimiter=",")
     record.unlink()
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
@@ -21,7 +21,7 @@ def run(name, seed, fold, claims, settings, parameters, evaluations):
     objective = Objective.of(statements, settings, Parameters(**parameters))
     record = Path(evaluations).with_suffix(".record")
     rows = search(Interpretation.of(name, settings), objective, budget, seed, record)
-    with whole(evaluations) as part:
+    with atomic_write(evaluations) as part:
         np.savetxt(part, rows, fmt="%.17g", delimiter=",")
     record.unlink()
 

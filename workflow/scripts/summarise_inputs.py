@@ -3,7 +3,7 @@
 import numpy as np
 import yaml
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation
@@ -27,7 +27,7 @@ def summarise(name, evaluations, samples, folds, claims, settings, parameters, c
         read(folds),
         settings,
     )
-    with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
+    with atomic_write(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
 
 

@@ -26,7 +26,7 @@ from thirdbody.command.options import (
     whole_number,
 )
 from thirdbody.configuration.inputs import load_parameters
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.paper_tables import LOADS
 
 # the interface of the examples, by the names of the axes
@@ -127,7 +127,7 @@ def _bearing(options):
     given = {name: getattr(options, name) for name in (*NUMBERS_OF_BEARING, *BODIES_OF_BEARING)}
     inputs = bearing(load_parameters(), **given)
     if options.write:
-        with whole(options.write) as part:
+        with atomic_write(options.write) as part:
             part.write_text(yaml.safe_dump(inputs.as_dict(), sort_keys=False), encoding="utf-8")
     return derived(inputs, options.viscosity_cSt)
 
@@ -163,7 +163,7 @@ def _curve(options):
         raise ValueError(f"{option(missing[0])} is missing; allowed: a number")
     curve = interface_of(options).curve(options.along, *ends_of(options), options.count)
     if options.csv:
-        with whole(options.csv) as part:
+        with atomic_write(options.csv) as part:
             part.write_text(curve.as_csv(), encoding="utf-8")
     if options.plot:
         from thirdbody.figures.line import draw, save_drawing

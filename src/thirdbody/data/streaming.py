@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from thirdbody.conditions.checks import check_parameters, check_rtol
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import Axes, crossed, described_grid, grid_axes, with_status
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import add_variable
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import CONTRACT
@@ -154,7 +154,7 @@ def write_blocks(
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     types = {name: np.dtype(type_of(name)) for name in names}
-    with whole(path) as part:
+    with atomic_write(path) as part:
         if not compression:
             _require_room(path, prod(shape), sum(kind.itemsize for kind in types.values()))
         empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
