@@ -31,8 +31,8 @@ def jobs_of(rows, run):
     jobs = {}
     for row in rows:
         log = row["log-file(s)"]
-        files = row["input-file(s)"].split(",")
-        inputs = [without_run(name, run) for name in files if not name.endswith(".py")]
+        files = filter(None, row["input-file(s)"].split(","))
+        inputs = [without_run(name, run) for name in files]
         job = jobs.setdefault(log, {"rule": row["rule"], "inputs": inputs, "outputs": []})
         job["outputs"].append(without_run(row["output_file"], run))
     return in_order(list(jobs.values()))
