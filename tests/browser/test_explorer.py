@@ -259,7 +259,7 @@ def test_a_chosen_statement_stands_out_in_its_figure(explorer):
     assert chosen == {"ν = 120 cSt"}
     assert explorer.all("#charts figure .line.faded")
     assert explorer.one("[data-claim=fig11a-turning-point-load-at-120cst][aria-pressed=true]")
-    assert "Measured" in explorer.one("#claims .more").text
+    assert "Computed" in explorer.one("#claims .more").text
 
 
 def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
