@@ -8,7 +8,7 @@ from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Judge, judge_everything, statements_table
+from thirdbody.study.verdicts import Judge, judge_everything
 
 
 def judge_claims(
@@ -35,7 +35,7 @@ def judge_claims(
         claims_json(judged, headline),
     )
     with atomic_write(table, text, page, data) as (table_part, *parts):
-        write_csv(table_part, statements_table(judged).to_dict("records"), TABLES["claims"])
+        write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")
 
