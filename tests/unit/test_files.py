@@ -5,7 +5,7 @@ import os
 
 import pytest
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 
 
 def listing(folder):
@@ -14,7 +14,7 @@ def listing(folder):
 
 def test_a_product_appears_once_its_block_is_done(tmp_path):
     place = tmp_path / "table.csv"
-    with whole(place) as part:
+    with atomic_write(place) as part:
         part.write_text("new")
         assert not place.exists()
         assert part.parent == place.parent
@@ -25,7 +25,7 @@ def test_a_product_appears_once_its_block_is_done(tmp_path):
 
 def test_several_products_appear_together(tmp_path):
     places = tmp_path / "a.csv", tmp_path / "b.json"
-    with whole(*places) as (first, second):
+    with atomic_write(*places) as (first, second):
         first.write_text("1")
         second.write_text("2")
         assert not any(place.exists() for place in places)
@@ -33,8 +33,16 @@ def test_several_products_appear_together(tmp_path):
     assert listing(tmp_path) == ["a.csv", "b.json"]
 
 
+def test_products_of_one_stem_do_not_meet_while_written(tmp_path):
+    places = [tmp_path / f"figure{suffix}" for suffix in (".svg", ".pdf", ".png", ".csv")]
+    with atomic_write(*places) as parts:
+        for part in parts:
+            part.write_text(part.suffix)
+    assert [place.read_text() for place in places] == [place.suffix for place in places]
+
+
 def test_a_failure_leaves_nothing_where_nothing_was(tmp_path):
-    with pytest.raises(RuntimeError), whole(tmp_path / "a", tmp_path / "b") as (first, _):
+    with pytest.raises(RuntimeError), atomic_write(tmp_path / "a", tmp_path / "b") as (first, _):
         first.write_text("half")
         raise RuntimeError
     assert listing(tmp_path) == []
@@ -43,7 +51,7 @@ def test_a_failure_leaves_nothing_where_nothing_was(tmp_path):
 def test_a_failure_leaves_an_old_product_as_it_was(tmp_path):
     place = tmp_path / "table.csv"
     place.write_text("old")
-    with pytest.raises(KeyboardInterrupt), whole(place) as part:
+    with pytest.raises(KeyboardInterrupt), atomic_write(place) as part:
         part.write_text("half")
         raise KeyboardInterrupt
     assert place.read_text() == "old"
@@ -54,10 +62,38 @@ def test_a_product_that_was_not_written_keeps_all_of_them_away(tmp_path):
     old = tmp_path / "a"
     old.write_text("old")
     missing = "a, .*/b cannot be written"
-    with pytest.raises(OSError, match=missing), whole(old, tmp_path / "b") as (first, _):
+    with pytest.raises(OSError, match=missing), atomic_write(old, tmp_path / "b") as (first, _):
         first.write_text("new")
     assert old.read_text() == "old"
     assert listing(tmp_path) == ["a"]
+
+
+def test_an_old_product_is_replaced(tmp_path):
+    place = tmp_path / "table.csv"
+    place.write_text("old")
+    with atomic_write(str(place)) as part:
+        part.write_text("new")
+    assert place.read_text() == "new"
+
+
+def test_a_reader_of_the_old_product_is_not_disturbed(tmp_path):
+    place = tmp_path / "table.csv"
+    place.write_text("old")
+    with open(place) as reader:
+        with atomic_write(place) as part:
+            part.write_text("new")
+        assert reader.read() == "old"
+
+
+def test_leftovers_of_a_killed_run_do_no_harm(tmp_path):
+    place = tmp_path / "table.csv"
+    with atomic_write(place) as part:
+        leftover = part
+        part.write_text("new")
+    leftover.write_text("left over")
+    with atomic_write(place) as part:
+        part.write_text("newer")
+    assert place.read_text() == "newer"
 
 
 def test_want_of_room_names_the_product(tmp_path):
@@ -65,12 +101,12 @@ def test_want_of_room_names_the_product(tmp_path):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     told = "table.csv cannot be written .No space left on device"
-    with pytest.raises(OSError, match=told), whole(tmp_path / "table.csv"):
+    with pytest.raises(OSError, match=told), atomic_write(tmp_path / "table.csv"):
         fail()
 
 
 def test_an_input_that_is_missing_keeps_its_own_message(tmp_path):
-    with pytest.raises(FileNotFoundError), whole(tmp_path / "table.csv"):
+    with pytest.raises(FileNotFoundError), atomic_write(tmp_path / "table.csv"):
         (tmp_path / "input").read_text()
 
 
@@ -92,6 +128,6 @@ def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()
     (tmp_path / "folder").mkdir()
-    with pytest.raises((OSError, ValueError), match=told), whole(path):
+    with pytest.raises((OSError, ValueError), match=told), atomic_write(path):
         raise AssertionError("the block ran")
     assert listing(tmp_path) == ["file", "folder"]

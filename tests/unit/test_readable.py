@@ -1,6 +1,5 @@
 """Tables as people read them: a row a curve, few digits, the paper's numbers beside."""
 
-import pandas as pd
 import pytest
 
 from thirdbody.data.readable import (
@@ -38,7 +37,7 @@ def printed(curve, quantity, value, low, high, **fields):
 
 
 def cells(sheet):
-    return sheet.table.to_numpy().tolist()
+    return [[*row.values()] for row in sheet.rows]
 
 
 @pytest.mark.parametrize(
@@ -81,8 +80,8 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
 def test_curves_of_ones_own_have_no_columns_for_what_the_paper_says(table):
     row = CURVE | POINT | {"figure": "mine", "quantity": "", "level": 0.0, "direction": "rising"}
     (sheet,) = readable(table, [row], (), NEWTONS)
-    assert sheet.table.columns[0] == "ν [cSt]"
-    assert not any("paper" in name for name in sheet.table)
+    assert next(iter(sheet.rows[0])) == "ν [cSt]"
+    assert not any("paper" in name for name in sheet.rows[0])
     assert cells(sheet)[0][:4] == ["90", "300", "300", "1e11"]
 
 
@@ -118,10 +117,10 @@ def test_a_status_is_shown_where_not_all_have_converged(table):
     row = CURVE | POINT | {"figure": "fig05", "direction": "rising", "level": 0.9}
     rows = [row | {"quantity": "solid_load_fraction"}]
     (sheet,) = readable(table, rows, (), NEWTONS)
-    assert "status" not in sheet.table
+    assert "status" not in sheet.rows[0]
     rows.append(rows[0] | OTHER | {"solution_status": "several_separations"})
     (sheet,) = readable(table, rows, (), NEWTONS)
-    assert sheet.table.columns[-1] == "status"
+    assert [*sheet.rows[0]][-1] == "status"
     assert {line[0]: line[-1] for line in cells(sheet)} == {"0": "several separations", "90": ""}
 
 
@@ -145,7 +144,7 @@ def test_sensitivities_are_inputs_by_results():
     rows = [common | dict(zip(names, cell, strict=True)) for cell in given]
     rows.append(common | {"measure": "elasticity", "input": "", "sensitivity": None, "error": None})
     elasticities, indices = readable("sensitivity", rows, (), NEWTONS)
-    assert [*elasticities.table] == ["input", "turning point: load, dry"]
+    assert [*elasticities.rows[0]] == ["input", "turning point: load, dry"]
     assert cells(elasticities) == [["mean ratio", "-3.46"], ["truncation", "0"]]
     assert cells(indices) == [["mean ratio", "0.52 ± 0.06"]]
     text = markdown([elasticities, indices])
@@ -161,8 +160,8 @@ def test_the_papers_tables_show_printed_and_recomputed_side_by_side():
 
 def test_a_page_is_the_text_and_needs_no_other_file():
     sheets = [
-        Sheet("One", "Note.", pd.DataFrame({"a": ["<b> & c"]})),
-        Sheet("Two", "", pd.DataFrame({"a": ["x"]})),
+        Sheet("One", "Note.", [{"a": "<b> & c"}]),
+        Sheet("Two", "", [{"a": "x"}]),
     ]
     shown = page(sheets)
     assert shown.count("<table") == 2

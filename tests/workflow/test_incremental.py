@@ -35,7 +35,6 @@ SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
 CLAIMS = ("claims/*", "figures/claims.*")
 PAGE = ("explorer/*", "index.html", "SHA256SUMS")
-SUMS = ("SHA256SUMS",)
 TABLES_SHOWN = ("index.html", "SHA256SUMS")
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import yaml
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 
 PLACE = Path("config/calibrated")
@@ -22,11 +22,11 @@ def adopt(calibrated, chosen, adopted):
         content = read_yaml(source)
         if content["reading"] == default["reading"]:
             content |= default
-        with whole(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:
+        with atomic_write(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:
             stream.write(HEADER)
             yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
     line = f"{PLACE / default['reading']}.yaml is the default by the rule"
-    with whole(adopted) as part:
+    with atomic_write(adopted) as part:
         part.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")
 

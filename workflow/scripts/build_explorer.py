@@ -6,7 +6,7 @@ from pathlib import Path
 
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.explorer.content import page_content
 from thirdbody.explorer.page import page_text
 from thirdbody.job_log import logged
@@ -33,7 +33,7 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
         {each["reading"]: each["inputs"] for each in readings},
         {row["symbol"]: row["printed"] for row in read_yaml(tables)["table2"]},
     )
-    with whole(page) as part:
+    with atomic_write(page) as part:
         part.write_text(page_text(content), encoding="utf-8")
     print(f"{page}: {Path(page).stat().st_size} bytes")
 

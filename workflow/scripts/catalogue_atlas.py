@@ -1,7 +1,7 @@
 """Catalogue the chunks of the atlas, and gather what they cost."""
 
 from thirdbody.atlas.catalogue import write_catalogue
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.job_log import logged
 
@@ -9,7 +9,7 @@ from thirdbody.job_log import logged
 def write(chunks, costs, catalogue, cost):
     """Write the catalogue of the files ``chunks``, and the rows of all ``costs``."""
     rows = [row for part in costs for row in read_csv(part, TABLES["atlas_cost"])]
-    with whole(catalogue, cost) as (catalogue_part, cost_part):
+    with atomic_write(catalogue, cost) as (catalogue_part, cost_part):
         write_catalogue(catalogue_part, chunks)
         write_csv(cost_part, rows, TABLES["atlas_cost"])
     points = sum(row["points"] for row in rows)

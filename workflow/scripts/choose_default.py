@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.calibration import Interpretation, Objective
+from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claims import load_claims
 from thirdbody.study.results import mixed_ensemble, price_front
 from thirdbody.study.search import search
@@ -57,7 +57,7 @@ def choose(calibrated, claims, settings, parameters, chosen):
         "ensemble": members,
         "ensemble_readings": labels,
     }
-    with whole(chosen) as part:
+    with atomic_write(chosen) as part:
         part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
     for record in Path(chosen).parent.glob("price-*.record"):
         record.unlink()
@@ -66,10 +66,8 @@ def choose(calibrated, claims, settings, parameters, chosen):
 def _fractions(judge_all, verdicts, folds):
     """The fraction of the statements that is predicted in each fold."""
     fractions = []
-    for fold in folds:
-        figures = set(fold["figures"])
-        judged = [claim for claim in judge_all.claims if min(claim.all_figures) in figures]
-        held, of = count_once((claim, verdicts[claim.id]) for claim in judged)
+    for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
+        held, of = count_once((claim, verdicts[claim.id]) for claim in fold.judged)
         fractions.append(held / max(of, 1))
     return np.array(fractions)
 

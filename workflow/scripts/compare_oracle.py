@@ -1,7 +1,7 @@
 """The library against the oracle in extended precision, in all interpretations."""
 
 from benchmarks.oracle import oracle_rows
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 
@@ -9,7 +9,7 @@ from thirdbody.job_log import logged
 def measure(settings, threads, table):
     """Write what is found at as many points as ``settings`` say."""
     rows = oracle_rows(settings, threads)
-    with whole(table) as part:
+    with atomic_write(table) as part:
         write_csv(part, rows, TABLES["oracle"])
     points, beyond, wrong = (
         sum(row[name] for row in rows) for name in ("points", "beyond_bound", "wrong")

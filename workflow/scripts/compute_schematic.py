@@ -1,7 +1,7 @@
 """Solve the interfaces of one schematic and draw lots for the sections through them."""
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.figures.sections import State, sections, write_sections
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -13,7 +13,7 @@ def compute(figure, panels, parameters, path):
     inputs = Parameters(**parameters)
     states = [solved_state(conditions, inputs) for conditions in panels]
     computed = sections(figure, states, inputs)
-    with whole(path) as part:
+    with atomic_write(path) as part:
         write_sections(part, computed)
     print(f"{figure}: {len(computed)} sections")
 

@@ -1,6 +1,6 @@
 """Elasticities and total Sobol indices of results in the inputs that the paper does not print."""
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -22,7 +22,7 @@ def compute(settings, unpublished, parameters, elasticities, indices):
         default_elasticities(subject, defaults, inputs),
         default_indices(subject, defaults, inputs, settings["sobol"]),
     )
-    with whole(elasticities, indices) as parts:
+    with atomic_write(elasticities, indices) as parts:
         for part, (base, measured) in zip(parts, found, strict=True):
             rows = sensitivity_rows(subject, base, inputs, measured)
             write_csv(part, rows, TABLES["sensitivity"])

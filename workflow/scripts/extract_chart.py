@@ -2,7 +2,7 @@
 
 from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import chart_panels, chart_rows
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 
@@ -11,7 +11,7 @@ def extract(chart, catalogue, charts, place):
     """Write the rows of ``chart`` at the loads that the settings ``charts`` name."""
     with open_atlas(catalogue) as atlas:
         rows = chart_rows(chart_panels(atlas, chart, charts), charts["load_N"])
-        with whole(place) as part:
+        with atomic_write(place) as part:
             write_csv(part, rows, TABLES[chart])
 
 

@@ -1,8 +1,8 @@
 """Turning points and transitions of the curves of one dataset."""
 
 from thirdbody.data.extraction import tpca_rows, transition_rows
-from thirdbody.data.files import whole
-from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.files import atomic_write
+from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -10,10 +10,10 @@ from thirdbody.model.parameters import Parameters
 
 def extract(figure, dataset, inputs, tpca_loads, transitions):
     """Write both tables of ``figure`` from its ``dataset``, which was solved with ``inputs``."""
-    curves = read_dataset(dataset)
+    curves = read_plain(dataset)
     turning = tpca_rows(figure, curves, inputs)
     crossings = transition_rows(figure, curves, inputs)
-    with whole(tpca_loads, transitions) as (tpca_part, transitions_part):
+    with atomic_write(tpca_loads, transitions) as (tpca_part, transitions_part):
         write_csv(tpca_part, turning, TABLES["tpca_loads"])
         write_csv(transitions_part, crossings, TABLES["transitions"])
     print(f"{figure}: {len(turning)} turning points, {len(crossings)} transitions")

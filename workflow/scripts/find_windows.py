@@ -4,7 +4,7 @@ import numpy as np
 
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -26,7 +26,7 @@ def find(search, load_axis, parameters, windows):
             ("high", window.high, window.high_error),
         ):
             rows.append(same | {"end": end, "diameter_over_roughness": value, "error": error})
-    with whole(windows) as part:
+    with atomic_write(windows) as part:
         write_csv(part, rows, TABLES["tpca_windows"])
 
 

@@ -2,13 +2,13 @@
 
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.schema import read_valid
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Judge, judge_everything, statements_table
+from thirdbody.study.verdicts import Judge, judge_everything
 
 
 def judge_claims(
@@ -34,8 +34,8 @@ def judge_claims(
         claims_html(judged),
         claims_json(judged, headline),
     )
-    with whole(table, text, page, data) as (table_part, *parts):
-        write_csv(table_part, statements_table(judged).to_dict("records"), TABLES["claims"])
+    with atomic_write(table, text, page, data) as (table_part, *parts):
+        write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")
 

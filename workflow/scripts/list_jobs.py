@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 
 
@@ -31,8 +31,8 @@ def jobs_of(rows, run):
     jobs = {}
     for row in rows:
         log = row["log-file(s)"]
-        files = row["input-file(s)"].split(",")
-        inputs = [without_run(name, run) for name in files if not name.endswith(".py")]
+        files = filter(None, row["input-file(s)"].split(","))
+        inputs = [without_run(name, run) for name in files]
         job = jobs.setdefault(log, {"rule": row["rule"], "inputs": inputs, "outputs": []})
         job["outputs"].append(without_run(row["output_file"], run))
     return in_order(list(jobs.values()))
@@ -66,5 +66,5 @@ if __name__ == "__main__":
         found = jobs_of(
             summary(snakemake.params.config, snakemake.params.run), snakemake.params.run
         )
-        with whole(snakemake.output.jobs) as part:
+        with atomic_write(snakemake.output.jobs) as part:
             part.write_text(json.dumps(found, indent=1), encoding="utf-8")

@@ -6,7 +6,7 @@ from benchmarks.accuracy import error_rows
 from benchmarks.baselines import load_plain_model
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import read_rows
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 
@@ -16,7 +16,7 @@ def measure(points, extremes, plain, rtols, errors, verdicts):
     rows = error_rows(read_rows(points), rtols, load_plain_model(plain))
     golden = read_rows(extremes)
     judged = [row for rtol in rtols for row in judge_extremes(golden, rtol)]
-    with whole(errors, verdicts) as (errors_part, verdicts_part):
+    with atomic_write(errors, verdicts) as (errors_part, verdicts_part):
         write_csv(errors_part, rows, TABLES["errors"])
         write_csv(verdicts_part, judged, TABLES["extremes"])
     library = [row for row in rows if row["method"].startswith("library")]

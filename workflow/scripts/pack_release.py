@@ -2,14 +2,14 @@
 
 from pathlib import Path
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.release.bag import pack
 
 
 def write(folder, archive, date):
     """Write the file ``archive`` of ``folder``, its members dated ``date``."""
-    with whole(archive) as part:
+    with atomic_write(archive) as part:
         pack(folder, part, date)
 
 

@@ -3,14 +3,14 @@
 import json
 from pathlib import Path
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.release.provenance import provenance
 
 
 def record(archive, place):
     """Write the provenance of the file ``archive`` to ``place``."""
-    with whole(place) as part:
+    with atomic_write(place) as part:
         part.write_text(json.dumps(provenance(Path(archive)), indent=1) + "\n", encoding="utf-8")
 
 

@@ -3,7 +3,7 @@
 import matplotlib.style
 
 from benchmarks.targets import target_rows
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.accuracy import plot
 from thirdbody.figures.captions import caption
@@ -17,7 +17,7 @@ def render(paths, style, stem, targets):
     """Draw the tables at ``paths`` as ``stem``.svg, .pdf, .png, .csv, .md, and write the ``targets``."""
     tables = {name: read_csv(path, TABLES[name]) for name, path in paths.items()}
     rows = target_rows(tables)
-    with whole(targets) as part:
+    with atomic_write(targets) as part:
         write_csv(part, rows, TABLES["targets"])
     with matplotlib.style.context(style, after_reset=True):
         save(plot(tables["errors"], tables["times"]), stem, caption("accuracy"))

@@ -2,7 +2,7 @@
 
 import matplotlib.style
 
-from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.netcdf import read_plain
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
@@ -19,11 +19,11 @@ def render(figure, dataset, turning_points, printed, windows, style, stem, ensem
     of the turning point, and ``ensemble_range`` that of the range around the curves; the last two
     may be empty for none.
     """
-    data = read_dataset(dataset)
+    data = read_plain(dataset)
     points = read_turning_points(turning_points)
     numbers = read_printed(printed, figure)
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
-    ranges = read_dataset(ensemble_range) if ensemble_range else None
+    ranges = read_plain(ensemble_range) if ensemble_range else None
     with matplotlib.style.context(style, after_reset=True):
         drawing = curve_figure(figure, data).plot(data, points, ranges, numbers, ends)
         save(drawing, stem, caption(figure, drawing.panels, data.attrs["title"]))

@@ -4,23 +4,22 @@ from pathlib import Path
 
 import numpy as np
 
-from thirdbody.data.files import whole
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.claims import load_claims
+from thirdbody.study.record import read_rows, write_rows
 from thirdbody.study.sampling import posterior_sample
 
 
 def sample(name, seed, evaluations, claims, settings, parameters, samples):
     """Write sets of inputs drawn from what the searches have found."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
-    found = np.vstack([np.loadtxt(path, delimiter=",", ndmin=2) for path in evaluations])
+    found = np.vstack([read_rows(path) for path in evaluations])
     record = Path(samples).with_suffix(".record")
     interpretation = Interpretation.of(name, settings)
     drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed, record)
-    with whole(samples) as part:
-        np.savetxt(part, drawn, fmt="%.17g", delimiter=",")
+    write_rows(samples, drawn)
     record.unlink()
 
 

@@ -2,13 +2,11 @@
 
 from pathlib import Path
 
-import numpy as np
-
-from thirdbody.data.files import whole
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claims import load_claims
+from thirdbody.study.record import write_rows
 from thirdbody.study.search import search
 
 
@@ -21,8 +19,7 @@ def run(name, seed, fold, claims, settings, parameters, evaluations):
     objective = Objective.of(statements, settings, Parameters(**parameters))
     record = Path(evaluations).with_suffix(".record")
     rows = search(Interpretation.of(name, settings), objective, budget, seed, record)
-    with whole(evaluations) as part:
-        np.savetxt(part, rows, fmt="%.17g", delimiter=",")
+    write_rows(evaluations, rows)
     record.unlink()
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from thirdbody.atlas.chunk import write_chunk
 from thirdbody.atlas.grid import AtlasGrid
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
@@ -17,7 +17,7 @@ def solve(item, axes, variables, rtol, parameters, ensemble, chunk, cost):
     """Write the chunk called ``item``, as 3-of-8, and beside it what solving it cost."""
     grid = AtlasGrid.of(axes).chunk(*map(int, item.split("-of-")))
     begun, started = time.perf_counter(), time.process_time()
-    with whole(chunk, cost) as (chunk_part, cost_part):
+    with atomic_write(chunk, cost) as (chunk_part, cost_part):
         clock = write_chunk(chunk_part, grid, Parameters(**parameters), ensemble, variables, rtol)
         conditions = math.prod(grid.shape)
         row = {

@@ -1,7 +1,7 @@
 """Solve the points of a dataset for each member of the ensemble: the band around its curves."""
 
-from thirdbody.data.files import whole
-from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.files import atomic_write
+from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.band import band
@@ -9,8 +9,8 @@ from thirdbody.study.band import band
 
 def solve(dataset, inputs, ensemble, envelope):
     """Write the ``envelope`` of the ``ensemble`` around the curves of ``dataset``."""
-    solved = band(read_dataset(dataset), inputs, ensemble)
-    with whole(envelope) as part:
+    solved = band(read_plain(dataset), inputs, ensemble)
+    with atomic_write(envelope) as part:
         write_dataset(solved, part)
     print(f"{dataset}: {len(ensemble)} members")
 

@@ -1,7 +1,7 @@
 """Solve one scene: the dataset of a figure."""
 
 from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.scene import Scene
 from thirdbody.job_log import logged
@@ -12,7 +12,7 @@ def solve(figure, scene, inputs, dataset):
     """Write the dataset of the scene ``figure``, solved with ``inputs``."""
     points = Scene.of(figure, scene, inputs.newtons_per_load)
     solved = scene_dataset(points, inputs, scene["rtol"])
-    with whole(dataset) as part:
+    with atomic_write(dataset) as part:
         write_dataset(solved, part)
     print(f"{figure}: {points.size} points")
 

@@ -1,20 +1,15 @@
 """The calibrated inputs of one interpretation from its searches."""
 
-import numpy as np
 import yaml
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation
 from thirdbody.study.claims import load_claims
+from thirdbody.study.record import read_rows
 from thirdbody.study.results import summary
 from thirdbody.study.verdicts import Judge
-
-
-def read(paths):
-    """Positions and objectives of each file."""
-    return [np.loadtxt(path, delimiter=",", ndmin=2) for path in paths]
 
 
 def summarise(name, evaluations, samples, folds, claims, settings, parameters, calibrated):
@@ -22,12 +17,12 @@ def summarise(name, evaluations, samples, folds, claims, settings, parameters, c
     content = summary(
         Interpretation.of(name, settings),
         Judge(load_claims(claims), Parameters(**parameters), settings["newtons"]),
-        read(evaluations),
-        read(samples),
-        read(folds),
+        [read_rows(path) for path in evaluations],
+        [read_rows(path) for path in samples],
+        [read_rows(path) for path in folds],
         settings,
     )
-    with whole(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
+    with atomic_write(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
 
 

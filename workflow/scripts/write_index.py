@@ -6,7 +6,7 @@ from pathlib import Path
 
 import jinja2
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 
 NUMBERS = re.compile(r"\d+")
@@ -50,7 +50,7 @@ def write(captions, tables, verdicts, datasets, template, page):
         held=judged["held"],
         judged=judged["judged"],
     )
-    with whole(page) as part:
+    with atomic_write(page) as part:
         part.write_text(text, encoding="utf-8")
 
 

@@ -1,6 +1,6 @@
 """Gather the parts of a table and write it as CSV with its Table Schema, Markdown, HTML and LaTeX."""
 
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.readable import markdown, page, readable
 from thirdbody.data.tables import TABLES, read_csv, write_csv, write_latex, write_schema
 from thirdbody.job_log import logged
@@ -19,7 +19,7 @@ def write(table, parts, printed, parameters, csv, schema, text, html, latex):
     unit = newtons_per_load(parameters["apparent_area"], parameters["elastic_modulus_surfaces"])
     sheets = readable(table, rows, numbers, unit)
     places = csv, schema, text, html, latex
-    with whole(*places) as (csv_part, schema_part, md_part, html_part, tex_part):
+    with atomic_write(*places) as (csv_part, schema_part, md_part, html_part, tex_part):
         write_csv(csv_part, rows, columns)
         write_schema(schema_part, columns)
         md_part.write_text(markdown(sheets), encoding="utf-8")

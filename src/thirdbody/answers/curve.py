@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import pandas as pd
 from numpy.typing import NDArray
 
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.data.spread import ENDS
 from thirdbody.solver.solution import Solution
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True)
@@ -39,6 +42,8 @@ class Curve:
     @classmethod
     def of(cls, along: str, points: NDArray, mine: Solution, members: list[Solution]) -> Curve:
         """The curve of solutions with the inputs of the interface and with those of the ensemble."""
+        import pandas as pd
+
         values = {name: getattr(mine, name) for name in (*QUANTITIES, *FLAGS)}
         low, high = {}, {}
         for name in QUANTITIES if members else ():
@@ -48,6 +53,8 @@ class Curve:
 
     def to_dataframe(self) -> pd.DataFrame:
         """A row a point: the axis in its unit, numbers in SI with their ranges, flags as words."""
+        import pandas as pd
+
         table = {self.along: self.points}
         for name in QUANTITIES:
             table[name] = self.values[name]

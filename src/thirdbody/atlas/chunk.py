@@ -195,7 +195,7 @@ def _described(grid, default, members, kept, rtol) -> xr.Dataset:
     empty = {
         name: np.broadcast_to(np.zeros((), type_of(name)), grid.shape) for name in (*kept, *FLAGS)
     }
-    described = described_grid(grid.axes(default), empty, default, rtol)
+    described = described_grid(grid.axes(default), empty, default, rtol).to_xarray()
     # the normal loads are given: those of the grid have no rounding
     described["normal_load"].values[:] = grid.newtons
     told = {"units": "1", "long_name": "fraction of the ensemble below"}

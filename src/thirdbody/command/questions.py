@@ -357,7 +357,7 @@ def _inputs(path: str | None, name: str) -> Any:
 
 
 def _write(path: str, text: str) -> None:
-    from thirdbody.data.files import whole
+    from thirdbody.data.files import atomic_write
 
-    with whole(path) as part:
+    with atomic_write(path) as part:
         part.write_text(text, encoding="utf-8")

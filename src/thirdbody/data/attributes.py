@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
 from thirdbody.data.model_attribute import model_attribute
-from thirdbody.data.quantities import FILL_FLAG, STATUS, Quantity
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
@@ -75,7 +75,7 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable in memory and on file, except its fill value."""
+    """Attributes of a variable, with what stands for points that a figure does not show."""
     attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
     return attributes | ({"comment": quantity.comment} if quantity.comment else {})
 
@@ -88,7 +88,7 @@ def _number_attributes(quantity):
         "equation": quantity.equation,
         "ancillary_variables": STATUS,
         "coverage_content_type": "modelResult",
-    }
+    } | ({"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {})
 
 
 def _flag_attributes(flag):

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import check_rtol, check_variables
@@ -16,9 +16,11 @@ from thirdbody.data.attributes import (
     variable_attributes,
 )
 from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
+    FILL_FLOAT,
     FLAGS,
     NORMAL_LOAD,
     NUMBERS,
@@ -32,6 +34,9 @@ from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
@@ -113,7 +118,7 @@ def grid(
     values = {name: getattr(solution, name) for name in wanted}
     if SEPARATION_COUNT.name not in names:
         _keep_counts_of_several(values)
-    return described_grid(axes, values, parameters, rtol)
+    return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
 def with_status(variables: Collection[str]) -> list[str]:
@@ -146,13 +151,13 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
 
 def described_grid(
     axes: Axes, values: Mapping[str, NDArray], parameters: Parameters, rtol: float
-) -> xr.Dataset:
+) -> PlainDataset:
     """The dataset of ``grid`` around ``values``, an array over all ``axes`` for each variable."""
     request = {name: axis.tolist() for name, axis in axes.items()}
     return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
 
 
-def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> xr.Dataset:
+def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
     """The dataset of one figure.
 
     Parameters
@@ -164,9 +169,9 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
 
     Returns
     -------
-    xarray.Dataset
+    PlainDataset
         All variables of ``CONTRACT`` over the five axes, and ``separation_count`` where a point has
-        several; combinations that the figure does not show hold nan or ``FILL_FLAG``.
+        several; combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.
 
     Raises
     ------
@@ -175,7 +180,7 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     """
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())
-    values = {name: np.full(shape, np.nan) for name in NUMBERS}
+    values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)
@@ -200,7 +205,7 @@ def _keep_counts_of_several(values):
         del values[SEPARATION_COUNT.name]
 
 
-def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
+def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:
     """Coordinates, variables and attributes of the data contract around solved ``values``."""
     variables = {
         name: (DIMENSIONS, values[name], variable_attributes(quantity))
@@ -213,4 +218,4 @@ def _dataset(axes, values, parameters, rtol, title, request) -> xr.Dataset:
     newtons = axes["load"] * parameters.newtons_per_load
     coordinates["normal_load"] = ("load", newtons, coordinate_attributes(NORMAL_LOAD))
     attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
-    return xr.Dataset(variables, coordinates, attributes)
+    return PlainDataset(variables, coordinates, attributes)

@@ -3,26 +3,26 @@
 from __future__ import annotations
 
 import numpy as np
-import xarray as xr
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import solve_arrays
 
 
-def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
+def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
     """Rows of the table ``tpca_loads``: one a curve that has a turning point.
 
     Parameters
     ----------
     figure : str
         Name of the figure, such as ``fig04``.
-    dataset : xarray.Dataset
-        Its points.
+    dataset : PlainDataset
+        One of ``read_plain``.
     parameters : Parameters
         Inputs that it was solved with.
     """
@@ -44,7 +44,7 @@ def tpca_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[
     ]
 
 
-def transition_rows(figure: str, dataset: xr.Dataset, parameters: Parameters) -> list[dict]:
+def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
     """Rows of the table ``transitions``: one a crossing of a regime or mode limit.
 
     The arguments are those of ``tpca_rows``.

@@ -13,7 +13,7 @@ from thirdbody.messages import shown, shown_file
 
 
 @contextmanager
-def whole(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
+def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files that take their places together, once all of them are written.
 
     Yields names beside the places, to be written to: one, or as many as there are ``paths``.
@@ -31,7 +31,7 @@ def whole(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     >>> from tempfile import TemporaryDirectory
     >>> with TemporaryDirectory() as folder:
     ...     place = Path(folder) / "table.csv"
-    ...     with whole(place) as part:
+    ...     with atomic_write(place) as part:
     ...         size = part.write_text("load,area")
     ...         print(place.exists())
     ...     print(place.exists())

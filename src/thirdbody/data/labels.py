@@ -45,7 +45,9 @@ def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]
             coordinates[name] = *_placed(values, dimensions, shape), attributes
     described = {}
     for name, values in variables.items():
-        described[name] = (dimensions, np.asarray(values), variable_attributes(VARIABLES[name]))
+        attributes = variable_attributes(VARIABLES[name])
+        attributes.pop("_FillValue", None)  # every point is there
+        described[name] = (dimensions, np.asarray(values), attributes)
     return xr.Dataset(described, coordinates)
 
 

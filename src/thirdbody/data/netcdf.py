@@ -1,27 +1,32 @@
-"""Datasets as NetCDF-4 files: the same dataset gives the same bytes."""
+"""Datasets as NetCDF-4 files: written so that the same dataset gives the same bytes, and read."""
 
 from __future__ import annotations
 
 import errno
 from collections.abc import Collection, Mapping
 from os import PathLike
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import xarray as xr
+import netCDF4
+import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, QUANTITIES, STATUS
+from thirdbody.data.plain import PlainDataset, Variable
+from thirdbody.data.quantities import QUANTITIES
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
-def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
-    """Write a dataset of points.
+def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
+    """Write a dataset of points: the same dataset gives the same bytes.
 
-    Where a figure shows no point, numbers become ``FILL_FLOAT``; where a point has no solution, they
-    stay nan.
+    Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
+    missing ones: the nan of an unsolved point stays what it is.
 
     Parameters
     ----------
-    dataset : xarray.Dataset
+    dataset : PlainDataset or xarray.Dataset
         One of ``grid``, ``scene_dataset`` or ``band``.
     path : path
         NetCDF-4 file to write; one that is there is replaced.
@@ -29,7 +34,7 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     Raises
     ------
     OSError
-        If the file cannot be written.
+        If there is no room or no right, however the library below says so.
 
     Examples
     --------
@@ -39,51 +44,40 @@ def write_dataset(dataset: xr.Dataset, path: str | PathLike) -> None:
     >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     write_dataset(points, f"{folder}/points.nc")
-    ...     again = read_dataset(f"{folder}/points.nc")
+    ...     again = read_plain(f"{folder}/points.nc")
     >>> bool(again["separation"].values == points["separation"].values)
     True
     """
-    # Level 6 without shuffle is within 0.2 % of the smallest file.
-    compression = {"zlib": True, "complevel": 6, "shuffle": False}
-    encoding = {
-        name: compression | {"chunksizes": variable.shape}
-        for name, variable in dataset.data_vars.items()
-    }
-    shown = dataset[STATUS] != FILL_FLAG if STATUS in dataset else True
-    # The fill value is an attribute, not an encoding, which would replace every nan by it.
-    filled = {
-        name: variable.where(shown, FILL_FLOAT).assign_attrs(_FillValue=FILL_FLOAT)
-        for name, variable in dataset.data_vars.items()
-        if variable.dtype.kind == "f"
-    }
-    write_netcdf(dataset.assign(filled), path, encoding)
-
-
-def write_netcdf(
-    dataset: xr.Dataset, path: str | PathLike, encoding: Mapping[str, Mapping[str, Any]]
-) -> None:
-    """Write any ``dataset``, ``encoding`` as of ``xarray.Dataset.to_netcdf``; ``OSError`` if that fails."""
-    unfilled = {
-        name: {"_FillValue": None}
-        for name, variable in dataset.variables.items()
-        if "_FillValue" not in variable.attrs
-    }
+    # smallest, to 0.2 %, of what every NetCDF-4 library reads; level 9 takes half as long again to write
+    compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
-        name: unfilled.get(name, {}) | dict(encoding.get(name, {})) for name in dataset.variables
+        name: compressed | {"chunksizes": variable.values.shape}
+        for name, variable in dataset.data_vars.items()
     }
-    try:
-        dataset.to_netcdf(path, engine="netcdf4", format="NETCDF4", encoding=storage)
-    except RuntimeError as error:
-        raise OSError(errno.EIO, str(error), str(path)) from None
+    write_netcdf(dataset, path, storage)
 
 
 def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """Read a dataset of ``write_dataset``; where it shows no point, it holds nan and ``FILL_FLAG``.
+    """A dataset of ``write_dataset`` as one of xarray; errors as of ``read_plain``."""
+    return read_plain(path).to_xarray()
+
+
+def read_plain(path: str | PathLike) -> PlainDataset:
+    """A dataset of ``write_dataset``, in memory; where it holds no point, nan and ``FILL_FLAG``.
+
+    Parameters
+    ----------
+    path : path
+        NetCDF-4 file of a dataset, or of the band around one.
 
     Raises
     ------
     OSError
         If the file is absent, damaged, or holds something else: one line names it.
+
+    Examples
+    --------
+    See ``write_dataset``.
     """
     dataset = load(path)
     missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in dataset]
@@ -92,18 +86,105 @@ def read_dataset(path: str | PathLike) -> xr.Dataset:
     return dataset
 
 
-def load(path: str | PathLike, needed: Collection[str] = ()) -> xr.Dataset:
-    """Read any NetCDF file into memory; ``OSError`` in one line if it is damaged or lacks a name."""
+def write_netcdf(
+    dataset: PlainDataset | xr.Dataset, path: str | PathLike, storage: Mapping[str, Mapping]
+) -> None:
+    """Write any ``dataset``; ``OSError`` if that fails.
+
+    ``storage`` says how variables are stored, by name, in the words of ``add_variable``; what it does
+    not name is stored as it is.
+    """
     try:
-        dataset = xr.load_dataset(path, engine="netcdf4").drop_encoding()
-    except Exception as error:  # each kind of damage raises an exception of its own
+        with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
+            file.setncatts(dataset.attrs)
+            for name, size in dataset.sizes.items():
+                file.createDimension(name, size)
+            for name, variable in dataset.data_vars.items():
+                beside = _coordinates_beside(dataset, variable)
+                added = add_variable(file, name, variable, beside, **storage.get(name, {}))
+                added[:] = variable.values
+            for name, coordinate in dataset.coords.items():
+                add_variable(file, name, coordinate)[:] = coordinate.values
+    except RuntimeError as error:
+        raise OSError(errno.EIO, str(error), str(path)) from None
+
+
+def _coordinates_beside(dataset, variable) -> str:
+    """Names of the coordinates along dimensions of ``variable`` that have other names than these."""
+    return " ".join(
+        name
+        for name, coordinate in dataset.coords.items()
+        if name not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
+    )
+
+
+def add_variable(
+    file: netCDF4.Dataset,
+    name: str,
+    variable: Variable | xr.DataArray,
+    coordinates: str = "",
+    **storage: Any,
+) -> netCDF4.Variable:
+    """Declare a variable in a file.
+
+    Parameters
+    ----------
+    file : netCDF4.Dataset
+        A file that is written and has the dimensions.
+    name : str
+        Name of the variable.
+    variable : Variable or xarray.DataArray
+        Its dimensions, type and attributes, of which ``_FillValue`` is one.
+    coordinates : str, optional
+        Names of what stands beside its dimensions.
+    **storage
+        How it is stored: arguments of ``netCDF4.Dataset.createVariable``.
+
+    Returns
+    -------
+    netCDF4.Variable
+        It is empty, and takes values as they are stored.
+    """
+    attributes = dict(variable.attrs)
+    fill = attributes.pop("_FillValue", None)
+    added = file.createVariable(name, variable.dtype, variable.dims, fill_value=fill, **storage)
+    added.setncatts(attributes | ({"coordinates": coordinates} if coordinates else {}))
+    added.set_auto_maskandscale(False)
+    return added
+
+
+def load(path: str | PathLike, needed: Collection[str] = ()) -> PlainDataset:
+    """Any NetCDF file, in memory; ``OSError`` in one line if it cannot be read or lacks a name."""
+    try:
+        with netCDF4.Dataset(path) as file:
+            loaded = _loaded(file)
+    except Exception as error:  # each kind of damage has an exception of its own below
         raise unreadable(path, type(error).__name__) from None
     for name in needed:
-        if name not in dataset:
+        if name not in loaded:
             raise unreadable(path, f"no {name}")
-    return dataset
+    return loaded
+
+
+def _loaded(file: netCDF4.Dataset) -> PlainDataset:
+    """All of ``file``, with nan for the fill values of numbers."""
+    file.set_auto_maskandscale(False)
+    coordinates, variables = set(file.dimensions), {}
+    for name, stored in file.variables.items():
+        attributes = _attributes(stored)
+        coordinates.update(attributes.pop("coordinates", "").split())
+        values, fill = stored[...], attributes.pop("_FillValue", None)
+        if fill is not None:
+            values[values == fill] = np.nan
+        variables[name] = Variable(stored.dimensions, values, attributes)
+    coords = {name: variables.pop(name) for name in [*variables] if name in coordinates}
+    return PlainDataset(variables, coords, _attributes(file))
+
+
+def _attributes(owner: netCDF4.Dataset | netCDF4.Variable) -> dict[str, Any]:
+    return {name: owner.getncattr(name) for name in owner.ncattrs()}
 
 
 def unreadable(path: str | PathLike, reason: str) -> OSError:
-    """The error for a damaged product, with the command that makes it again."""
+    """The error of a product that is damaged: it says how to make it again."""
     return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
 from thirdbody.model.regimes import FLAG_MEANINGS
+
+if TYPE_CHECKING:
+    from thirdbody.data.plain import PlainDataset
 
 # what each status says of a point
 STATUS_MEANINGS = {
@@ -148,7 +151,7 @@ CONTRACT = (*NUMBERS, *FLAGS)
 VARIABLES = NUMBERS | FLAGS | _by_name(SEPARATION_COUNT)
 
 
-def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
+def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
     """Which combinations of the four conditions a dataset holds: any point with a status.
 
     Returns
@@ -161,7 +164,7 @@ def shown_combinations(dataset: xr.Dataset) -> NDArray[np.bool_]:
     return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
 
 
-def curves_of(dataset: xr.Dataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """The curves that a dataset shows.
 
     Parameters

@@ -14,8 +14,6 @@ from itertools import groupby
 from pathlib import Path
 from string import Template
 
-import pandas as pd
-
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 
 DIGITS = 3
@@ -45,11 +43,17 @@ FIGURES, PAPER, STATUS = "figures", "(paper)", "status"  # headings, PAPER the e
 
 @dataclass(frozen=True)
 class Sheet:
-    """A table for reading: a title and a note above it, and cells of text."""
+    """A table for reading: a title and a note above it, and rows of texts by their headings."""
 
     title: str
     note: str
-    table: pd.DataFrame
+    rows: Sequence[Mapping[str, str]]
+
+    def table(self, style: str) -> str:
+        """The rows in a ``style`` of tabulate."""
+        from tabulate import tabulate
+
+        return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
@@ -117,8 +121,7 @@ def readable(
 def markdown(sheets: Sequence[Sheet]) -> str:
     """Text of ``sheets``, one below the other, each with its caption as a first paragraph."""
     return "\n".join(
-        f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n"
-        f"{sheet.table.to_markdown(index=False, tablefmt='github', disable_numparse=True)}\n"
+        f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n{sheet.table('github')}\n"
         for sheet in sheets
     )
 
@@ -128,16 +131,15 @@ def page(sheets: Sequence[Sheet]) -> str:
 
     Examples
     --------
-    >>> text = page([Sheet("Sizes", "All of them.", pd.DataFrame({"x": ["x < 3"]}))])
+    >>> text = page([Sheet("Sizes", "All of them.", [{"x": "x < 3"}])])
     >>> "<strong>Sizes.</strong> All of them." in text, "<td>x &lt; 3</td>" in text
     (True, True)
     """
-    with pd.option_context("display.max_colwidth", None):
-        parts = [
-            f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
-            f"{sheet.table.to_html(index=False, border=0)}"
-            for sheet in sheets
-        ]
+    parts = [
+        f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
+        f"{sheet.table('html')}"
+        for sheet in sheets
+    ]
     template = Template(Path(__file__).with_name("page.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
@@ -157,7 +159,7 @@ def _paper_table(title) -> Callable[..., list[Sheet]]:
             for row in rows
         ]
         note = "Recomputed from the other printed values where that is possible."
-        return [Sheet(title, note, pd.DataFrame(lines))]
+        return [Sheet(title, note, lines)]
 
     return sheets
 
@@ -192,6 +194,7 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
 
 def _windows(rows, printed, _) -> list[Sheet]:
     lines: dict[float, dict] = {}
+    sizes: dict[float, list] = {}
     for row in rows:
         roughness, end, ratio = (row[n] for n in ("roughness_m", "end", "diameter_over_roughness"))
         line = lines.setdefault(roughness, {"σ [nm]": _in_unit("roughness", roughness)})
@@ -202,16 +205,14 @@ def _windows(rows, printed, _) -> list[Sheet]:
         ]
         line[f"{end} end of xₐ/σ"] = rounded(ratio, row["error"])
         line[f"{end} end {PAPER}"] = "; ".join(dict.fromkeys(paper))
-        line.setdefault("xₐ [nm]", []).append(
-            rounded(ratio * roughness / 1e-9, row["error"] * roughness / 1e-9)
-        )
-    table = pd.DataFrame([*lines.values()])
-    sizes = table.pop("xₐ [nm]").str.join(" to ")
+        size = rounded(ratio * roughness / 1e-9, row["error"] * roughness / 1e-9)
+        sizes.setdefault(roughness, []).append(size)
     note = (
         "It occurs between two ends of xₐ/σ. Beside them stand the paper's, with their tolerances."
     )
     title = "Windows of the turning point in dry contact"
-    return [Sheet(title, note, table.assign(**{"xₐ [nm]": sizes}))]
+    rows = [line | {"xₐ [nm]": " to ".join(sizes[key])} for key, line in lines.items()]
+    return [Sheet(title, note, rows)]
 
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
@@ -243,14 +244,12 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     sheets = []
     for measure, title in MEASURES.items():
         cells = [
-            (row["input"].replace("_", " "), result_name(row), _response(row))
+            ({"input": row["input"].replace("_", " ")}, result_name(row), _response(row))
             for row in given
             if row["measure"] == measure and row["sensitivity"] is not None
         ]
-        table = _pivoted(
-            pd.DataFrame(cells, columns=["input", "result", "text"]), ["input"], results
-        )
-        sheets.append(Sheet(title, f"0 stands for less than {NEGLIGIBLE:g}.", table))
+        note = f"0 stands for less than {NEGLIGIBLE:g}."
+        sheets.append(Sheet(title, note, _pivoted(cells, results)))
     return sheets
 
 
@@ -273,24 +272,17 @@ def _chart(title, limited, below, beyond) -> Callable[..., list[Sheet]]:
 
     def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
         held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
-        headings = [_heading(axis) for axis in held]
-        cells = pd.DataFrame(
-            [
-                (
-                    *(_in_unit(axis.name, row[axis.column]) for axis in held),
-                    f"{row['load_N']:g} N",
-                    cell(row),
-                )
-                for row in rows
-            ],
-            columns=[*headings, "result", "text"],
-        )
+        loads = [f"{row['load_N']:g} N" for row in rows]
+        conditions = [
+            {_heading(axis): _in_unit(axis.name, row[axis.column]) for axis in held} for row in rows
+        ]
+        cells = zip(conditions, loads, map(cell, rows), strict=True)
         note = (
             "At the load of each column; in brackets between which values nine in ten members of "
             f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
             "the atlas."
         )
-        return [Sheet(title, note, _pivoted(cells, headings, cells["result"].unique()))]
+        return [Sheet(title, note, _pivoted(cells, loads))]
 
     return sheets
 
@@ -314,22 +306,27 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
 }
 
 
-def _pivoted(cells, index, columns) -> pd.DataFrame:
-    """``text`` by ``index`` and ``result``, in the order in which they stand."""
-    table = cells.pivot(index=index, columns="result", values="text")
-    table = table.reindex(columns=columns).fillna("")
-    order = cells[index].drop_duplicates()
-    return order.merge(table, left_on=index, right_index=True)
+def _pivoted(cells, columns) -> list[dict[str, str]]:
+    """One row for the ``cells`` (first columns, further column, text) that share the first columns."""
+    lines: dict[tuple, dict] = {}
+    for first, column, text in cells:
+        line = lines.setdefault(tuple(first.values()), first | dict.fromkeys(columns, ""))
+        line[column] = text
+    return [*lines.values()]
 
 
 def _sheet_beside(printed, title, note, lines) -> Sheet:
     """A table of curves, without columns that are empty because nothing is printed of the curves, or
     because all have converged."""
-    table = pd.DataFrame(lines)
-    absent = [name for name in table if not printed and (name == FIGURES or name.endswith(PAPER))]
-    if not table[STATUS].any():
-        absent.append(STATUS)
-    return Sheet(title, note, table.drop(columns=absent))
+    if not lines:
+        return Sheet(title, "There are none.", [])
+    kept = [
+        name
+        for name in lines[0]
+        if (printed or not (name == FIGURES or name.endswith(PAPER)))
+        and (name != STATUS or any(line[STATUS] for line in lines))
+    ]
+    return Sheet(title, note, [{name: line[name] for name in kept} for line in lines])
 
 
 def _key(row) -> tuple[str, ...]:

@@ -1,7 +1,4 @@
-"""Grids larger than memory: solved block by block, each written before the next is solved.
-
-xarray writes arrays in one piece or by dask, which would solve each block once for every variable.
-"""
+"""Grids larger than memory: solved block by block, each written before the next is solved."""
 
 from __future__ import annotations
 
@@ -12,22 +9,27 @@ from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
+from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from thirdbody.conditions.checks import check_rtol
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, described_grid, grid_axes, with_status
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
+from thirdbody.data.netcdf import add_variable
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
@@ -100,7 +102,7 @@ def stream(
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
     described = described_grid(axes, empty, parameters, rtol)
-    with whole(path) as part:
+    with atomic_write(path) as part:
         if not compression:
             _require_room(path, prod(shape), sum(kind.itemsize for kind in types.values()))
         with (
@@ -150,7 +152,7 @@ def blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice
 
 def declare(
     file: netCDF4.Dataset,
-    described: xr.Dataset,
+    described: PlainDataset | xr.Dataset,
     lengths: Mapping[str, int],
     compression: int,
     digits: Mapping[str, int] | None = None,
@@ -161,7 +163,7 @@ def declare(
     ----------
     file : netCDF4.Dataset
         A new file: it gets the dimensions, coordinates and attributes.
-    described : xarray.Dataset
+    described : PlainDataset or xarray.Dataset
         What the file will hold.
     lengths : mapping
         Of the pieces in which variables are stored, by dimension.
@@ -180,29 +182,20 @@ def declare(
     for name, size in described.sizes.items():
         file.createDimension(name, size)
     for name, coordinate in described.coords.items():
-        added = file.createVariable(name, coordinate.dtype, coordinate.dims)
-        added.setncatts(coordinate.attrs)
-        added[:] = coordinate.values
+        add_variable(file, name, coordinate)[:] = coordinate.values
     return {
-        name: _declare_variable(file, variable, lengths, compression, digits.get(name))
+        name: add_variable(
+            file,
+            name,
+            variable,
+            coordinates="normal_load" if "load" in variable.dims else "",
+            zlib=compression > 0,
+            complevel=compression,
+            shuffle=name in digits,  # digits that are left out, which are zeros, come together
+            chunksizes=[lengths[each] for each in variable.dims],
+            chunk_cache=ONE_CHUNK,
+            significant_digits=digits.get(name),
+            quantize_mode="GranularBitRound",
+        )
         for name, variable in described.data_vars.items()
     }
-
-
-def _declare_variable(file, variable, lengths, compression, digits) -> netCDF4.Variable:
-    added = file.createVariable(
-        variable.name,
-        variable.dtype,
-        variable.dims,
-        zlib=compression > 0,
-        complevel=compression,
-        shuffle=digits is not None,  # digits that are left out, which are zeros, come together
-        chunksizes=[lengths[each] for each in variable.dims],
-        chunk_cache=ONE_CHUNK,
-        significant_digits=digits,
-        quantize_mode="GranularBitRound",
-    )
-    beside = {"coordinates": "normal_load"} if "load" in variable.dims else {}
-    added.setncatts(variable.attrs | beside)
-    added.set_auto_maskandscale(False)
-    return added

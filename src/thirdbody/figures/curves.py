@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from string import ascii_uppercase
 
 import numpy as np
-import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
 from thirdbody.figures.dataset_curves import curves_in, with_relative_area
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
@@ -73,9 +73,9 @@ class CurveFigure:
 
     def plot(
         self,
-        data: xr.Dataset,
+        data: PlainDataset,
         turning_points: Sequence[Mapping] = (),
-        ensemble_range: xr.Dataset | None = None,
+        ensemble_range: PlainDataset | None = None,
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Drawing:
@@ -83,11 +83,11 @@ class CurveFigure:
 
         Parameters
         ----------
-        data : xr.Dataset
+        data : PlainDataset
             Dataset of the figure.
         turning_points : sequence of Mapping
             The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        ensemble_range : xr.Dataset, optional
+        ensemble_range : PlainDataset, optional
             ``<variable>_low`` and ``_high`` on the axes of ``data``.
         printed : sequence of Mapping
             Rows of the table ``printed``: the paper's numbers for this figure.

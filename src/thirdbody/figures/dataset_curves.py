@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import shown_combinations
 from thirdbody.figures.naming import label
 
@@ -28,18 +28,18 @@ class Curve:
         """Name in the file of the drawn data."""
         return label(self.condition)
 
-    def values(self, data: xr.Dataset, name: str) -> NDArray[np.float64]:
+    def values(self, data: PlainDataset, name: str) -> NDArray[np.float64]:
         """Values of the variable ``name`` along the curve, shape (loads,)."""
         values = data[name].values
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
-    def at(self, data: xr.Dataset, name: str, load: float) -> float:
+    def at(self, data: PlainDataset, name: str, load: float) -> float:
         """The variable ``name`` at a ``load``, interpolated over its logarithm."""
         loads = np.log(data["load"].values)
         return float(np.interp(np.log(load), loads, self.values(data, name)))
 
 
-def curves_in(data: xr.Dataset) -> list[Curve]:
+def curves_in(data: PlainDataset) -> list[Curve]:
     """The curves of ``data``, in the order of its axes."""
     axes = [data[name].values for name in Condition._fields]
     return [
@@ -50,7 +50,7 @@ def curves_in(data: xr.Dataset) -> list[Curve]:
     ]
 
 
-def with_relative_area(data: xr.Dataset) -> xr.Dataset:
+def with_relative_area(data: PlainDataset) -> PlainDataset:
     """``data`` with A_t* over that of dry two-body contact at the same load and roughness.
 
     The variable ``AREA_OVER_TWO_BODY`` is left out where a surface with curves has no such contact,

@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import DRAWN_POINTS
 
 if TYPE_CHECKING:
@@ -121,7 +121,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     if drawing.figure.get_layout_engine() is not None:
         drawing.figure.get_layout_engine().execute(drawing.figure)
         drawing.figure.set_layout_engine(None)  # once for all formats
-    with whole(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
+    with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
         for image, kind in zip(images, FORMATS, strict=True):
             save_image(drawing.figure, image, kind)
         write_points(drawing.panels, data)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.files import whole
+from thirdbody.data.files import atomic_write
 from thirdbody.figures.curves import draw_panels, range_outline
 from thirdbody.figures.drawing import CURVE, FORMATS, STYLE, Panel, Series, save_image
 from thirdbody.figures.marks import BAND
@@ -65,5 +65,5 @@ def save_drawing(figure: Figure, path: str | PathLike) -> None:
     kind = Path(path).suffix.removeprefix(".")
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
-    with matplotlib.style.context(STYLE, after_reset=True), whole(path) as part:
+    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
         save_image(figure, part, kind)

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
 
 import numpy as np
-import xarray as xr
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.dataset_curves import Curve
@@ -72,7 +72,7 @@ def turning_points_of(
 
 
 def turning_point_series(
-    data: xr.Dataset, x: str, y: str, marked: Sequence[tuple[Curve, Mapping]], kind: str
+    data: PlainDataset, x: str, y: str, marked: Sequence[tuple[Curve, Mapping]], kind: str
 ) -> list[Series]:
     """The turning points in a panel of ``x`` and ``y`` as one series, if there are any."""
     if not marked:
@@ -81,7 +81,7 @@ def turning_point_series(
     return [Series(kind, "", *np.array(places))]
 
 
-def status_series(data: xr.Dataset, x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
+def status_series(data: PlainDataset, x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points whose status is not ``converged``, and ends of curves without values."""
     for status in STATUS_MARKS:
         for curve in curves:

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from os import PathLike
 
 import numpy as np
-import xarray as xr
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Series
@@ -57,7 +57,7 @@ def read_printed(path: str | PathLike, figure: str) -> list[dict]:
 
 
 def printed_series(
-    data: xr.Dataset,
+    data: PlainDataset,
     x: str,
     y: str,
     curves: Sequence[Curve],

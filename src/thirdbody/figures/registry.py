@@ -9,9 +9,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import xarray as xr
-
 from thirdbody.data.conditions import Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.curves import Content, CurveFigure
 from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, curves_in
 
@@ -57,7 +56,7 @@ CURVE_FIGURES = {
 }
 
 
-def curve_figure(name: str, data: xr.Dataset) -> CurveFigure:
+def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
     """What a figure of curves shows.
 
     A figure of the paper is its row.  Any other scene of a ``data`` set has areas, and fractions of the

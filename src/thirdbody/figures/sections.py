@@ -12,13 +12,13 @@ from os import PathLike
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtr, ndtri
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.netcdf import load, write_netcdf
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
@@ -267,7 +267,7 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     carries = (table[..., 3] == 1.0).astype(np.int8)
     variables[CARRIES_LOAD] = (each, carries, {"long_name": "whether a particle carries load"})
     position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
-    dataset = xr.Dataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
     write_netcdf(dataset, path, {})
 
 

@@ -9,9 +9,9 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
+from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
@@ -33,8 +33,8 @@ COMMENT = (
 
 
 def band(
-    dataset: xr.Dataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
-) -> xr.Dataset:
+    dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
+) -> PlainDataset:
     """Lowest and highest value of each quantity over an ensemble of inputs, along given curves.
 
     Every member of the ensemble is solved at the conditions and loads F_t* of ``dataset``.  The
@@ -42,8 +42,8 @@ def band(
 
     Parameters
     ----------
-    dataset : xarray.Dataset
-        Points of a figure, one of ``thirdbody.data.netcdf.read_dataset``, solved with ``base``.
+    dataset : PlainDataset
+        Points of a figure, one of ``thirdbody.data.netcdf.read_plain``, solved with ``base``.
     base : Parameters
         Inputs of the model.
     ensemble : sequence of mapping
@@ -52,7 +52,7 @@ def band(
 
     Returns
     -------
-    xarray.Dataset
+    PlainDataset
         Variables ``<quantity>_low`` and ``<quantity>_high`` for each of ``QUANTITIES``, with the
         dimensions, shape and units that the quantity has in ``dataset``.
 
@@ -96,7 +96,7 @@ def band(
         for end, (extreme, _) in ENDS.items()
         for name in QUANTITIES
     }
-    return xr.Dataset(variables, dataset.coords, _attributes(dataset, ensemble))
+    return PlainDataset(variables, dataset.coords, _attributes(dataset, ensemble))
 
 
 def _variable(values, attributes, shown, extreme):
@@ -110,7 +110,7 @@ def _variable(values, attributes, shown, extreme):
     described = {name: attributes[name] for name in ("units", "symbol", "equation")}
     described["long_name"] = f"{extreme} {attributes['long_name']} of the ensemble"
     described["coverage_content_type"] = "modelResult"
-    return DIMENSIONS, whole, described
+    return DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT}
 
 
 def _attributes(dataset, ensemble) -> dict:

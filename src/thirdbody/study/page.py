@@ -24,7 +24,6 @@ from thirdbody.study.verdicts import (
     held_once,
     number_ranges,
     once,
-    statements_table,
 )
 
 
@@ -40,7 +39,7 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
     earlier : mapping
         Content of ``config/earlier_predictions.yaml``.
     """
-    table = statements_table(judged)
+    table = judged.table
     failing = table[table["verdict"] == FAILS]
     failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
@@ -65,7 +64,7 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
 
 def claims_html(judged: Judged) -> str:
     """The statements and their verdicts as a table, an HTML page."""
-    table = statements_table(judged)
+    table = judged.table
     rows = table.assign(tolerance_text=_tolerances(table)).to_dict("records")
     score = score_sentence(judged, table).replace("**", "")
     return _environment(escaped=True).get_template("claims.html.j2").render(score=score, rows=rows)
@@ -78,7 +77,7 @@ def claims_json(judged: Judged, headline: Iterable[str]) -> str:
     ``published``, all ``numbers`` that are compared with the ``range`` of each over the ensemble, and
     ``contradicts`` as objects and lists, SI.
     """
-    table = statements_table(judged)
+    table = judged.table
     held, of = held_once(table)
     predicted, tested = held_once(table, "predicted")
     content = {

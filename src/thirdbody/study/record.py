@@ -1,4 +1,4 @@
-"""An objective whose evaluations are kept in a file, so that an interrupted search goes on."""
+"""Evaluations in files: while a search runs, so that it goes on if interrupted, and when it ends."""
 
 from __future__ import annotations
 
@@ -7,6 +7,19 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+
+from thirdbody.data.files import atomic_write
+
+
+def write_rows(path: Path, rows: NDArray[np.float64]) -> None:
+    """Write positions and objectives, shape (rows, unknowns + 1), with all their digits."""
+    with atomic_write(path) as part:
+        np.savetxt(part, rows, fmt="%.17g", delimiter=",")
+
+
+def read_rows(path: Path) -> NDArray[np.float64]:
+    """What ``write_rows`` wrote."""
+    return np.loadtxt(path, delimiter=",", ndmin=2)
 
 
 class Recorded:

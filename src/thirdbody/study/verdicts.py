@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -116,6 +117,11 @@ class Judged:
     predicted: dict[str, dict[str, Verdict]]
     comparison: pd.DataFrame
 
+    @cached_property
+    def table(self) -> pd.DataFrame:
+        """Their ``statements_table``, made once."""
+        return statements_table(self)
+
 
 def judge_everything(
     judge_all: Judge,
@@ -198,13 +204,14 @@ def compare(
     DataFrame
         For each interpretation the predicted and the fitted statements, repeats counted once, the
         penalty of its inputs for being unusual, the number of its unknowns, the objective of its
-        inputs, and what is computed for the headline numbers; ``predicted_fraction`` is nan without a cross-validation.
+        inputs, and what is computed for the headline numbers; ``predicted_fraction`` is nan without
+        a cross-validation.
     """
+    objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
     for content in contents:
         name = content["reading"]
         interpretation = Interpretation.of(name, settings)
-        objective = Objective.of(judge_all.claims, settings, judge_all.base)
         by_id = dict(
             zip((claim.id for claim in judge_all.claims), interpretations[name], strict=True)
         )

@@ -38,7 +38,7 @@ export function domainOf(name, values, log) {
   return [low - margin, high + margin];
 }
 
-// A chart in an element; `update` draws a spec, `spec` is what it shows.
+// A chart in an element: `room` measures its place, `update` draws a spec there, `spec` is what it shows.
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
@@ -59,16 +59,20 @@ export function chartIn(parent, { onRead, onLeave }) {
   for (const name of ["bands", "ghosts", "lines", "markers", "doubts", "here", "printed", "stars", "cursor"]) {
     layer[name] = inside.append("g");
   }
-  const chart = { figure: figure.node(), svg: svg.node(), spec: null, update, clear };
+  const chart = { figure: figure.node(), svg: svg.node(), spec: null, room, update, clear };
   let scales = null;
   let framed = ""; // what the axes that are drawn belong to
   let dressed = ""; // and the look of the lines
   let place = { line: 0, point: 0 };
 
-  function update(spec) {
-    chart.spec = spec;
+  // apart from `update`: measured between changes, each chart would lay the whole page out
+  function room() {
     const em = parseFloat(getComputedStyle(document.documentElement).fontSize) / 14;
-    const width = Math.max(svg.node().parentNode.clientWidth, 220);
+    return { em, width: Math.max(svg.node().parentNode.clientWidth, 220) };
+  }
+
+  function update(spec, { em, width }) {
+    chart.spec = spec;
     const height = Math.round(Math.min(Math.max(0.68 * width, 220 * em), Math.max(430 * em, 0.37 * innerHeight)));
     const margin = { left: 58 * em, right: 14 * em, top: (spec.top ? 36 : 12) * em, bottom: 40 * em };
     const [left, right, top, bottom] = [margin.left, width - margin.right, margin.top, height - margin.bottom];

@@ -66,7 +66,8 @@ function drawCharts(view) {
     parent.dataset.kind = "charts";
     charts = view.specs.map(() => chartIn(parent, { onRead: readChart, onLeave: hideReading }));
   }
-  view.specs.forEach((spec, i) => charts[i].update(spec));
+  const rooms = charts.map((chart) => chart.room());
+  view.specs.forEach((spec, i) => charts[i].update(spec, rooms[i]));
   shown = { csv: () => csvOf(view.specs), name: state.view === "figures" ? state.figure : "thirdbody" };
   showKey(view.key.map(({ label, color, dash, marker, mine }) => ({ text: mine ? `${label} (yours)` : label, stroke: color, dash, marker })), view.parameter);
 }

@@ -1,0 +1,40 @@
+# What a calibration gives to the default run: the default by the rule of docs/calibration.md, and the inputs.
+
+
+rule choose_default:
+    input:
+        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        claims=f"{CONFIG}/claims.yaml",
+    output:
+        chosen="<results>/calibration/chosen.json",
+    log:
+        "<logs>/choose_default.log",
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        settings=CALIBRATION,
+        parameters=settings["uncalibrated"],
+        sources=sources_of("choose_default.py"),
+    message:
+        "Choosing the default, and what the headline numbers that it misses would cost"
+    script:
+        "../scripts/choose_default.py"
+
+
+rule calibrate:
+    input:
+        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        chosen="<results>/calibration/chosen.json",
+    output:
+        adopted="<results>/calibration/adopted.txt",
+    log:
+        "<logs>/calibrate.log",
+    localrule: True
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        sources=sources_of("adopt_calibration.py"),
+    message:
+        "Copying the calibrated inputs to config/calibrated"
+    script:
+        "../scripts/adopt_calibration.py"
