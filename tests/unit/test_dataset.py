@@ -432,6 +432,11 @@ def test_a_file_with_a_flipped_byte_in_its_values_is_refused(on_disk):
         read_dataset(on_disk)
 
 
+def test_a_missing_file_is_named(tmp_path):
+    with pytest.raises(OSError, match="missing.nc cannot be read"):
+        read_dataset(tmp_path / "missing.nc")
+
+
 def test_a_dataset_of_something_else_is_named(tmp_path):
     path = tmp_path / "other.nc"
     with netCDF4.Dataset(path, "w") as stored:

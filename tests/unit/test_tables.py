@@ -65,6 +65,13 @@ def test_a_damaged_table_is_named_with_the_command_that_remakes_it(tmp_path, dam
         read_csv(path, COLUMNS)
 
 
+def test_bytes_that_are_no_text_are_named_with_the_command_that_remakes_them(tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_bytes(b"figure,load,separation_m\n\xff\xfe,1,2\n")
+    with pytest.raises(OSError, match=f"{path}.*remake it: snakemake -c2 --force {path}"):
+        read_csv(path, COLUMNS)
+
+
 def test_the_schema_describes_each_column_in_its_order(tmp_path):
     path = tmp_path / "table.json"
     write_schema(path, COLUMNS)
