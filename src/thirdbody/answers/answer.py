@@ -7,19 +7,16 @@ from dataclasses import asdict, dataclass
 from io import StringIO
 from typing import TYPE_CHECKING
 
-from rich.box import Box
-from rich.console import Console, Group
-from rich.table import Table
-
 from thirdbody.data.spread import spread
 
 if TYPE_CHECKING:
     import pandas as pd
+    from rich.console import Group
 
 Value = float | str | None  # a number, the name of a regime or mode, or nothing: it does not occur
 DIGITS = 4
 # a rule below the headings, in letters that every encoding has
-RULED = Box("    \n    \n -- \n    \n    \n    \n    \n    \n", ascii=True)
+RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
 WIDTH = 200  # columns of a text that is not on a terminal
 
 
@@ -119,11 +116,16 @@ class Answer:
         return {row.name: row.value for row in reversed(self.rows)}[name]
 
     def __rich__(self) -> Group:
+        from rich.box import Box
+        from rich.console import Group
+        from rich.table import Table
+
         compares = any(row.other is not None for row in self.rows)
         headings = (
             ["first", "second", "90 % of the change"] if compares else ["value", "90 % range"]
         )
-        table = Table("quantity", *headings, "unit", box=RULED, show_edge=False, pad_edge=False)
+        box = Box(RULED, ascii=True)
+        table = Table("quantity", *headings, "unit", box=box, show_edge=False, pad_edge=False)
         for row in self.rows:
             values = [row.value, row.other] if compares else [row.value]
             table.add_row(row.quantity, *map(text_of, values), row.range_text, row.unit)
@@ -132,6 +134,8 @@ class Answer:
 
     def __str__(self) -> str:
         """The title, a table and the notes."""
+        from rich.console import Console
+
         text = StringIO()
         Console(file=text, width=WIDTH, markup=False, highlight=False).print(self)
         return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
