@@ -97,7 +97,9 @@ def _crossings(first, last, is_ratio, level, conditions, parameters, rtol):
         return np.where(is_ratio, particle_ratio(solids, d), np.exp(solid.value) / total) - level
 
     at_first, at_last = excess(first), excess(last)
-    outside = (at_first > 0.0) == (at_last > 0.0)  # within its error a point lies on the level itself
+    outside = (at_first > 0.0) == (
+        at_last > 0.0
+    )  # within its error a point lies on the level itself
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))
     d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
