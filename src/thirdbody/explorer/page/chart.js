@@ -53,12 +53,13 @@ export function chartIn(parent, { onRead, onLeave }) {
   const clipId = `clip-${Math.random().toString(36).slice(2)}`;
   const clip = svg.append("clipPath").attr("id", clipId).append("rect");
   const layer = Object.fromEntries(
-    ["grid", "zones", "axes"].map((name) => [name, svg.append("g")]),
+    ["grid", "limits", "axes"].map((name) => [name, svg.append("g")]),
   );
   const inside = svg.append("g").attr("clip-path", `url(#${clipId})`);
   for (const name of ["bands", "ghosts", "lines", "markers", "doubts", "here", "printed", "stars", "cursor"]) {
     layer[name] = inside.append("g");
   }
+  layer.zones = svg.append("g"); // names above the curves
   const chart = { figure: figure.node(), svg: svg.node(), spec: null, room, update, clear };
   let scales = null;
   let framed = ""; // what the axes that are drawn belong to
@@ -214,7 +215,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     const { limits = [], zones = [] } = VARIABLES[spec.y.name];
     const [low, high] = y.domain();
     const shown = limits.filter((limit) => limit > low && limit < high && canShow(spec.y, limit));
-    layer.zones
+    layer.limits
       .selectAll("line")
       .data(shown)
       .join("line")
