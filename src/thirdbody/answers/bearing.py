@@ -120,7 +120,8 @@ def bearing(
     ------
     ValueError
         In one line: for a number that is not positive, a speed without a density or the reverse, a body
-        that is no ``Material``, and inputs that are no ``Parameters``, or leave their bounds.
+        that is no ``Material``, a particle softer than a surface, and inputs that are no
+        ``Parameters``, or leave their bounds.
 
     Warns
     -----
@@ -162,7 +163,14 @@ def bearing(
     modulus = parameters.elastic_modulus_surfaces
     changes = {}
     if (ball, flat, particle) != (None, None, None):
+        is_given = particle is not None
         ball, flat, particle = (each or MATERIALS["steel"] for each in (ball, flat, particle))
+        harder = max(ball.hardness, flat.hardness)
+        if is_given and particle.hardness < harder:
+            raise ValueError(
+                f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least that of "
+                f"both surfaces, {1e-9 * harder:g} GPa, as the model's particles keep their shape"
+            )
         modulus = hertz_modulus(ball, flat)
         changes = {
             "elastic_modulus_surfaces": modulus,
