@@ -566,7 +566,21 @@ def test_an_unknown_variable_is_refused_by_its_name(parameters, names):
         tb.solve(**POINT, parameters=parameters, variables=names)
 
 
-@pytest.mark.parametrize("given", [{"truncation": 2.0}, "config/inputs.yaml", None], ids=str)
+def test_engineering_names_and_the_published_inputs_give_the_same():
+    inputs = tb.load_parameters()
+    sizes = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+    plain = dict(particle_diameter=500e-9, roughness=300e-9, particle_density=1e11)
+    found = tb.solve(load_N=10, viscosity_cSt=90, **sizes)
+    load = 10 / inputs.newtons_per_load
+    same = tb.solve(load=load, viscosity=90e-6, **plain, parameters=inputs)
+    assert found.total_contact_area == pytest.approx(float(same.total_contact_area), rel=1e-9)
+    gridded = tb.grid(load_N=10, viscosity_cSt=90, **sizes)
+    assert gridded["total_contact_area"].item() == pytest.approx(
+        float(same.total_contact_area), rel=1e-9
+    )
+
+
+@pytest.mark.parametrize("given", [{"truncation": 2.0}, "config/inputs.yaml"], ids=str)
 def test_parameters_of_another_kind_are_refused_in_one_line(given):
     with pytest.raises(ValueError) as refused:
         tb.solve(**POINT, parameters=given)
