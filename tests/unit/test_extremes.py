@@ -12,7 +12,7 @@ import thirdbody as tb
 from benchmarks.extremes import judge_extremes
 from benchmarks.points import VARIABLES, read_rows, relative_error
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.regimes import SOLUTION_STATUSES, has_values, is_as_asked
+from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),
@@ -181,7 +181,8 @@ def test_no_point_harms_another(parameters, rtol, method):
 def test_a_number_or_a_status_over_the_whole_domain(reading, rtol):
     solution = solve(reading, rtol, **extreme_points(1000, seed=2))
     solved = has_values(solution.solution_status)
-    assert np.array_equal(solution.error_bound <= rtol, is_as_asked(solution.solution_status))
+    missed = solution.solution_status == SOLUTION_STATUSES.index("not_converged")
+    assert np.array_equal(solution.error_bound <= rtol, solved & ~missed)
     assert np.array_equal(solution.separation_count == 0, ~solved)
     for name in VARIABLES:
         values = getattr(solution, name)

@@ -35,7 +35,6 @@ NUMBERS = [
     "h_e_ratio",
 ]
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
-NAMES = ["phi_a", "particle_plane", "elastic_limits", "coverage_limits", "film_load"]
 
 
 def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
@@ -56,21 +55,6 @@ def test_each_material_has_its_own_part_in_the_elastic_factor(parameters):
     )
     expected = 2.25 * math.pi**2 * (1e-2**2 + 5e-3**2)
     assert inputs.elastic_factor == pytest.approx(expected, rel=1e-15)
-
-
-def test_a_load_is_in_units_of_area_times_modulus(parameters):
-    newtons = parameters.newtons_per_load
-    assert newtons == parameters.apparent_area * parameters.elastic_modulus_surfaces
-
-
-def test_the_default_inputs_are_those_of_tables_1_and_2(defaults):
-    assert defaults.elastic_modulus_surfaces == 112e9
-    assert defaults.elastic_modulus_particle == 112e9
-    assert defaults.hardness_surface_1 == defaults.hardness_surface_2 == 5e9
-    assert defaults.ball_radius == 6.35e-3
-    assert defaults.material_parameter == 2038.0
-    assert defaults.hardness_parameter == 0.04
-    assert defaults.speed_per_viscosity * 150e-6 == pytest.approx(7.3e-10, rel=1e-15)
 
 
 def test_summit_plane_and_deviation_follow_from_the_summits(parameters):
@@ -147,18 +131,6 @@ def test_whole_numbers_and_those_of_numpy_are_numbers(parameters):
         assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
 
 
-def test_the_attribute_holds_exactly_the_keys_of_the_contract(reading):
-    assert set(attribute(reading)) == {*NUMBERS, *LISTS, *NAMES}
-
-
-def test_the_attribute_is_flat_and_its_values_have_their_types(reading):
-    model = attribute(reading)
-    assert all(isinstance(model[name], float) for name in NUMBERS)
-    assert all(isinstance(model[name], str) for name in NAMES)
-    for name in LISTS:
-        assert [type(value) for value in model[name]] == [float] * 3
-
-
 def test_lists_run_along_the_roughness(reading):
     model = attribute(reading)
     for index, roughness in enumerate((1e-7, 3e-7, 5e-7)):
@@ -198,12 +170,6 @@ def test_each_number_of_the_attribute_is_its_own_input(parameters):
     assert {key: model[key] for key in NUMBERS} == {
         key: distinct[name] for key, name in expected.items()
     }
-
-
-def test_numbers_survive_the_attribute_to_the_last_digit(parameters):
-    model = attribute(replace(parameters, participation=0.1 + 0.2, truncation=math.pi))
-    assert model["participation"] == 0.1 + 0.2
-    assert model["truncation"] == math.pi
 
 
 @pytest.mark.parametrize("index", [0, 1, 2])
