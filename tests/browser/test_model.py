@@ -21,7 +21,7 @@ from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.verdicts import Judge, outcome
 
-POINTS = 2000
+POINTS = 1000
 RTOL = 1e-6
 TINY = 1e-300  # smaller numbers are no numbers in float64 any more
 NEWTONS = 0.04, 80.0
@@ -113,7 +113,6 @@ def solved_by_the_page(points, explorer):
 
 
 def test_every_variable_is_the_librarys(points, solved_by_the_library, solved_by_the_page, tell):
-    """Relative 1e-6 at 2,000 points of all readings."""
     library, page = (
         np.array([row[3:] for row in rows]) for rows in (solved_by_the_library, solved_by_the_page)
     )

