@@ -8,22 +8,13 @@ import thirdbody as tb
 from thirdbody.data.conditions import Condition
 from thirdbody.data.model_attribute import parameters_of_attribute
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solution import QUANTITIES
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
 CONVERGED, NOT_CONVERGED = map(SOLUTION_STATUSES.index, ("converged", "not_converged"))
 EVERY = 12  # loads between those at which integrals are taken anew
 LOADED = 1e-280  # smaller shares of a load have underflowed
-NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from methods import solved_by
+from methods import POINT, solved_by
 from scipy.integrate import IntegrationWarning
 
 import thirdbody as tb
@@ -22,13 +22,6 @@ pytestmark = [
 
 RTOLS = [1e-2, 1e-6, 1e-11]
 CONVERGED, FAILED = map(SOLUTION_STATUSES.index, ("converged", "not_converged"))
-POINT = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 500e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
 NEXT = 1e-12  # relative distance of two points that are the same in all but rounding
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from methods import POINT
 
 import thirdbody as tb
 from benchmarks.extremes import judge_extremes
@@ -22,13 +23,6 @@ pytestmark = [
 ROWS = read_rows(Path(__file__).parents[1] / "golden" / "extremes.csv")
 ITEMS = list(dict.fromkeys(row["item"] for row in ROWS))
 RTOLS = [1e-2, 1e-3, 1e-4, 1e-6, 1e-9, 1e-11]
-POINT = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 500e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
 # particles of next to no width: refused by the name of the input
 REFUSED = {
     f"{case} {medium}"

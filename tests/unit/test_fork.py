@@ -6,16 +6,10 @@ import time
 import warnings
 
 import pytest
+from methods import POINT
 
 import thirdbody as tb
 
-POINT = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 500e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
 FORKS = 100
 PATIENCE = 20.0  # [s] for a child that takes some milliseconds
 

@@ -2,7 +2,9 @@
 
 import json
 import math
+import runpy
 from dataclasses import FrozenInstanceError, replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,28 +15,8 @@ from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 
-# the data contract's keys: numbers, lists along the roughness, names of readings
-NUMBERS = [
-    "E_ss",
-    "E_sa",
-    "H_s1",
-    "H_s2",
-    "k",
-    "omega_ratio",
-    "R_x",
-    "G",
-    "V",
-    "kappa",
-    "U_per_viscosity",
-    "A_n",
-    "mean_ratio",
-    "sigma_a_ratio",
-    "gap_ratio",
-    "truncation",
-    "participation",
-    "h_e_ratio",
-]
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
+CONTRACT = Path(__file__).parents[2] / "verification" / "contract.py"
 
 
 def attribute(parameters, roughness=(1e-7, 3e-7, 5e-7)):
@@ -147,29 +129,10 @@ def test_each_number_of_the_attribute_is_its_own_input(parameters):
         for index, (name, bounds) in enumerate(BOUNDS.items())
     }
     model = attribute(replace(parameters, **distinct, summit_offset=False))
-    expected = {
-        "E_ss": "elastic_modulus_surfaces",
-        "E_sa": "elastic_modulus_particle",
-        "H_s1": "hardness_surface_1",
-        "H_s2": "hardness_surface_2",
-        "k": "yield_pressure_ratio",
-        "omega_ratio": "plastic_interference_ratio",
-        "R_x": "ball_radius",
-        "G": "material_parameter",
-        "V": "hardness_parameter",
-        "kappa": "ellipticity",
-        "U_per_viscosity": "speed_per_viscosity",
-        "A_n": "apparent_area",
-        "mean_ratio": "mean_ratio",
-        "sigma_a_ratio": "spread_ratio",
-        "gap_ratio": "gap_ratio",
-        "truncation": "truncation",
-        "participation": "participation",
-        "h_e_ratio": "elastic_depth_ratio",
-    }
-    assert {key: model[key] for key in NUMBERS} == {
-        key: distinct[name] for key, name in expected.items()
-    }
+    names = runpy.run_path(str(CONTRACT))["INPUTS"]
+    assert set(model) == {*names, *LISTS}
+    given = {key: distinct[name] for key, name in names.items() if name in distinct}
+    assert {key: model[key] for key in given} == given
 
 
 @pytest.mark.parametrize("index", [0, 1, 2])

@@ -16,6 +16,7 @@ from thirdbody.model.regimes import (
     contact_mode,
     lubrication_regime,
 )
+from thirdbody.solver.solution import QUANTITIES
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),
@@ -23,25 +24,7 @@ pytestmark = [
 ]
 
 RTOL = 1e-9
-OUTSIDE, COVERED, FAILED, WIDE, EXCEEDED = map(
-    SOLUTION_STATUSES.index,
-    (
-        "outside_film_formula",
-        "coverage_exceeded",
-        "not_converged",
-        "area_exceeded",
-        "load_exceeded",
-    ),
-)
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
+_, OUTSIDE, COVERED, FAILED, _, WIDE, EXCEEDED = range(len(SOLUTION_STATUSES))
 POINTS = 40  # of each example, on one surface
 # solved fractions below it have underflowed
 UNDERFLOW = 1e-280
@@ -158,6 +141,7 @@ def test_the_equations_hold_at_every_solved_point(solved, changes, roughness, un
     assert_film_is_as_thick_as_the_gap(points)
     assert_areas_are_those_of_the_separation(points)
     assert_shares_sum_to_one_and_flags_agree(points)
+    assert_what_is_absent_bears_nothing(points)
 
 
 def assert_solids_bear_their_share(points):
@@ -208,6 +192,16 @@ def assert_shares_sum_to_one_and_flags_agree(points):
     assert np.array_equal(points.contact_mode, mode)
 
 
+def assert_what_is_absent_bears_nothing(points):
+    dry, two_body = points.viscosity[points.known] == 0.0, ~points.three_body[points.known]
+    assert (points.solid_load_fraction[dry] == 1.0).all()
+    assert (points.fluid_load_fraction[dry] == 0.0).all()
+    assert OUTSIDE not in points.status[points.known][dry]
+    assert (points.particle_contact_area_ratio[two_body] == 0.0).all()
+    assert (points.surface_contact_area_ratio[two_body] == 1.0).all()
+    assert (points.contact_mode[two_body] == 0).all()
+
+
 @given(**DOMAIN)
 @bounded(60)
 def test_every_nan_has_a_status_and_every_status_a_reason(
@@ -235,28 +229,6 @@ def test_every_nan_has_a_status_and_every_status_a_reason(
     assert covered[status == COVERED].all()
     assert (overloaded & dry | covered)[status == EXCEEDED].all()
     assert set(status) <= {COVERED, EXCEEDED}
-
-
-@given(**DOMAIN)
-@bounded(40)
-def test_dry_points_bear_all_and_never_leave_the_film_formula(solved, changes, roughness, unit):
-    unit = unit.copy()
-    unit[1] = 0.0
-    points = solved(changes, roughness, unit)
-    assert (points.solid_load_fraction == 1.0).all()
-    assert (points.fluid_load_fraction == 0.0).all()
-    assert OUTSIDE not in points.status
-
-
-@given(**DOMAIN)
-@bounded(40)
-def test_two_body_points_have_no_particle_area(solved, changes, roughness, unit):
-    unit = unit.copy()
-    unit[2] = 0.0
-    points = solved(changes, roughness, unit)
-    assert (points.particle_contact_area_ratio == 0.0).all()
-    assert (points.surface_contact_area_ratio == 1.0).all()
-    assert (points.contact_mode == 0).all()
 
 
 @given(**DOMAIN)

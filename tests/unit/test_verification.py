@@ -173,15 +173,11 @@ def mend(folder, release):
     seal(folder, release)
 
 
-QUANTITIES = (
-    *("total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"),
-    *("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness"),
-)
-COORDINATES = (
-    *("load", "viscosity", "particle_diameter"),
-    *("roughness", "particle_density", "normal_load"),
-)
-FILL_VALUE = 9.969209968386869e36
+CONTRACT = run_path(str(VERIFICATION / "contract.py"))
+COORDINATES = tuple(CONTRACT["COORDINATES"])
+NUMBERS, FLAGS = tuple(CONTRACT["NUMBERS"]), tuple(CONTRACT["FLAGS"])
+QUANTITIES = tuple(name for name in NUMBERS if name != "error_bound")
+FILL_VALUE = CONTRACT["FILL_VALUE"]
 
 
 def attribute(variable, name, value):
@@ -230,7 +226,7 @@ def restated(status, unsolved=False, **numbers):
 
     def forge(dataset):
         last = tuple(np.argwhere(dataset["solution_status"][:] >= 0)[-1])
-        missing = dict.fromkeys((*QUANTITIES, "error_bound"), np.nan) if unsolved else {}
+        missing = dict.fromkeys(NUMBERS, np.nan) if unsolved else {}
         missing |= dict.fromkeys(("lubrication_regime", "contact_mode"), -1) if unsolved else {}
         code = dataset["solution_status"].flag_meanings.split().index(status)
         at(last, **{**missing, "solution_status": code, **numbers})(dataset)
@@ -252,19 +248,12 @@ def next_flag(flag):
 
 def hidden(place):
     """Hide points as those that a figure does not show."""
-    flags = dict.fromkeys(("lubrication_regime", "contact_mode", "solution_status"), -127)
-    return at(place, **dict.fromkeys((*QUANTITIES, "error_bound"), FILL_VALUE), **flags)
+    return at(place, **dict.fromkeys(NUMBERS, FILL_VALUE), **dict.fromkeys(FLAGS, -127))
 
 
 def shown_too(dataset):
     """Show the points of one curve once more, where the figure shows none."""
-    for name in (
-        *QUANTITIES,
-        "error_bound",
-        "lubrication_regime",
-        "contact_mode",
-        "solution_status",
-    ):
+    for name in (*NUMBERS, *FLAGS):
         values = dataset[name][:]
         values[:, 1, 0, 0] = values[:, 1, 1, 1]
         dataset[name][:] = values
@@ -363,14 +352,14 @@ IN_FIG04 = {
     "empty inputs": attribute("", "model_parameters", "{}"),
     "rubbish for inputs": attribute("", "model_parameters", "rubbish"),
 }
-NUMBERS = {
+IN_NUMBERS = {
     f"{figure}: {variable}": (figure, scaled_once(variable, 1.0 + 1e-6))
     for figure in SCENES
     for variable in (*QUANTITIES, *COORDINATES)
     # dry or without film: the number is zero everywhere
     if (figure, variable) not in {("fig03", "fluid_load_fraction"), ("fig03", "viscosity")}
 }
-FORGERIES = {name: ("fig04", forge) for name, forge in IN_FIG04.items()} | NUMBERS
+FORGERIES = {name: ("fig04", forge) for name, forge in IN_FIG04.items()} | IN_NUMBERS
 
 
 def forge_dataset(folder, figure, forge, release):
