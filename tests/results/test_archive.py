@@ -16,6 +16,7 @@ from thirdbody.data.model_attribute import model_attribute
 
 ROOT = Path(__file__).resolve().parents[2]
 pytestmark = pytest.mark.results
+EVERY = 11  # points between those at which integrals are taken anew
 
 
 @pytest.fixture(scope="module")
@@ -64,6 +65,14 @@ def test_axes_points_and_inputs_are_those_of_the_configuration(
     inputs = dataclasses.asdict(tb.load_parameters())
     assert list(contract.configuration_findings(data, figure, config, inputs)) == []
     assert all((np.diff(data.axes[name]) > 0.0).all() for name in contract.DIMENSIONS)
+
+
+def test_points_fulfil_the_equations_written_a_second_time(stored, verification):
+    _, recompute = verification
+    data = recompute.read(stored)
+    for index in np.argwhere(data.shown)[::EVERY]:
+        found, _ = recompute.point_findings(data, tuple(index), is_sampled=False)
+        assert not found
 
 
 def test_attributes_hold_no_time_of_day_and_no_folder(stored, path):
