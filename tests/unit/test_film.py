@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.film import Film
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -44,44 +43,6 @@ def test_the_ranges_of_figure_11c_end_at_one_load(parameters):
     printed = np.array([1.15e-4, 1.63e-4])
     least, most = newtons(printed + rounded), newtons(printed - rounded)
     assert_allclose([least[0], most[1]], 30.0, rtol=0.02)  # N: where they meet but for rounding
-
-
-@pytest.mark.parametrize("kappa", [0.1, 1.0, 10.0])
-def test_film_thickness_is_eq_7(parameters, equations, kappa):
-    inputs = replace(parameters, ellipticity=kappa)
-    load = np.geomspace(1e-12, 1e-2, 20)
-    viscosity = np.geomspace(1e-3, 1e4, 20) * CENTISTOKES
-    model = model_attribute(inputs, np.array([ROUGHNESS]))
-    zero = np.zeros(20)
-    expected, _ = equations(model, 0, ROUGHNESS, zero, zero).film(load, viscosity)
-    log_parameter = np.log(load * inputs.apparent_area / inputs.ball_radius**2)
-    computed = thickness(inputs, log_parameter, viscosity)
-    # exponents of up to 20 times logarithms of up to 35, rounded
-    assert_allclose(computed, expected, rtol=1e-13)
-
-
-def test_films_thin_under_load(parameters):
-    for viscosity in (0.01 * CENTISTOKES, 1.0 * CENTISTOKES, 100.0 * CENTISTOKES):
-        one = film(parameters, viscosity)
-        value, slope = one.thickness(np.linspace(-700.0, 0.0, 200))
-        assert (np.diff(value) < 0.0).all()
-        assert (slope < 0.0).all()
-
-
-@pytest.mark.parametrize("kappa", [0.3, 1.0, 5.0])
-@pytest.mark.parametrize("load_parameter", [1e-12, 8.86e-9, 1.77e-5])
-def test_the_formula_ends_where_the_thickness_is_least_over_viscosity(
-    parameters, kappa, load_parameter
-):
-    inputs = replace(parameters, ellipticity=kappa)
-    log_parameter = np.log(load_parameter)
-    viscosity = np.geomspace(1e-4, 1e4, 100001) * CENTISTOKES
-    meaningful = film(inputs, viscosity).is_meaningful(log_parameter)
-    least = np.argmin(thickness(inputs, log_parameter, viscosity))
-    first = np.argmax(meaningful)
-    assert 0 < first < viscosity.size - 1
-    assert meaningful[first:].all()
-    assert abs(first - least) <= 1
 
 
 def test_rounding_counts_every_logarithm_of_which_the_thickness_is_made(parameters):

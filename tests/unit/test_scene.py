@@ -42,11 +42,6 @@ def test_named_loads_are_on_the_axis_exactly():
     assert (np.diff(values) > 0.0).all()
 
 
-def test_a_named_load_that_is_on_the_axis_anyway_stands_there_once():
-    plain = load_values(AXIS, [], NEWTONS)
-    assert np.array_equal(load_values(AXIS, plain[[0, 100, -1]].tolist(), NEWTONS), plain)
-
-
 def test_a_named_load_beyond_the_ends_is_left_out():
     plain = load_values(AXIS, [], NEWTONS)
     assert np.array_equal(load_values(AXIS, [1e-12, 0.5], NEWTONS), plain)
