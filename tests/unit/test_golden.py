@@ -29,22 +29,6 @@ def solve_row(row, rtol):
     )
 
 
-def test_there_are_enough_golden_points_over_all_readings():
-    rows = golden_rows()
-    readings = {
-        (
-            row["phi_a"],
-            row["surface_offset"],
-            row["elastic_limits"],
-            row["coverage_limits"],
-            row["film_load"],
-        )
-        for row in rows
-    }
-    assert len(rows) >= 200
-    assert len(readings) == 3 * 2 * 2 * 2 * 2
-
-
 def test_every_variable_within_the_tolerance_asked_for(method):
     errors, refused = {}, []
     for index, row in enumerate(golden_rows()):
