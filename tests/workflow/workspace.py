@@ -184,18 +184,15 @@ def run_side_by_side(sources: Workspace, place: Path, cases) -> Iterator[tuple]:
             code = job.result()
             lines = said.read_text(encoding="utf-8", errors="replace").splitlines()
             messages = [line for line in lines if line and not line.startswith(ANNOUNCED)]
-            made = set() if code else {root / CHEAP}
+            made = () if code else ("logs", "extracted")
             yield code, messages, _contents(root, made) == before
 
 
-def _contents(root: Path, made=frozenset()) -> dict[str, bytes]:
-    """Every file but logs, those in which Snakemake keeps its books, and those of ``made``."""
-    files = (path for path in root.rglob("*") if path.is_file() and path not in made)
-    return {
-        str(path): path.read_bytes()
-        for path in files
-        if not {".snakemake", "__pycache__", "logs"}.intersection(path.parts)
-    }
+def _contents(root: Path, made=()) -> dict[str, bytes]:
+    """Every file but those in which Snakemake keeps its books, and those in folders of ``made``."""
+    files = (path for path in root.rglob("*") if path.is_file())
+    skipped = {".snakemake", "__pycache__", *made}
+    return {str(path): path.read_bytes() for path in files if not skipped.intersection(path.parts)}
 
 
 def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:
