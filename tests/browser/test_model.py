@@ -200,7 +200,7 @@ def test_turning_points_are_the_librarys(explorer, page, defaults):
 
 
 def test_verdicts_are_the_librarys(explorer, results_of_claims):
-    """On every statement under the default inputs, and under those of another reading."""
+    """On every statement under the default inputs, on some under those of another reading."""
     words, inputs = results_of_claims
     explorer.open()
     for name, expected in words.items():
@@ -219,11 +219,12 @@ def results_of_claims(page, defaults):
     other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[
         "inputs"
     ]
-    judged = Judge(claims, defaults, NEWTONS)(other, FULL_EFFORT)
+    some = claims[::4]
+    judged = Judge(some, defaults, NEWTONS)(other, FULL_EFFORT)
     words = {
         "default": {row["id"]: row["verdict"] for row in written["statements"]},
         "other": {
-            claim.id: outcome(claim, verdict) for claim, verdict in zip(claims, judged, strict=True)
+            claim.id: outcome(claim, verdict) for claim, verdict in zip(some, judged, strict=True)
         },
     }
     return words, {"default": defaults.as_dict(), "other": replace(defaults, **other).as_dict()}
