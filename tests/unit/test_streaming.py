@@ -61,12 +61,6 @@ def test_a_bad_axis_is_refused_by_name_and_leaves_no_file(parameters, tmp_path, 
     assert not list(tmp_path.iterdir())
 
 
-def test_a_bad_rtol_is_refused(parameters, tmp_path):
-    with pytest.raises(ValueError, match="rtol"):
-        tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1.0)
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_streamed_grid_holds_the_variables_asked_for(parameters, tmp_path):
     wanted = ["separation", "error_bound"]
     tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6, variables=wanted)
