@@ -81,7 +81,9 @@ def crossings(count, parameters, rtol):
         load=load[:, None], **Condition(*CURVES)._asdict(), parameters=parameters, rtol=rtol
     )
     values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
-    limit, curve, crossing, error, _ = transitions(load, values, CURVES, parameters, rtol)
+    limit, curve, crossing, error, _ = transitions(
+        solution.separation, values, CURVES, parameters, rtol
+    )
     order = np.lexsort((crossing, curve, limit))
     return curve[order], crossing[order], error[order]
 
@@ -94,9 +96,3 @@ def test_transition_loads_on_few_loads(parameters, rtol):
     assert np.array_equal(curve, best_curve)
     np.testing.assert_allclose(load, best_load, rtol=rtol + BEST)
     assert (np.abs(load - best_load) <= error + best_error).all()
-
-
-def test_no_transition_is_invented_beside_an_unsolved_point(parameters):
-    loads = np.array([1e-6, 1e-5, 1.0])
-    values = dict.fromkeys(dict(LIMITS), np.array([[0.99], [0.99], [np.nan]]))
-    assert transitions(loads, values, CURVES[:, :1], parameters, 1e-9)[0].size == 0
