@@ -15,7 +15,7 @@ from workspace import MINIMAL, READINGS, Workspace
 
 BUDGET = {
     **{"scattered": 4, "population": 4, "evaluations": 10, "fold_evaluations": 8},
-    **{"elastic_radius": 5e-5, "walkers": 16, "steps": 4},
+    **{"elastic_radius": 5e-5, "walkers": 16, "steps": 3},
 }
 KEPT = "kept.json"  # what there was of the atlas when its run was killed
 
