@@ -77,7 +77,7 @@ def hertz_modulus(one: Material, other: Material) -> float:
 
 
 def bearing(
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     *,
     ball_radius_mm: float | None = None,
     speed_m_per_s: float | None = None,
@@ -96,8 +96,8 @@ def bearing(
 
     Parameters
     ----------
-    parameters : Parameters
-        Inputs to begin with.
+    parameters : Parameters, optional
+        Inputs to begin with, by default the published ones.
     ball_radius_mm : float, optional
         R_x [mm]; of two balls 1/R_x = 1/R_1 + 1/R_2.
     speed_m_per_s : float, optional
@@ -150,7 +150,7 @@ def bearing(
         "viscosity_cSt": viscosity_cSt,
         "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
     }
-    checked_parameters(parameters)
+    parameters = checked_parameters(parameters)
     given = {name: value for name, value in numbers.items() if value is not None}
     for name, value in given.items():
         check_number(name, value)
@@ -229,7 +229,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     """Question 8 as an answer: the inputs that ``bearing`` has derived, each with its formula, and U for
     an oil of ``viscosity_cSt`` if it is given.
     """
-    checked_parameters(parameters)
+    parameters = checked_parameters(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
         for name, (unit, formula) in FORMULAS.items()

@@ -37,7 +37,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     >>> {member.ball_radius for member in members}, len({member.apparent_area for member in members}) > 1
     ({0.01}, True)
     """
-    checked_parameters(parameters)
+    parameters = checked_parameters(parameters)
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     content = read_calibrated(path)

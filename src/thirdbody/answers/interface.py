@@ -22,7 +22,6 @@ from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.conditions.checks import NEVER_ZERO, check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import OutOfRangeWarning
-from thirdbody.configuration.inputs import load_parameters
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
@@ -87,10 +86,10 @@ class Interface:
     particle_diameter_nm: float
     roughness_nm: float
     particle_density_per_m2: float
-    parameters: Parameters = field(default_factory=load_parameters, repr=False)
+    parameters: Parameters | None = field(default=None, repr=False)
 
     def __post_init__(self):
-        checked_parameters(self.parameters)
+        object.__setattr__(self, "parameters", checked_parameters(self.parameters))
         for name, key in ENGINEERING.items():
             if not has_unit(getattr(self, key)):
                 check_number(key, getattr(self, key), name in NEVER_ZERO)
