@@ -1,11 +1,34 @@
 # Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search is a job, and keeps its
 # evaluations, so that an interruption loses nothing. The result goes to config/calibrated/, which is kept in
 # git and read by the default run.
+import json
 
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
 SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
+
+
+def searches_of(wildcards):
+    """The searches of an interpretation: of the shortlist from all seeds, else from the first."""
+    return expand(SEARCHED, seed=SEEDS if is_shortlisted(wildcards) else SEEDS[:1])
+
+
+def samples_of(wildcards):
+    """The samples of an interpretation of the shortlist."""
+    samples = "<results>/calibration/{{reading}}/seed{seed}_samples.csv"
+    return expand(samples, seed=SEEDS) if is_shortlisted(wildcards) else []
+
+
+def folds_of(wildcards):
+    """The cross-validation of an interpretation of the shortlist."""
+    folds = "<results>/calibration/{{reading}}/fold{fold}.csv"
+    return expand(folds, fold=FOLDS) if is_shortlisted(wildcards) else []
+
+
+def is_shortlisted(wildcards):
+    chosen = checkpoints.shortlist.get().output.chosen
+    return wildcards.reading in json.loads(Path(chosen).read_text(encoding="utf-8"))
 
 
 wildcard_constraints:
@@ -55,6 +78,29 @@ use rule search_inputs as search_fold with:
         "Searching the inputs of {wildcards.reading} without the figures of fold {wildcards.fold}"
 
 
+checkpoint shortlist:
+    input:
+        evaluations=expand(
+            "<results>/calibration/{reading}/seed{seed}.csv",
+            reading=CALIBRATION["readings"],
+            seed=SEEDS[0],
+        ),
+    output:
+        chosen="<results>/calibration/shortlist.json",
+    log:
+        "<logs>/shortlist.log",
+    localrule: True
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        rule=CALIBRATION["shortlist"],
+        sources=sources_of("choose_shortlist.py"),
+    message:
+        "Choosing the interpretations that are searched from all seeds and cross-validated"
+    script:
+        "../scripts/choose_shortlist.py"
+
+
 rule sample_inputs:
     input:
         evaluations=expand(SEARCHED, seed=SEEDS),
@@ -81,9 +127,9 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=expand(SEARCHED, seed=SEEDS),
-        samples=expand("<results>/calibration/{{reading}}/seed{seed}_samples.csv", seed=SEEDS),
-        folds=expand("<results>/calibration/{{reading}}/fold{fold}.csv", fold=FOLDS),
+        evaluations=searches_of,
+        samples=samples_of,
+        folds=folds_of,
         claims=f"{CONFIG}/claims.yaml",
     output:
         calibrated="<results>/calibration/{reading}.yaml",

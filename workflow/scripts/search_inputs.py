@@ -12,13 +12,12 @@ from thirdbody.study.search import search
 
 def run(name, seed, fold, claims, settings, parameters, evaluations):
     """Write all evaluations of the search; a number ``fold`` says whose statements are left out."""
-    statements, budget = load_claims(claims), settings["budget"]
+    statements = load_claims(claims)
     if fold is not None:
         statements = make_folds(statements, settings["folds"])[fold].fitted
-        budget = budget | {"evaluations": budget["fold_evaluations"]}
     objective = Objective.of(statements, settings, Parameters(**parameters))
     record = Path(evaluations).with_suffix(".record")
-    rows = search(Interpretation.of(name, settings), objective, budget, seed, record)
+    rows = search(Interpretation.of(name, settings), objective, settings["budget"], seed, record)
     write_rows(evaluations, rows)
     record.unlink()
 

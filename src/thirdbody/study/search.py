@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +16,7 @@ from thirdbody.study.record import Recorded
 
 FIRST_STEP = 0.2  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
-ELASTIC_STARTS = 3  # one in so many descents starts from elastic summits
+ELASTIC_STARTS = 2  # one in so many descents starts from elastic summits
 
 
 def search(
@@ -27,11 +26,12 @@ def search(
     seed: int,
     record: Path,
     report: Callable[[str], object] = print,
+    start: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation for the least objective.
 
-    Descents follow each other until all evaluations are used.  Each begins at the best of some
-    scattered places, one in three among elastic summits only, and is a CMA evolution strategy.
+    Each descent is a CMA evolution strategy from the best of some scattered places, every second one
+    among elastic summits only.
 
     Parameters
     ----------
@@ -40,15 +40,17 @@ def search(
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
     budget : mapping
-        ``scattered`` places before each descent, ``population`` of the descents, ``evaluations`` in
-        all, which the last generation may exceed, and ``elastic_radius``, the least summit radius
-        of elastic summits [m].
+        Number of ``descents``; ``scattered`` places before each; ``population``; ``evaluations`` of
+        a descent for each unknown, which the last generation may exceed; and ``elastic_radius``, the
+        least summit radius of elastic summits [m].
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
         File that keeps the evaluations while the search runs.
     report : callable
         Is given a line of text from time to time.
+    start : array, shape (unknowns,), optional
+        Where a single descent starts, without scattered places.
 
     Returns
     -------
@@ -70,7 +72,7 @@ def search(
     >>> def valley(interpretation, positions):
     ...     values = interpretation.values(positions)
     ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
-    >>> budget = {"scattered": 20, "population": 8, "evaluations": 200, "elastic_radius": 5e-5}
+    >>> budget = {"descents": 1, "scattered": 20, "population": 8, "evaluations": 100, "elastic_radius": 5e-5}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
     ...     rows = search(two, valley, budget, seed=1, record=record, report=lambda line: None)
@@ -80,31 +82,32 @@ def search(
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
     rng = np.random.default_rng(seed)
-    for number in count():
-        left = budget["evaluations"] - len(function.rows)
-        if left <= 0:
-            return np.array(function.rows)
-        places = LatinHypercube(len(interpretation.unknowns), rng=rng).random(
-            min(budget["scattered"], left)
-        )
-        if number % ELASTIC_STARTS == 0:
-            places = _elastic(places, interpretation.unknowns, budget["elastic_radius"])
-        start = min(places, key=function)
+    evaluations = budget["evaluations"] * len(interpretation.unknowns)
+    for number in range(budget["descents"] if start is None else 1):
+        first = start
+        if first is None:
+            places = LatinHypercube(len(interpretation.unknowns), rng=rng).random(
+                budget["scattered"]
+            )
+            if number % ELASTIC_STARTS == 0:
+                places = _elastic(places, interpretation.unknowns, budget["elastic_radius"])
+            first = min(places, key=function)
         options = {
             "bounds": [0.0, 1.0],
             "popsize": budget["population"],
-            "maxfevals": max(budget["evaluations"] - len(function.rows), 1),
+            "maxfevals": evaluations,
             "tolfun": SAME_HEIGHT,
             "tolfunhist": SAME_HEIGHT,
             "seed": int(rng.integers(1, 2**31)),
             "verbose": -9,
         }
-        cma.CMAEvolutionStrategy(start, FIRST_STEP, options).optimize(function)
+        cma.CMAEvolutionStrategy(first, FIRST_STEP, options).optimize(function)
         best = min(function.rows, key=lambda row: row[-1])
         report(
             f"{interpretation.name} seed {seed}: descent {number + 1}, "
             f"{len(function.rows)} evaluations, least objective {best[-1]:.3f}"
         )
+    return np.array(function.rows)
 
 
 def _elastic(places, unknowns: tuple[Unknown, ...], radius: float):
