@@ -15,8 +15,7 @@ from thirdbody.study.calibration import Interpretation, Unknown
 from thirdbody.study.record import Recorded
 
 FIRST_STEP = 0.2  # standard deviation of the first steps of a search, in the unit cube
-SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
-ELASTIC_STARTS = 2  # one in so many descents starts from elastic summits
+SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
 
 
 def search(
@@ -30,8 +29,8 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation for the least objective.
 
-    Each descent is a CMA evolution strategy from the best of some scattered places, every second one
-    among elastic summits only.
+    A CMA evolution strategy, which saves evaluations by a quadratic surrogate, descends from the best
+    of some scattered places, half of them among elastic summits.
 
     Parameters
     ----------
@@ -40,17 +39,17 @@ def search(
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
     budget : mapping
-        Number of ``descents``; ``scattered`` places before each; ``population``; ``evaluations`` of
-        a descent for each unknown, which the last generation may exceed; and ``elastic_radius``, the
-        least summit radius of elastic summits [m].
+        Number of ``scattered`` places; of ``evaluations`` of the descent for each unknown, which the
+        last generation may exceed; and ``elastic_radius``, the least summit radius of elastic
+        summits [m].
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
         File that keeps the evaluations while the search runs.
     report : callable
-        Is given a line of text from time to time.
+        Is given a line of text at the end.
     start : array, shape (unknowns,), optional
-        Where a single descent starts, without scattered places.
+        Where the descent starts, instead of scattered places.
 
     Returns
     -------
@@ -59,7 +58,7 @@ def search(
 
     References
     ----------
-    Hansen & Ostermeier (2001), doi:10.1162/106365601750190398.
+    Hansen (2019), doi:10.1145/3321707.3321842.
 
     Examples
     --------
@@ -72,7 +71,7 @@ def search(
     >>> def valley(interpretation, positions):
     ...     values = interpretation.values(positions)
     ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
-    >>> budget = {"descents": 1, "scattered": 20, "population": 8, "evaluations": 100, "elastic_radius": 5e-5}
+    >>> budget = {"scattered": 20, "evaluations": 50, "elastic_radius": 5e-5}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
     ...     rows = search(two, valley, budget, seed=1, record=record, report=lambda line: None)
@@ -81,33 +80,27 @@ def search(
     1.5
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
+    unknowns = interpretation.unknowns
     rng = np.random.default_rng(seed)
-    evaluations = budget["evaluations"] * len(interpretation.unknowns)
-    for number in range(budget["descents"] if start is None else 1):
-        first = start
-        if first is None:
-            places = LatinHypercube(len(interpretation.unknowns), rng=rng).random(
-                budget["scattered"]
-            )
-            if number % ELASTIC_STARTS == 0:
-                places = _elastic(places, interpretation.unknowns, budget["elastic_radius"])
-            first = min(places, key=function)
-        options = {
-            "bounds": [0.0, 1.0],
-            "popsize": budget["population"],
-            "maxfevals": evaluations,
-            "tolfun": SAME_HEIGHT,
-            "tolfunhist": SAME_HEIGHT,
-            "seed": int(rng.integers(1, 2**31)),
-            "verbose": -9,
-        }
-        cma.CMAEvolutionStrategy(first, FIRST_STEP, options).optimize(function)
-        best = min(function.rows, key=lambda row: row[-1])
-        report(
-            f"{interpretation.name} seed {seed}: descent {number + 1}, "
-            f"{len(function.rows)} evaluations, least objective {best[-1]:.3f}"
-        )
-    return np.array(function.rows)
+    if start is None:
+        places = LatinHypercube(len(unknowns), rng=rng).random(budget["scattered"])
+        places[::2] = _elastic(places[::2], unknowns, budget["elastic_radius"])
+        start = min(places, key=function)
+    options = {
+        "bounds": [0.0, 1.0],
+        "maxfevals": budget["evaluations"] * len(unknowns),
+        "tolfun": SAME_HEIGHT,
+        "tolfunhist": SAME_HEIGHT,
+        "seed": int(rng.integers(1, 2**31)),
+        "verbose": -9,
+    }
+    cma.fmin_lq_surr(function, start, FIRST_STEP, options)
+    rows = np.array(function.rows)
+    report(
+        f"{interpretation.name} seed {seed}: "
+        f"{len(rows)} evaluations, least objective {rows[:, -1].min():.3f}"
+    )
+    return rows
 
 
 def _elastic(places, unknowns: tuple[Unknown, ...], radius: float):
