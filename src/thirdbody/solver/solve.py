@@ -61,7 +61,8 @@ def solve(
     viscosity : array_like
         Kinematic viscosity of the lubricant [m2/s]; 0 where the interface is dry.
     particle_diameter : array_like
-        Mean diameter x_a of the particles [m]; 0 where there are none (two-body contact).
+        What the paper calls their mean diameter, x_a [m]; 0 where there are none (two-body contact).
+        With sizes ``uncentred`` it is larger than any particle.
     roughness : array_like
         Equivalent root mean square roughness sigma [m], from 1e-30 to 1e30.
     particle_density : array_like
