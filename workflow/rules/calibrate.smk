@@ -6,6 +6,11 @@ import json
 CALIBRATION = settings["calibration"]
 SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
+FEW_UNKNOWNS = [
+    name
+    for name in CALIBRATION["readings"]
+    if number_of_unknowns(CALIBRATION, name) <= CALIBRATION["shortlist"]["unknowns"]
+]
 SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
 
 
@@ -36,9 +41,33 @@ wildcard_constraints:
     fold="[0-9]+",
 
 
+rule scatter_inputs:
+    input:
+        claims=f"{CONFIG}/claims.yaml",
+    output:
+        scattered="<results>/calibration/{reading}/scattered.csv",
+    log:
+        "<logs>/scatter_inputs/{reading}.log",
+    benchmark:
+        "<logs>/scatter_inputs/{reading}.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        runtime=30,
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        sources=sources_of("scatter_inputs.py"),
+    message:
+        "Judging scattered inputs of {wildcards.reading}"
+    script:
+        "../scripts/scatter_inputs.py"
+
+
 rule search_inputs:
     input:
         claims=f"{CONFIG}/claims.yaml",
+        scattered="<results>/calibration/{reading}/scattered.csv",
     output:
         evaluations="<results>/calibration/{reading}/seed{seed}.csv",
     log:
@@ -82,7 +111,7 @@ checkpoint shortlist:
     input:
         evaluations=expand(
             "<results>/calibration/{reading}/seed{seed}.csv",
-            reading=CALIBRATION["readings"],
+            reading=FEW_UNKNOWNS,
             seed=SEEDS[0],
         ),
     output:
@@ -93,7 +122,8 @@ checkpoint shortlist:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        rule=CALIBRATION["shortlist"],
+        within=CALIBRATION["shortlist"]["within"],
+        most=CALIBRATION["shortlist"]["most"],
         sources=sources_of("choose_shortlist.py"),
     message:
         "Choosing the interpretations that are searched from all seeds and cross-validated"

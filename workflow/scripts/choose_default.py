@@ -42,13 +42,9 @@ def choose(calibrated, claims, settings, parameters, chosen):
     for name in missed:
         raised = Objective.of(statements, settings, base, name, settings["price_weight"])
         record = Path(chosen).with_name(f"price-{name}.record")
+        start = interpretation.positions(inputs)
         rows = search(
-            interpretation,
-            raised,
-            settings["budget"],
-            settings["seeds"][0],
-            record,
-            start=interpretation.positions(inputs),
+            interpretation, raised, [start], settings["budget"], settings["seeds"][0], record
         )
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
     fractions = {

@@ -9,10 +9,10 @@ from thirdbody.study.record import read_rows
 from thirdbody.study.results import shortlist
 
 
-def choose(evaluations, rule, chosen):
+def choose(evaluations, within, most, chosen):
     """Write the names of the interpretations of the least objectives, best first."""
     least = {path.parent.name: read_rows(path)[:, -1].min() for path in map(Path, evaluations)}
-    names = shortlist(least, **rule)
+    names = shortlist(least, within, most)
     for name in sorted(least, key=least.__getitem__):
         print(f"{name}: {least[name]:.2f}{', on the shortlist' if name in names else ''}")
     with atomic_write(chosen) as part:
@@ -21,4 +21,9 @@ def choose(evaluations, rule, chosen):
 
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
-        choose(snakemake.input.evaluations, snakemake.params.rule, snakemake.output.chosen)
+        choose(
+            snakemake.input.evaluations,
+            snakemake.params.within,
+            snakemake.params.most,
+            snakemake.output.chosen,
+        )

@@ -2,24 +2,43 @@
 
 from pathlib import Path
 
+import numpy as np
+
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claims import load_claims
-from thirdbody.study.record import write_rows
-from thirdbody.study.search import search
+from thirdbody.study.record import read_rows, write_rows
+from thirdbody.study.search import best_places, search
 
 
-def run(name, seed, fold, claims, settings, parameters, evaluations):
+def run(name, seed, fold, claims, scattered, settings, parameters, evaluations):
     """Write all evaluations of the search; a number ``fold`` says whose statements are left out."""
-    statements = load_claims(claims)
-    if fold is not None:
-        statements = make_folds(statements, settings["folds"])[fold].fitted
-    objective = Objective.of(statements, settings, Parameters(**parameters))
+    statements, base = load_claims(claims), Parameters(**parameters)
+    fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
+    objective = Objective.of(fitted, settings, base)
+    interpretation = Interpretation.of(name, settings)
+    every = Objective.of(statements, settings, base)
+    places = _with_objective(interpretation, objective, every, read_rows(scattered))
     record = Path(evaluations).with_suffix(".record")
-    rows = search(Interpretation.of(name, settings), objective, settings["budget"], seed, record)
-    write_rows(evaluations, rows)
+    starts = best_places(places, seed)
+    rows = search(interpretation, objective, starts, settings["budget"], seed, record)
+    write_rows(evaluations, np.vstack([places, rows]))
     record.unlink()
+
+
+def _with_objective(interpretation, objective, every, rows):
+    """Scattered positions, with the ``objective`` in place of the scores of ``every`` statement."""
+    count = len(interpretation.unknowns)
+    ids = {claim.id for claim in objective.claims}
+    fitted = [place for place, claim in enumerate(every.claims) if claim.id in ids]
+    values = [
+        objective.value(
+            interpretation.penalty(interpretation.values(row[:count])), row[count:][fitted]
+        )
+        for row in rows
+    ]
+    return np.column_stack([rows[:, :count], values])
 
 
 if __name__ == "__main__":
@@ -29,6 +48,7 @@ if __name__ == "__main__":
             snakemake.params.seed,
             snakemake.params.fold,
             snakemake.input.claims,
+            snakemake.input.scattered,
             snakemake.params.settings,
             snakemake.params.parameters,
             snakemake.output.evaluations,

@@ -11,26 +11,60 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.study.calibration import Interpretation
 from thirdbody.study.record import Recorded
 
-FIRST_STEP = 0.2  # standard deviation of the first steps of a search, in the unit cube
-SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
+FIRST_STEP = 0.15  # standard deviation of the first steps of a search, in the unit cube
+SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
+
+
+def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
+    """Places that fill the unit cube of the unknowns, shape (scattered, unknowns).
+
+    Every second one, from the first on, has summits of at least ``budget["elastic_radius"]``.
+    """
+    unknowns = interpretation.unknowns
+    places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
+    for column, unknown in enumerate(unknowns):
+        if unknown.name == "summit_radius":
+            least = unknown.position(budget["elastic_radius"])
+            places[::2, column] = least + (1.0 - least) * places[::2, column]
+    return places
+
+
+def best_places(scattered: NDArray[np.float64], seed: int) -> NDArray[np.float64]:
+    """Where the descents of a search start: the best elastic place, and the best of the others.
+
+    Parameters
+    ----------
+    scattered : array, shape (scattered, unknowns + 1)
+        The places of ``scatter`` and the objective there.
+    seed : int
+        The second seed has the second best, and so on.
+
+    Returns
+    -------
+    array, shape (2, unknowns)
+    """
+    halves = scattered[::2], scattered[1::2]
+    return np.array(
+        [half[np.argsort(half[:, -1], kind="stable")[seed - 1], :-1] for half in halves]
+    )
 
 
 def search(
     interpretation: Interpretation,
     objective: Callable[[Interpretation, NDArray[np.float64]], float],
+    starts: NDArray[np.float64],
     budget: Mapping[str, Any],
     seed: int,
     record: Path,
     report: Callable[[str], object] = print,
-    start: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation for the least objective.
 
-    A CMA evolution strategy, which saves evaluations by a quadratic surrogate, descends from the best
-    of some scattered places, half of them among elastic summits.
+    From each of the ``starts`` a CMA evolution strategy descends, which saves evaluations by a
+    quadratic surrogate.
 
     Parameters
     ----------
@@ -38,18 +72,17 @@ def search(
         Its unknowns are searched, two at least.
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
+    starts : array, shape (descents, unknowns)
+        Where descents start.
     budget : mapping
-        Number of ``scattered`` places; of ``evaluations`` of the descent for each unknown, which the
-        last generation may exceed; and ``elastic_radius``, the least summit radius of elastic
-        summits [m].
+        Number of ``evaluations`` of a descent for each unknown, which the last generation may
+        exceed.
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
         File that keeps the evaluations while the search runs.
     report : callable
-        Is given a line of text at the end.
-    start : array, shape (unknowns,), optional
-        Where the descent starts, instead of scattered places.
+        Is given a line of text after each descent.
 
     Returns
     -------
@@ -65,48 +98,36 @@ def search(
     An objective that is least where the ratio is 1.5 and the mean 1:
 
     >>> import tempfile
+    >>> from thirdbody.study.calibration import Unknown
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
     >>> mean = Unknown("mean_ratio", (0.0, 2.0), (0.0, 2.0), logarithmic=False)
     >>> two = Interpretation("two", {}, (ratio, mean))
     >>> def valley(interpretation, positions):
     ...     values = interpretation.values(positions)
     ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
-    >>> budget = {"scattered": 20, "evaluations": 50, "elastic_radius": 5e-5}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
-    ...     rows = search(two, valley, budget, seed=1, record=record, report=lambda line: None)
+    ...     starts = [[0.1, 0.1]]
+    ...     rows = search(two, valley, starts, {"evaluations": 50}, 1, record, lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
     >>> round(two.values(best[:-1])["gap_ratio"], 1)
     1.5
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
-    unknowns = interpretation.unknowns
     rng = np.random.default_rng(seed)
-    if start is None:
-        places = LatinHypercube(len(unknowns), rng=rng).random(budget["scattered"])
-        places[::2] = _elastic(places[::2], unknowns, budget["elastic_radius"])
-        start = min(places, key=function)
-    options = {
-        "bounds": [0.0, 1.0],
-        "maxfevals": budget["evaluations"] * len(unknowns),
-        "tolfun": SAME_HEIGHT,
-        "tolfunhist": SAME_HEIGHT,
-        "seed": int(rng.integers(1, 2**31)),
-        "verbose": -9,
-    }
-    cma.fmin_lq_surr(function, start, FIRST_STEP, options)
-    rows = np.array(function.rows)
-    report(
-        f"{interpretation.name} seed {seed}: "
-        f"{len(rows)} evaluations, least objective {rows[:, -1].min():.3f}"
-    )
-    return rows
-
-
-def _elastic(places, unknowns: tuple[Unknown, ...], radius: float):
-    """The same places with the summit radius moved above ``radius`` [m]."""
-    for column, unknown in enumerate(unknowns):
-        if unknown.name == "summit_radius":
-            least = unknown.position(radius)
-            places[:, column] = least + (1.0 - least) * places[:, column]
-    return places
+    for start in starts:
+        options = {
+            "bounds": [0.0, 1.0],
+            "maxfevals": budget["evaluations"] * len(interpretation.unknowns),
+            "tolfun": SAME_HEIGHT,
+            "tolfunhist": SAME_HEIGHT,
+            "seed": int(rng.integers(1, 2**31)),
+            "verbose": -9,
+        }
+        cma.fmin_lq_surr(function, start, FIRST_STEP, options)
+        least = min(row[-1] for row in function.rows)
+        report(
+            f"{interpretation.name} seed {seed}: "
+            f"{len(function.rows)} evaluations, least objective {least:.3f}"
+        )
+    return np.array(function.rows)
