@@ -44,7 +44,7 @@ def choose(calibrated, claims, settings, parameters, chosen):
         record = Path(chosen).with_name(f"price-{name}.record")
         start = interpretation.positions(inputs)
         rows = search(
-            interpretation, raised, [start], settings["budget"], settings["seeds"][0], record
+            interpretation, raised, start, settings["budget"], settings["seeds"][0], record
         )
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
     fractions = {

@@ -9,11 +9,14 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows, write_rows
-from thirdbody.study.search import best_places, search
+from thirdbody.study.search import search
 
 
 def run(name, seed, fold, claims, scattered, settings, parameters, evaluations):
-    """Write all evaluations of the search; a number ``fold`` says whose statements are left out."""
+    """Write all evaluations of the search; a number ``fold`` says whose statements are left out.
+
+    The first seed starts from the best of the scattered inputs, the second from the second best.
+    """
     statements, base = load_claims(claims), Parameters(**parameters)
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
     objective = Objective.of(fitted, settings, base)
@@ -21,8 +24,8 @@ def run(name, seed, fold, claims, scattered, settings, parameters, evaluations):
     every = Objective.of(statements, settings, base)
     places = _with_objective(interpretation, objective, every, read_rows(scattered))
     record = Path(evaluations).with_suffix(".record")
-    starts = best_places(places, seed)
-    rows = search(interpretation, objective, starts, settings["budget"], seed, record)
+    start = places[np.argsort(places[:, -1], kind="stable")[seed - 1], :-1]
+    rows = search(interpretation, objective, start, settings["budget"], seed, record)
     write_rows(evaluations, np.vstack([places, rows]))
     record.unlink()
 

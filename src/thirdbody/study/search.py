@@ -14,7 +14,7 @@ from scipy.stats.qmc import LatinHypercube
 from thirdbody.study.calibration import Interpretation
 from thirdbody.study.record import Recorded
 
-FIRST_STEP = 0.15  # standard deviation of the first steps of a search, in the unit cube
+FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
 
 
@@ -32,30 +32,10 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
     return places
 
 
-def best_places(scattered: NDArray[np.float64], seed: int) -> NDArray[np.float64]:
-    """Where the descents of a search start: the best elastic place, and the best of the others.
-
-    Parameters
-    ----------
-    scattered : array, shape (scattered, unknowns + 1)
-        The places of ``scatter`` and the objective there.
-    seed : int
-        The second seed has the second best, and so on.
-
-    Returns
-    -------
-    array, shape (2, unknowns)
-    """
-    halves = scattered[::2], scattered[1::2]
-    return np.array(
-        [half[np.argsort(half[:, -1], kind="stable")[seed - 1], :-1] for half in halves]
-    )
-
-
 def search(
     interpretation: Interpretation,
     objective: Callable[[Interpretation, NDArray[np.float64]], float],
-    starts: NDArray[np.float64],
+    start: NDArray[np.float64],
     budget: Mapping[str, Any],
     seed: int,
     record: Path,
@@ -63,8 +43,7 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation for the least objective.
 
-    From each of the ``starts`` a CMA evolution strategy descends, which saves evaluations by a
-    quadratic surrogate.
+    From ``start`` a CMA evolution strategy descends, which saves evaluations by a quadratic surrogate.
 
     Parameters
     ----------
@@ -72,17 +51,16 @@ def search(
         Its unknowns are searched, two at least.
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
-    starts : array, shape (descents, unknowns)
-        Where descents start.
+    start : array, shape (unknowns,)
+        Where the descent starts.
     budget : mapping
-        Number of ``evaluations`` of a descent for each unknown, which the last generation may
-        exceed.
+        Number of ``evaluations`` for each unknown, which the last generation may exceed.
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
         File that keeps the evaluations while the search runs.
     report : callable
-        Is given a line of text after each descent.
+        Is given a line of text at the end.
 
     Returns
     -------
@@ -107,27 +85,24 @@ def search(
     ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
-    ...     starts = [[0.1, 0.1]]
-    ...     rows = search(two, valley, starts, {"evaluations": 50}, 1, record, lambda line: None)
+    ...     rows = search(two, valley, [0.1, 0.1], {"evaluations": 50}, 1, record, lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
     >>> round(two.values(best[:-1])["gap_ratio"], 1)
     1.5
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
-    rng = np.random.default_rng(seed)
-    for start in starts:
-        options = {
-            "bounds": [0.0, 1.0],
-            "maxfevals": budget["evaluations"] * len(interpretation.unknowns),
-            "tolfun": SAME_HEIGHT,
-            "tolfunhist": SAME_HEIGHT,
-            "seed": int(rng.integers(1, 2**31)),
-            "verbose": -9,
-        }
-        cma.fmin_lq_surr(function, start, FIRST_STEP, options)
-        least = min(row[-1] for row in function.rows)
-        report(
-            f"{interpretation.name} seed {seed}: "
-            f"{len(function.rows)} evaluations, least objective {least:.3f}"
-        )
-    return np.array(function.rows)
+    options = {
+        "bounds": [0.0, 1.0],
+        "maxfevals": budget["evaluations"] * len(interpretation.unknowns),
+        "tolfun": SAME_HEIGHT,
+        "tolfunhist": SAME_HEIGHT,
+        "seed": seed,
+        "verbose": -9,
+    }
+    cma.fmin_lq_surr(function, start, FIRST_STEP, options)
+    rows = np.array(function.rows)
+    report(
+        f"{interpretation.name} seed {seed}: "
+        f"{len(rows)} evaluations, least objective {rows[:, -1].min():.3f}"
+    )
+    return rows
