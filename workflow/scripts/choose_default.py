@@ -50,7 +50,7 @@ def choose(calibrated, claims, settings, parameters, chosen):
     fractions = {
         name: _fractions(judge_all, predicted[name], content["folds"])
         for name, content in contents.items()
-        if content["folds"]
+        if content.get("folds")
     }
     members, labels = mixed_ensemble(
         [contents[name] for name in ranking], fractions, settings["ensemble"]
