@@ -73,9 +73,9 @@ accuracy: $(VENV)/test.done
 	$(BIN)/snakemake -c$(CORES) accuracy
 
 lock:
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --output-file locks/workflow.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --output-file locks/test.txt pyproject.toml
+	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra workflow --constraint locks/test.txt --output-file locks/workflow.txt pyproject.toml
 	printf '%s\n' $(SLURM_PLUGIN) | uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --no-deps --output-file locks/slurm.txt -
-	uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-header --extra test --constraint locks/workflow.txt --output-file locks/test.txt pyproject.toml
 
 vendor:
 	npm pack --silent --pack-destination $(VENDOR) d3@$(D3)

@@ -24,7 +24,7 @@ import pandas as pd
 from tabulate import tabulate
 
 from thirdbody.command.main import main as main_of_command
-from thirdbody.command.questions import QUESTIONS
+from thirdbody.command.questions import EXAMPLES
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
@@ -208,7 +208,7 @@ def variables_block() -> str:
 
 def question_block(name: str) -> str:
     """What the example of a question prints."""
-    command = shlex.split(QUESTIONS[name].example)[1:]
+    command = shlex.split(EXAMPLES[name])[1:]
     printed = io.StringIO()
     with TemporaryDirectory() as folder, chdir(folder), redirect_stdout(printed):
         main_of_command(command)
@@ -217,7 +217,7 @@ def question_block(name: str) -> str:
 
 
 BLOCKS = {
-    **{f"question {name}": partial(question_block, name) for name in QUESTIONS},
+    **{f"question {name}": partial(question_block, name) for name in EXAMPLES},
     "variables": variables_block,
     "claims": claims_block,
     "windows": turning_points_block,

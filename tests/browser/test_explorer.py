@@ -221,7 +221,7 @@ def test_everything_can_be_reached_and_read_with_the_keyboard(explorer):
 def test_controls_and_charts_have_names_for_screen_readers(explorer):
     explorer.open()
     tree = explorer.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]
-    roles = {"slider", "spinbutton", "combobox", "button", "tab", "application", "link"}
+    roles = {"slider", "textbox", "combobox", "button", "tab", "application", "link"}
     nodes = [node for node in tree if not node["ignored"] and node["role"]["value"] in roles]
     assert len(nodes) > 60
     assert [node["role"]["value"] for node in nodes if not node["name"]["value"]] == []
@@ -356,6 +356,43 @@ def test_the_link_restores_everything(explorer):
         document.getElementById('claims').innerText];"""
     before = explorer.run(look)
     assert explorer.open(fragment).run(look) == before
+
+
+@pytest.mark.parametrize(
+    ("fragment", "field", "shown"),
+    [
+        ("viscosity_cSt=", "viscosity", "90"),
+        ("particle_density_per_m2=1e+12", "particle_density", "1e+12"),
+        ("particle_density_per_m2=1e%2B12", "particle_density", "1e+12"),
+    ],
+)
+def test_links_hold_numbers_as_people_write_them(explorer, fragment, field, shown):
+    explorer.open(fragment)
+    assert explorer.one(f"#condition-{field}").get_attribute("value") == shown
+
+
+@pytest.mark.parametrize(
+    ("typed", "shown"),
+    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90"), ("thick", "90")],
+)
+def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
+    """1,000 may be one or a thousand: it is refused, as what is no number is."""
+    explorer.open()
+    explorer.enter("#condition-viscosity", typed)
+    field = explorer.one("#condition-viscosity")
+    assert explorer.run("return arguments[0].validity.valid", field) == (shown != "90")
+    given = parse_qs(explorer.run("return location.hash.slice(1)"))
+    assert given.get("viscosity_cSt", ["90"]) == [shown]
+
+
+def test_a_page_saved_as_it_stands_opens_again(explorer, tmp_path):
+    counts = "return ['#tabs button', '#controls input', '#charts svg'].map((each) => document.querySelectorAll(each).length)"
+    before = explorer.open().run(counts)
+    saved = tmp_path / "saved.html"
+    saved.write_text(explorer.driver.page_source, encoding="utf-8")
+    explorer.driver.get(saved.as_uri())
+    explorer.settle()
+    assert explorer.run(counts) == before
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.answers.answer import Row
-from thirdbody.answers.bearing import MATERIALS, derived
+from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.regimes import LUBRICATION_REGIMES
@@ -175,6 +175,8 @@ def test_what_is_not_given_stays(defaults):
         {"oil_density_kg_per_m3": 850.0},
         {"speed_m_per_s": 2.0, "dynamic_viscosity_mPa_s": 100.0},
         {"pressure_viscosity_per_GPa": float("nan")},
+        {"particle": Material(0.5e9, 0.46, 0.02e9)},  # softer than steel
+        {"particle": MATERIALS["steel"], "ball": MATERIALS["alumina"]},
     ],
 )
 def test_a_bearing_that_cannot_be_is_refused(defaults, given):

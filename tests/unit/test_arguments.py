@@ -57,8 +57,9 @@ def assert_same(found, expected):
 
 @pytest.mark.parametrize("function", [tb.solve, tb.grid, tb.stream], ids=lambda each: each.__name__)
 def test_conditions_that_could_be_swapped_are_given_by_name(function):
-    given = inspect.signature(function).parameters
-    assert {given[name].kind for name in (*POINT, "parameters")} == {inspect.Parameter.KEYWORD_ONLY}
+    kinds = [each.kind for each in inspect.signature(function).parameters.values()]
+    swappable = kinds.count(inspect.Parameter.POSITIONAL_OR_KEYWORD)
+    assert swappable == (function is tb.stream)  # which takes a path
 
 
 # ---- units
@@ -183,19 +184,19 @@ def test_plain_numbers_import_neither_xarray_nor_pint(parameters):
 # ---- ranges
 
 
-BEYOND = {
-    "load": (10.0, "load is 10; usual: up to 0.02"),
-    "viscosity": (90.0, "viscosity is 90 m2/s; usual: up to 0.01 m2/s"),
-    "particle_diameter": (300.0, "particle_diameter is 300 m; usual: up to 0.001 m"),
-    "roughness": (0.3, "roughness is 0.3 m; usual: up to 0.001 m"),
-    "particle_density": (1e17, "particle_density is 1e+17 m-2; usual: up to 1e+16 m-2"),
+OUTSIDE = {
+    "load": (10.0, "load is 10; usual: 1e-13 to 0.02"),
+    "viscosity": (90.0, "viscosity is 90 m2 s-1; usual: 3e-07 to 0.01 m2 s-1"),
+    "particle_diameter": (500e-18, "particle_diameter is 5e-16 m; usual: 1e-09 to 0.001 m"),
+    "roughness": (300e-18, "roughness is 3e-16 m; usual: 1e-10 to 0.001 m"),
+    "particle_density": (11.0, "particle_density is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
 }
 
 
 @pytest.mark.parametrize("name", POINT)
 def test_what_no_interface_has_is_told_once_where_it_is_given(solve, parameters, name, tmp_path):
-    bad, told = BEYOND[name]
-    axes = POINT | {name: [POINT[name], bad], "parameters": parameters}
+    bad, told = OUTSIDE[name]
+    axes = POINT | {name: sorted([POINT[name], bad]), "parameters": parameters}
     for function in (
         lambda: tb.solve(**axes),
         lambda: tb.grid(**axes),
@@ -207,12 +208,62 @@ def test_what_no_interface_has_is_told_once_where_it_is_given(solve, parameters,
         assert warned[0].filename == __file__
 
 
-def test_all_that_is_beyond_is_told_in_one_warning(solve):
+TYPED = {
+    "load_N": (1e5, "load_N is 100000 N; usual: "),
+    "viscosity_cSt": (0.08, "viscosity_cSt is 0.08 cSt; usual: 0.3 to 10000 cSt"),
+    "particle_diameter_nm": (500e-9, "particle_diameter_nm is 5e-07 nm; usual: 1 to 1e+06 nm"),
+    "roughness_nm": (0.3e-6, "roughness_nm is 3e-07 nm; usual: 0.1 to 1e+06 nm"),
+    "particle_density_per_m2": (11, "particle_density_per_m2 is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
+}
+ENGINEERING = dict(zip(TYPED, (10.0, 90.0, 500.0, 300.0, 1e11)))
+
+
+@pytest.mark.parametrize("name", TYPED)
+def test_it_is_told_once_in_the_unit_that_was_typed(parameters, name, tmp_path):
+    bad, told = TYPED[name]
+    given = ENGINEERING | {name: bad}
+    named = {"parameters": parameters}
+    search = {"variable": "solid_load_fraction", "level": 0.9, "along": "roughness_nm"}
+    surface = {key: value for key, value in given.items() if key != "roughness_nm"}
+    curve = {key: value for key, value in given.items() if key != "load_N"}
+    entries = [
+        lambda: tb.grid(**given, **named),
+        lambda: tb.stream(tmp_path / "grid.nc", **given, **named),
+        lambda: tb.Interface(**given).state(),
+    ]
+    if name in surface:
+        entries.append(lambda: tb.find(**search, **surface, **named))
+    if name in curve:
+        entries.append(lambda: tb.turning_point(**curve, **named))
+    for function in entries:
+        with pytest.warns(tb.OutOfRangeWarning) as warned:
+            function()
+        (line,) = (str(each.message) for each in warned)
+        assert line.startswith(told)
+        assert warned[0].filename == __file__
+
+
+def test_all_that_is_outside_is_told_in_one_warning(solve):
     with pytest.warns(tb.OutOfRangeWarning) as warned:
         solve(load=10.0, viscosity=90.0)
-    assert [str(each.message) for each in warned] == [
-        "load is 10; usual: up to 0.02, and viscosity is 90 m2/s; usual: up to 0.01 m2/s"
-    ]
+    (line,) = (str(each.message) for each in warned)
+    assert line == f"{OUTSIDE['load'][1]}, and {OUTSIDE['viscosity'][1]}"
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [
+        ({"ball_radius_mm": 0.006}, "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"),
+        (
+            {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87},
+            "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3",
+        ),
+    ],
+)
+def test_so_is_a_bearing_in_another_unit(parameters, given, told):
+    with pytest.warns(tb.OutOfRangeWarning) as warned:
+        tb.bearing(parameters, **given)
+    assert [str(each.message) for each in warned] == [told]
 
 
 def test_what_interfaces_have_is_solved_without_a_word(solve):
@@ -242,7 +293,7 @@ def test_an_integer_beyond_float_is_refused_by_name(solve, name):
 
 
 def test_more_points_than_memory_holds_are_refused_with_their_number(solve, parameters):
-    axis = np.linspace(1e-7, 1e-6, 10**6)
+    axis = np.linspace(1e-6, 1e-3, 10**6)
     told = (
         "load, viscosity make 1e+12 points; allowed: at most 1e+09 in one call, and "
         "thirdbody.stream writes any number to a file"

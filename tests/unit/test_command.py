@@ -1,75 +1,73 @@
 """The command: every example runs, JSON parses, exit codes and messages are as promised."""
 
 import json
+import os
 import shlex
 import subprocess
 import sys
 
 import pytest
 
-from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, main
-from thirdbody.command.questions import QUESTIONS, example
+from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.command import main as command
+from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, NOT_WRITTEN, STOPPED, main
+from thirdbody.command.questions import EXAMPLES
 
 DRY = "--viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0 --load-N 10"
+CURVE = f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2"
+BEARING = EXAMPLES["bearing"].partition(" ")[2]
+STATE = EXAMPLES["state"].partition(" ")[2]
 # a command, and what its one line says
 REFUSED = {
-    "state --load-N ten": "--load-N is 'ten'; allowed: a positive number, without unit",
-    "state --load-N 0": "--load-N is '0'; allowed: a positive number, without unit",
-    "state --load-N nan": "--load-N is 'nan'; allowed: a positive number, without unit",
-    "state --viscosity-cSt -1": "--viscosity-cSt is '-1'; allowed: a zero or positive number",
-    "state --load-N 1": "required: --viscosity-cSt",
-    "state --load 1": "required: --load-N",
-    "state --inputs absent.yaml": "--inputs is 'absent.yaml'",
-    "answer": "allowed: state, viscosity, size",
+    "": "QUESTION is missing; allowed: state, viscosity, size",
+    "answer": "QUESTION is 'answer'; allowed: state, viscosity, size",
+    "state --load-N ten": "--load-N is 'ten'; allowed: a number, without unit",
+    f"{STATE} --load-N 0": "--load-N is 0; allowed: positive numbers",
+    f"{STATE} --load-N nan": "--load-N is nan; allowed: positive numbers",
+    f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1.0; allowed: zero or positive numbers",
+    "state --load-N 1": "--viscosity-cSt is missing",
+    "state --load 1": "there is no option --load (Possible options: --load-N)",
+    f"{STATE} --inputs absent.yaml": "--inputs is 'absent.yaml'",
     f"size {DRY} --from 100 --to 10": "--from is 100; allowed: less than --to, 10",
     "bearing --ball wood": "--ball is 'wood'; allowed: steel, silicon-nitride, alumina",
     "bearing --ball 205,0.7,5": "--ball is '205,0.7,5'",
-    "bearing --speed-m-per-s 2": "--speed-m-per-s is 2.0 and the oil's density None; allowed: both",
-    "curve --along time": "--along is 'time'; allowed: load, viscosity",
+    "bearing --speed-m-per-s 2": "--speed-m-per-s is 2 and the oil's density None; allowed: both",
+    "curve --along time --from 1 --to 2": "--along is 'time'; allowed: load, viscosity",
     "curve --along load --from 1 --to 2": "--viscosity-cSt is missing; allowed: a number",
-    "curve --along load --count 1": "--count is '1'; allowed: a whole number from 2 to 100000",
-    f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2 --plot a.txt": (
-        "a.txt ends with 'txt'; allowed: svg, pdf, png"
-    ),
-    f"curve {DRY} --particle-diameter-nm 0 --along load --from 1 --to 2 --csv no/a.csv": "no/a.csv",
+    f"{CURVE} --count 1": "count is 1; allowed: whole numbers from 2 to 1000000",
+    f"{CURVE} --plot a.txt": "a.txt ends with 'txt'; allowed: svg, pdf, png",
+    f"{CURVE} --csv no/a.csv": "no/a.csv cannot be written",
 }
 
 
-def run(command):
-    """The exit code of a command line."""
-    try:
-        return main(shlex.split(command))
-    except SystemExit as left:
-        return left.code
+def run(text):
+    return main(shlex.split(text))
 
 
 @pytest.fixture(autouse=True)
 def elsewhere(tmp_path, monkeypatch):
+    """An empty folder, and two members of the ensemble, which are enough here."""
     monkeypatch.chdir(tmp_path)
+    few = "thirdbody.answers.interface.calibrated_ensemble"
+    monkeypatch.setattr(few, lambda parameters: calibrated_ensemble(parameters)[:2])
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("name", EXAMPLES)
 def test_the_example_of_each_question_works(name, capsys):
-    command = QUESTIONS[name].example.removeprefix("thirdbody ")
-    assert run(command) == ANSWERED
-    capsys.readouterr()
-    assert run(f"{command} --json") == ANSWERED
+    example = EXAMPLES[name].partition(" ")[2]
+    assert run(f"{example} --json") == ANSWERED
     assert json.loads(capsys.readouterr().out)
+    assert run(f"{name} --help") == ANSWERED
+    assert EXAMPLES[name] in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
-def test_the_help_shows_the_example(name, capsys):
-    assert run(f"{name} --help") == 0
-    assert QUESTIONS[name].example in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("command", REFUSED)
-def test_bad_input_is_one_line(command, capsys):
-    assert run(command) == BAD_INPUT
+@pytest.mark.parametrize("text", REFUSED)
+def test_bad_input_is_one_line(text, capsys):
+    assert run(text) == BAD_INPUT
     printed = capsys.readouterr()
     assert printed.out == ""
     (line,) = printed.err.splitlines()
-    assert line.startswith("thirdbody") and REFUSED[command] in line
+    assert line.startswith("thirdbody") and REFUSED[text] in line
 
 
 def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
@@ -77,27 +75,94 @@ def test_what_does_not_occur_has_an_exit_code_of_its_own(capsys):
     assert "none" in capsys.readouterr().out
 
 
+def test_what_is_in_another_unit_is_told_in_one_line(capsys):
+    assert run(f"{STATE} --load-N 1e5 --json") == ANSWERED
+    printed = capsys.readouterr()
+    assert json.loads(printed.out)
+    (line,) = printed.err.splitlines()
+    assert line.startswith("thirdbody state: warning: --load-N is 100000 N; usual: ")
+
+
+def test_the_version_is_printed(capsys, monkeypatch):
+    monkeypatch.setattr("importlib.metadata.version", lambda name: "1.2")
+    assert run("--version") == ANSWERED
+    assert capsys.readouterr().out == "thirdbody 1.2\n"
+
+
+def test_ctrl_c_says_how_to_go_on(capsys, monkeypatch):
+    def interrupted(*given, **more):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("thirdbody.answers.interface.solve", interrupted)
+    assert run(STATE) == STOPPED
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line == "thirdbody state: stopped; run the same command again to start over"
+
+
 def test_a_written_bearing_is_read_by_the_other_questions(capsys):
     assert run("bearing --ball-radius-mm 10 --write mine.yaml") == ANSWERED
-    assert run(example("compare", more="--other-inputs mine.yaml --json")) == BAD_INPUT
     capsys.readouterr()
-    command = example("compare", more="--other-inputs mine.yaml --json").partition(" ")[2]
-    assert run(command) == ANSWERED
+    example = EXAMPLES["compare"].partition(" ")[2]
+    assert run(f"{example} --other-inputs mine.yaml --json") == ANSWERED
     rows = {row["name"]: row for row in json.loads(capsys.readouterr().out)["rows"]}
     thickness = rows["film_thickness"]
     assert thickness["value"] != pytest.approx(thickness["other"], rel=0.1)
 
 
 def test_a_curve_is_printed_as_it_is_written(capsys):
-    command = example("curve", "load", "--along load --from 1 --to 50 --count 3").partition(" ")[2]
-    assert run(command) == ANSWERED
+    assert run(f"{CURVE} --count 3") == ANSWERED
     printed = capsys.readouterr().out
-    assert run(f"{command} --csv curve.csv") == ANSWERED
+    assert run(f"{CURVE} --count 3 --csv curve.csv") == ANSWERED
     with open("curve.csv", encoding="utf-8") as written:
         assert written.read() == printed
     assert len(printed.splitlines()) == 4
 
 
-def test_the_module_is_the_command():
-    done = subprocess.run([sys.executable, "-m", "thirdbody", "--help"], capture_output=True)
+# ---- where the output goes
+
+
+def process(text, **more):
+    """The command in a process of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "thirdbody", *shlex.split(text)],
+        stderr=subprocess.PIPE,
+        **more,
+    )
+
+
+@pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
+def test_output_is_printed_in_any_encoding(encoding):
+    environment = os.environ | {"PYTHONIOENCODING": encoding}
+    out, err = process(BEARING, stdout=subprocess.PIPE, env=environment).communicate()
+    assert b"quantity" in out and b"\\u" not in out
+    assert err == b""
+
+
+def test_a_closed_pipe_is_silent():
+    running = process(BEARING, stdout=subprocess.PIPE)
+    running.stdout.close()
+    assert running.stderr.read() == b""
+    assert running.wait() == ANSWERED
+
+
+def test_a_full_device_is_one_line():
+    with open("/dev/full", "w") as full:
+        running = process(BEARING, stdout=full)
+        _, err = running.communicate()
+    told = b"thirdbody bearing: the answer cannot be written (No space left on device)\n"
+    assert (running.returncode, err) == (NOT_WRITTEN, told)
+
+
+def test_help_needs_neither_the_solver_nor_what_the_extras_bring():
+    code = (
+        "import sys; from thirdbody.command.main import main; main(['--help'])\n"
+        "assert not {'scipy', 'xarray', 'pandas', 'yaml', 'pint'} & set(sys.modules)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True)
     assert done.returncode == 0 and b"turning-point" in done.stdout
+
+
+def test_a_terminal_gets_tables_as_wide_as_it_is(monkeypatch, capsys):
+    monkeypatch.setattr(command, "WIDTH", 60)
+    assert run(BEARING) == ANSWERED
+    assert max(map(len, capsys.readouterr().out.splitlines())) <= 60

@@ -81,7 +81,9 @@ def crossings(count, parameters, rtol):
         load=load[:, None], **Condition(*CURVES)._asdict(), parameters=parameters, rtol=rtol
     )
     values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
-    limit, curve, crossing, error, _ = transitions(load, values, CURVES, parameters, rtol)
+    limit, curve, crossing, error, _ = transitions(
+        solution.separation, values, CURVES, parameters, rtol
+    )
     order = np.lexsort((crossing, curve, limit))
     return curve[order], crossing[order], error[order]
 

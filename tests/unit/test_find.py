@@ -6,8 +6,10 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.answers.units import ENGINEERING, Unit, in_si
+from thirdbody.answers.find import sweep_values
+from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.transitions import LIMITS
+from thirdbody.units import ENGINEERING
 
 pytestmark = pytest.mark.filterwarnings("error")
 
@@ -27,8 +29,8 @@ def others(key):
 
 def dense(key, variable, level, parameters):
     """Query of every crossing of a dense curve, the points on both sides, and its direction."""
-    unit = Unit.of(key, parameters)
-    points = np.geomspace(*unit.searched(parameters), DENSE)
+    unit, swept = sweep_values(key, None, DENSE, parameters)
+    points = unit.from_si(swept, parameters.newtons_per_load)
     given = in_si(others(key) | {key: points[:, None]}, parameters)
     values = getattr(tb.solve(**given, parameters=parameters), variable) - level
     known = np.isfinite(values[:-1]) & np.isfinite(values[1:])
@@ -71,7 +73,7 @@ def test_both_crossings_of_a_peak_between_values_of_the_sweep_are_found(paramete
 def test_levels_and_axes_broadcast(parameters):
     given = {"viscosity_cSt": [[60.0], [90.0]], "particle_diameter_nm": 500}
     given |= {"roughness_nm": 300, "particle_density_per_m2": 1e11}
-    found = tb.find("solid_load_fraction", [0.9, 0.8, 2.0], "load", parameters=parameters, **given)
+    found = tb.find("solid_load_fraction", [0.9, 0.8, 1e-9], "load", parameters=parameters, **given)
     assert found.count.shape == (2, 3)
     assert np.isnan(found.first[:, 2]).all() and not found.count[:, 2].any()
     one = {**given, "viscosity_cSt": 90.0}
@@ -110,6 +112,12 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"rtol": 1.0}, "rtol is 1.0; allowed: 1e-11 to 1e-2"),
         ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
         ({"load_N": "10"}, "load_N is of type <U2; allowed: numbers"),
+        ({"level": 90}, "level of solid_load_fraction is 90; allowed: 0 to 1"),
+        ({"level": -0.1}, "level of solid_load_fraction is -0.1; allowed: 0 to 1"),
+        (
+            {"variable": "separation", "level": -1e-9},
+            "level of separation is -1e-09; allowed: zero or positive",
+        ),
         ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: .values of it"),
     ],
 )
@@ -118,6 +126,13 @@ def test_what_cannot_be_searched_is_refused(parameters, change, told):
     asked |= others("roughness_nm") | change
     with pytest.raises(ValueError, match=told):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
+
+
+def test_crossings_are_a_table(parameters):
+    found = tb.find(*LIMITS[0], "load_N", parameters=parameters, **others("load_N"))
+    table = found.to_dataframe()
+    assert table["load_N"].tolist() == found.value.tolist()
+    assert set(table["solution_status"]) == {"converged"}
 
 
 def test_quantities_bring_their_unit(parameters):
@@ -131,6 +146,6 @@ def test_quantities_bring_their_unit(parameters):
         )
         assert_allclose(list(found.values()), list(expected.values()), rtol=1e-12)
     with pytest.raises(ValueError, match="load is in cSt; allowed: a number without dimension or"):
-        in_si({"load_N": 10 * unit.cSt}, parameters)
+        in_si(others("load_N") | {"load_N": 10 * unit.cSt}, parameters)
     with pytest.raises(ValueError, match="viscosity_cSt is a list of quantities; allowed: numbers"):
-        in_si({"viscosity_cSt": [90 * unit.cSt]}, parameters)
+        in_si(others("viscosity_cSt") | {"viscosity_cSt": [90 * unit.cSt]}, parameters)

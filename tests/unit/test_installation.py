@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import runpy
 import subprocess
 import sys
@@ -10,7 +11,7 @@ import tomllib
 import venv
 import zipfile
 from dataclasses import asdict
-from importlib.util import find_spec
+from importlib.metadata import distribution
 from pathlib import Path
 
 import pytest
@@ -39,22 +40,27 @@ LACKING = {
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
     "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
-    "import thirdbody; thirdbody.Interface": (
-        "xarray, netCDF4, yaml, jsonschema, tabulate",
-        "data",
-    ),
-    "from thirdbody.command.main import main": (
-        "xarray, netCDF4, yaml, jsonschema, tabulate",
-        "data",
-    ),
+    "import thirdbody; thirdbody.Interface": ("xarray, netCDF4, yaml, jsonschema", "data"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
     "import thirdbody.study.sobol": ("SALib, cma, emcee, jinja2, pandas, tabulate", "study"),
 }
 
 
+def minimal():
+    """What an installation without extras brings, by the requirements of its packages."""
+    found, left = set(), list(project()["dependencies"])
+    while left:
+        requirement = left.pop()
+        name = re.match(r"[\w.-]+", requirement)[0]
+        if ";" not in requirement and name not in found:
+            found.add(name)
+            left += distribution(name).requires or ()
+    return found
+
+
 @pytest.fixture(scope="module")
 def installed(tmp_path_factory):
-    """Function that runs a program where the wheel, numpy and scipy are installed."""
+    """Function that runs a program where the wheel is installed without extras."""
     folder = tmp_path_factory.mktemp("installed")
     built = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
     subprocess.run(built, cwd=ROOT, check=True, capture_output=True)
@@ -62,11 +68,9 @@ def installed(tmp_path_factory):
     (packages,) = (folder / "venv").glob("lib/python*/site-packages")
     (wheel,) = folder.glob("*.whl")
     zipfile.ZipFile(wheel).extractall(packages)
-    for name in ("numpy", "scipy"):
-        source = Path(find_spec(name).origin).parent
-        for path in (source, source.with_name(f"{name}.libs")):  # which its wheel brought along
-            if path.exists():
-                (packages / path.name).symlink_to(path)
+    for name in minimal():
+        for top in {file.parts[0] for file in distribution(name).files if file.parts[0] != ".."}:
+            (packages / top).symlink_to(distribution(name).locate_file(top))
 
     def run(code, *arguments, beside=folder):
         """``beside`` is one more folder of packages."""
@@ -93,6 +97,16 @@ def test_a_missing_extra_is_named_in_one_line(installed, code):
     last = done.stderr.splitlines()[-1]
     assert last == f"ModuleNotFoundError: this part of thirdbody {told}"
     assert extra in project()["optional-dependencies"]
+
+
+def test_the_command_has_help_and_says_what_it_needs(installed):
+    code = "import sys; from thirdbody.command.main import main; sys.exit(main(sys.argv[1:]))"
+    done = installed(code, "--help")
+    assert done.returncode == 0 and "turning-point" in done.stdout
+    done = installed(code, "bearing")
+    assert done.returncode == 2
+    told = 'needs xarray, netCDF4, yaml, jsonschema: pip install "thirdbody[data]"'
+    assert done.stderr == f"thirdbody bearing: this part of thirdbody {told}\n"
 
 
 def test_the_wheel_brings_the_calibrated_inputs(installed):

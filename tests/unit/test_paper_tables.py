@@ -8,7 +8,6 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.paper_tables import RECOMPUTED, paper_table
-from thirdbody.data.tables import TABLES
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 
@@ -26,23 +25,11 @@ def recomputed(row):
     return [row["recomputed_low"], row["recomputed_high"]]
 
 
-def test_each_row_has_the_columns_of_its_table(tables):
-    names = {column.name for column in TABLES["paper_table"]}
-    for table in tables.values():
-        for row in table.values():
-            assert set(row) == names
-
-
 def test_printed_values_are_repeated_as_printed(tables):
     row = tables["table2"]["W"]
     assert (row["printed_low"], row["printed_high"]) == (8.6e-4, 1.8)
     row = tables["table1"]["E_ss"]
     assert (row["printed_low"], row["printed_high"]) == (112, None)
-
-
-def test_the_load_parameter_follows_from_the_loads(tables):
-    row = tables["table2"]["W"]
-    assert_allclose(recomputed(row), [8.857e-4, 1.7715], rtol=1e-4)
 
 
 def test_the_printed_load_parameter_is_named_as_a_disagreement(tables):
@@ -53,19 +40,10 @@ def test_the_printed_load_parameter_is_named_as_a_disagreement(tables):
     assert "1.8" not in row["remark"]
 
 
-def test_the_speed_parameter_follows_from_the_viscosities(tables):
-    assert_allclose(recomputed(tables["table2"]["U"]), [0.0, 7.3], rtol=1e-14)
-
-
 def test_the_dimensionless_roughness_follows_from_the_roughness(tables):
     expected = [100e-9 / 6.35e-3 * 1e5, 500e-9 / 6.35e-3 * 1e5]
     assert_allclose(recomputed(tables["table2"]["sigma*"]), expected, rtol=1e-15)
     assert tables["table2"]["sigma*"]["verdict"] == "agrees"
-
-
-def test_the_loads_follow_from_the_printed_load_parameter(tables):
-    expected = [8.6e-9 * 112e9 * 6.35e-3**2, 1.8e-5 * 112e9 * 6.35e-3**2]
-    assert_allclose(recomputed(tables["table2"]["F_t"]), expected, rtol=1e-14)
 
 
 def test_the_hertz_modulus_follows_from_steel(tables):

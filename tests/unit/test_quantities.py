@@ -27,22 +27,11 @@ def test_every_variable_of_a_solution_is_described_and_no_other():
     assert set(VARIABLES) - set(CONTRACT) == {"separation_count"}
 
 
-def test_each_stands_under_its_own_name_and_only_flags_have_meanings():
-    for name, quantity in VARIABLES.items():
-        assert quantity.name == name
-        assert bool(quantity.meanings) == (name in FLAGS)
-
-
 def test_the_page_has_every_condition_and_variable_as_the_files_have_them():
     tool = runpy.run_path(DOCS / "readme_numbers.py")
     assert tool["renewed"](PAGE, {"variables": tool["variables_block"]}) == PAGE
     for each in (*AXES.values(), NORMAL_LOAD, *VARIABLES.values()):
         assert f"`{each.name}`" in PAGE
-
-
-def test_the_page_explains_every_flag():
-    for flag in FLAGS.values():
-        assert f"`{flag.name}`" in PAGE
 
 
 def test_the_page_and_the_files_explain_each_status_once_and_alike():

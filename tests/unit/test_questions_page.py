@@ -5,15 +5,15 @@ from pathlib import Path
 
 import pytest
 
-from thirdbody.command.questions import QUESTIONS
+from thirdbody.command.questions import EXAMPLES
 
 PAGE = (Path(__file__).parents[2] / "docs" / "questions.md").read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("name", EXAMPLES)
 def test_the_page_shows_the_example_and_what_it_prints(name):
     commands = [" ".join(block.replace("\\\n", " ").split()) for block in blocks("sh")]
-    assert QUESTIONS[name].example in commands
+    assert EXAMPLES[name] in commands
     assert f"<!-- question {name} -->\n```text\n" in PAGE
 
 

@@ -72,12 +72,6 @@ def test_a_bad_axis_is_refused_by_name_and_leaves_no_file(parameters, tmp_path, 
     assert not list(tmp_path.iterdir())
 
 
-def test_a_bad_rtol_is_refused(parameters, tmp_path):
-    with pytest.raises(ValueError, match="rtol"):
-        tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1.0)
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_streamed_grid_holds_the_variables_asked_for(parameters, tmp_path):
     wanted = ["separation", "error_bound"]
     tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6, variables=wanted)
@@ -101,7 +95,7 @@ def test_compressed_on_request_it_holds_the_same(parameters, tmp_path):
 
 
 def test_more_than_there_is_room_for_is_refused_before_anything_is_solved(parameters, tmp_path):
-    axis = np.linspace(1e-7, 1e-6, 10**6)
+    axis = np.linspace(1e-6, 1e-3, 10**6)
     axes = AXES | {"load": axis, "viscosity": axis, "roughness": 3e-7}
     with pytest.raises(
         OSError, match=r"grid.nc would hold .e\+1. points in .*e\+1. bytes; allowed"

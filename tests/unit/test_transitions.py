@@ -38,10 +38,10 @@ def solved(count, parameters, rtol=1e-9):
 @cache
 def crossings(quantity, level, parameters, rtol=1e-9, count=60):
     """The four columns of ``transitions``, in the order of curves and loads."""
-    load, solution = solved(count, parameters, rtol)
+    _, solution = solved(count, parameters, rtol)
     values = {quantity: getattr(solution, quantity)}
     limits = [(quantity, level)]
-    _, *found = transitions(load, values, CONDITIONS, parameters, rtol, limits)
+    _, *found = transitions(solution.separation, values, CONDITIONS, parameters, rtol, limits)
     order = np.lexsort((found[1], found[0]))
     return [column[order] for column in found]
 
@@ -117,7 +117,7 @@ def test_a_level_that_is_never_reached_has_no_crossing(parameters):
 
 
 def test_no_crossing_is_invented_beside_an_unsolved_point(parameters):
-    loads = np.array([1e-6, 1e-5, 1.0])
+    separation = np.array([[1e-6], [0.9e-6], [np.nan]])
     values = dict.fromkeys(dict(LIMITS), np.array([[0.99], [0.99], [np.nan]]))
-    found = transitions(loads, values, CONDITIONS[:, :1], parameters, 1e-9)
+    found = transitions(separation, values, CONDITIONS[:, :1], parameters, 1e-9)
     assert found[0].size == 0

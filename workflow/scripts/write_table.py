@@ -2,7 +2,7 @@
 
 from thirdbody.data.files import atomic_write
 from thirdbody.data.readable import markdown, page, readable
-from thirdbody.data.tables import TABLES, read_csv, write_csv, write_schema, write_text
+from thirdbody.data.tables import TABLES, read_csv, write_csv, write_latex, write_schema
 from thirdbody.job_log import logged
 from thirdbody.model.load_unit import newtons_per_load
 
@@ -24,7 +24,7 @@ def write(table, parts, printed, parameters, csv, schema, text, html, latex):
         write_schema(schema_part, columns)
         md_part.write_text(markdown(sheets), encoding="utf-8")
         html_part.write_text(page(sheets), encoding="utf-8")
-        write_text(tex_part, rows, columns, "latex_booktabs")
+        write_latex(tex_part, rows, columns)
 
 
 if __name__ == "__main__":

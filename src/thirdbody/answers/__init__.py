@@ -1,12 +1,11 @@
-"""Answers to the questions that an engineer asks of an interface, in the units that one has at hand.
+"""Answers to the questions that an engineer asks of an interface, in engineering units.
 
-This room knows how conditions are given in SI or in engineering units (``units``), where a variable
-has a level along any of the five axes (``find``) and where regimes and modes change (``changes``),
-where the contact area turns (``turning``), which inputs follow from a ball, a speed, an oil and two
-materials (``bearing``), and how far the calibrated ensemble spreads each number (``ensemble``).  It
-may import ``thirdbody.data`` and what is below.  Begin with ``interface.Interface``.
+``find`` finds where a variable has a level along any of the five axes, ``changes`` where regimes and
+modes change, ``turning`` where the contact area turns; ``bearing`` derives inputs from a ball, a speed, an
+oil and two materials; ``ensemble`` says how far the calibrated ensemble spreads each number.  Begin with
+``interface.Interface``.  It imports ``thirdbody.data`` and what is below.
 """
 
 from thirdbody.extras import require
 
-require("data", "xarray", "netCDF4", "yaml", "jsonschema", "tabulate")
+require("data", "xarray", "netCDF4", "yaml", "jsonschema")

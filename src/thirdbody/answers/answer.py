@@ -4,12 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from io import StringIO
+from typing import TYPE_CHECKING
 
 from thirdbody.data.spread import spread
 
+if TYPE_CHECKING:
+    import pandas as pd
+    from rich.console import Group
+
 Value = float | str | None  # a number, the name of a regime or mode, or nothing: it does not occur
 DIGITS = 4
-NONE = "none"
+# a rule below the headings, in letters that every encoding has
+RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
+WIDTH = 200  # columns of a text that is not on a terminal
 
 
 @dataclass(frozen=True)
@@ -18,21 +26,16 @@ class Row:
 
     Attributes
     ----------
-    name : str
-        Its name, as other data have it.
-    quantity : str
-        What it is, in words.
+    name, quantity : str
+        Its name, as other data have it, and what it is in words.
     value : float, str or None
-        With the inputs of the interface; None where it does not occur.
-    unit : str
-        Unit of ``value``, empty of a name.
+        With the inputs of the interface, in ``unit``; None where it does not occur.
     low, high : float or None
         The 5 % and 95 % quantiles over the members of the ensemble in which it occurs; None of a
         name.
-    agree : int
-        How many members have a number where ``value`` is one, or the same name, or nothing.
-    members : int
-        How many members there are.
+    agree, members : int
+        How many members have a number where ``value`` is one, or the same name, or nothing; and how
+        many there are.
     other : float, str or None
         In a comparison the value of the second interface; the range is that of the difference.
     """
@@ -51,14 +54,7 @@ class Row:
     def of(
         cls, name: str, quantity: str, value: Value, unit: str, of_members: Sequence[Value]
     ) -> Row:
-        """The row of a quantity that has ``of_members`` over the ensemble.
-
-        Examples
-        --------
-        >>> row = Row.of("solid_load_fraction", "L_s", 0.5, "1", [0.4, 0.6, None])
-        >>> row.agree, row.members
-        (2, 3)
-        """
+        """The row of a quantity that has the values ``of_members`` over the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
         if isinstance(value, float):
@@ -72,22 +68,22 @@ class Row:
         """The range over the ensemble as a table shows it."""
         parts = []
         if self.low is not None:
-            parts.append(f"{shown(self.low)} to {shown(self.high)}")
+            parts.append(f"{text_of(self.low)} to {text_of(self.high)}")
         if self.agree < self.members or isinstance(self.value, str):
             parts.append(f"{self.agree} of {self.members}" + (" have none" * (self.value is None)))
         return ", ".join(parts)
 
 
-def shown(value: Value) -> str:
+def text_of(value: Value) -> str:
     """A value as a table shows it.
 
     Examples
     --------
-    >>> shown(0.000123456), shown(None), shown("mixed")
+    >>> text_of(0.000123456), text_of(None), text_of("mixed")
     ('0.0001235', 'none', 'mixed')
     """
     if value is None:
-        return NONE
+        return "none"
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
 
 
@@ -95,16 +91,9 @@ def shown(value: Value) -> str:
 class Answer:
     """What a question gets.
 
-    Attributes
-    ----------
-    title : str
-        The question as it was understood.
-    rows : tuple of Row
-        The answer.
-    notes : tuple of str
-        What else is to be known: where it was searched, what the equations do not cover.
-    found : bool
-        Whether what was asked for occurs.
+    ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be
+    known: where it was searched, what the equations do not cover; ``found`` says whether what was
+    asked for occurs.
     """
 
     title: str
@@ -116,34 +105,40 @@ class Answer:
         """Plain data, as JSON holds it."""
         return asdict(self)
 
-    def value(self, name: str) -> Value:
-        """The value of the first row of a name.
+    def to_dataframe(self) -> pd.DataFrame:
+        """The rows as a table, in the columns of ``Row``."""
+        import pandas as pd
 
-        Raises
-        ------
-        KeyError
-            If there is no such row.
-        """
+        return pd.DataFrame([asdict(row) for row in self.rows])
+
+    def value(self, name: str) -> Value:
+        """The value of the first row of a name; ``KeyError`` if there is no such row."""
         return {row.name: row.value for row in reversed(self.rows)}[name]
+
+    def __rich__(self) -> Group:
+        from rich.box import Box
+        from rich.console import Group
+        from rich.table import Table
+
+        compares = any(row.other is not None for row in self.rows)
+        headings = (
+            ["first", "second", "90 % of the change"] if compares else ["value", "90 % range"]
+        )
+        box = Box(RULED, ascii=True)
+        table = Table("quantity", *headings, "unit", box=box, show_edge=False, pad_edge=False)
+        for row in self.rows:
+            values = [row.value, row.other] if compares else [row.value]
+            table.add_row(row.quantity, *map(text_of, values), row.range_text, row.unit)
+        notes = ["", *(f"  {note}" for note in self.notes)] if self.notes else []
+        return Group(self.title, "", table, *notes)
 
     def __str__(self) -> str:
         """The title, a table and the notes."""
-        from tabulate import tabulate
+        from rich.console import Console
 
-        compares = any(row.other is not None for row in self.rows)
-        values = ["first", "second", "90 % of the change"] if compares else ["value", "90 % range"]
-        cells = [
-            [
-                row.quantity,
-                shown(row.value),
-                *([shown(row.other)] if compares else []),
-                row.range_text,
-                row.unit,
-            ]
-            for row in self.rows
-        ]
-        table = tabulate(
-            cells, ["quantity", *values, "unit"], tablefmt="simple", disable_numparse=True
-        )
-        notes = ["", *(f"  {note}" for note in self.notes)] if self.notes else []
-        return "\n".join([self.title, "", table, *notes])
+        text = StringIO()
+        Console(file=text, width=WIDTH, markup=False, highlight=False).print(self)
+        return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+
+    def _repr_html_(self) -> str:
+        return self.to_dataframe().to_html(index=False)

@@ -1,8 +1,9 @@
-"""The checks of what a question is asked with, besides conditions: one line for each mistake."""
+"""The checks of what a question is asked with: one line for each mistake."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from numbers import Integral, Real
 from typing import Any
 
@@ -10,10 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import check_points
-from thirdbody.conditions.labelled import is_labelled
-from thirdbody.conditions.units import is_quantity
+from thirdbody.conditions.in_si import in_si
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
+from thirdbody.model.parameters import Parameters
+from thirdbody.units import has_unit, is_labelled
 
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 
@@ -46,12 +48,13 @@ def check_count(name: str, count: Any) -> None:
 
 
 def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
-    """The levels of a variable; ``ValueError`` for an unknown variable, and what is no number."""
+    """The levels of a variable; ``ValueError`` for an unknown variable, and levels it cannot have."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
-    allowed = f"allowed: numbers, in {QUANTITIES[variable].units}"
+    quantity = QUANTITIES[variable]
+    allowed = f"allowed: numbers, in {quantity.units}"
     several = level if isinstance(level, (list, tuple)) else [level]
-    if any(is_quantity(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
+    if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"level is a {type(level).__name__}; {allowed}")
     try:
         levels = np.asarray(level)
@@ -61,7 +64,24 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
     numbers = levels.dtype.kind in "iuf" or all(map(_is_number, levels.flat))
     if not numbers or not np.isfinite(levels.astype(float, copy=False)).all():
         raise ValueError(f"level is {shown(level)}; {allowed}")
-    return levels.astype(float, copy=False)
+    levels = levels.astype(float, copy=False)
+    impossible = levels[(levels < 0.0) | (levels > quantity.largest)]
+    if impossible.size:
+        most = f"0 to {quantity.largest:g}" if quantity.largest < math.inf else "zero or positive"
+        raise ValueError(f"level of {variable} is {impossible.flat[0]:g}; allowed: {most}")
+    return levels
+
+
+def queries(
+    conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str
+) -> dict[str, NDArray]:
+    """The conditions [SI] of queries ``along`` the one that is not given; they broadcast."""
+    for key, values in conditions.items():
+        if is_labelled(values):
+            raise ValueError(f"{key} has named dimensions; allowed: .values of it")
+    given = in_si(conditions, parameters, but=along)
+    check_points(given)
+    return given
 
 
 def _is_number(value: Any) -> bool:

@@ -13,10 +13,22 @@ from dataclasses import dataclass, replace
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.arguments import check_number
 from thirdbody.conditions.checks import check_parameters
-from thirdbody.data.conditions import AXES
+from thirdbody.conditions.usual import warn_outside
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
+from thirdbody.units import UNITS
+
+USUAL = {  # usual ends and unit of the numbers of ``bearing``
+    "ball_radius_mm": ((0.1, 1000.0), "mm"),
+    "speed_m_per_s": ((1e-6, 200.0), "m s-1"),
+    "oil_density_kg_per_m3": ((500.0, 3000.0), "kg m-3"),
+    "dynamic_viscosity_mPa_s": ((0.1, 1e5), "mPa s"),
+    "viscosity_cSt": ((0.3, 1e4), "cSt"),
+    "pressure_viscosity_per_GPa": ((1.0, 100.0), "GPa-1"),
+    "modulus": ((1e8, 2e12), "Pa"),
+    "hardness": ((1e7, 2e11), "Pa"),
+}
 
 
 @dataclass(frozen=True)
@@ -33,6 +45,9 @@ class Material:
         check_number("poisson_ratio", self.poisson_ratio, positive=False)
         if self.poisson_ratio > 0.5:
             raise ValueError(f"poisson_ratio is {self.poisson_ratio}; allowed: 0 to 0.5")
+        warn_outside(
+            {name: (getattr(self, name), *USUAL[name]) for name in ("modulus", "hardness")}
+        )
 
     @property
     def compliance(self) -> float:
@@ -76,8 +91,8 @@ def bearing(
 ) -> Parameters:
     """Derive the inputs of the model for another ball, speed, oil or other materials.
 
-    What is not given stays as it is in ``parameters``: also the product of density and speed, and
-    the pressure-viscosity coefficient, which U and G of ``parameters`` imply.
+    What is not given stays as it is in ``parameters``, also the product of density and speed and the
+    pressure-viscosity coefficient that U and G imply.
 
     Parameters
     ----------
@@ -104,9 +119,14 @@ def bearing(
     Raises
     ------
     ValueError
-        In one line: for a number that is not positive, a speed without the density of the oil, a
-        density without a speed, a body that is no ``Material``, and inputs that are no
+        In one line: for a number that is not positive, a speed without a density or the reverse, a body
+        that is no ``Material``, a particle softer than a surface, and inputs that are no
         ``Parameters``, or leave their bounds.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        For numbers outside their usual ranges.
 
     Examples
     --------
@@ -131,9 +151,10 @@ def bearing(
         "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
     }
     check_parameters(parameters)
-    for name, value in numbers.items():
-        if value is not None:
-            check_number(name, value)
+    given = {name: value for name, value in numbers.items() if value is not None}
+    for name, value in given.items():
+        check_number(name, value)
+    warn_outside({name: (value, *USUAL[name]) for name, value in given.items()})
     bodies = {"ball": ball, "flat": flat, "particle": particle}
     for name, body in bodies.items():
         if body is not None and not isinstance(body, Material):
@@ -142,7 +163,14 @@ def bearing(
     modulus = parameters.elastic_modulus_surfaces
     changes = {}
     if (ball, flat, particle) != (None, None, None):
+        is_given = particle is not None
         ball, flat, particle = (each or MATERIALS["steel"] for each in (ball, flat, particle))
+        harder = max(ball.hardness, flat.hardness)
+        if is_given and particle.hardness < harder:
+            raise ValueError(
+                f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least that of "
+                f"both surfaces, {1e-9 * harder:g} GPa, as the model's particles keep their shape"
+            )
         modulus = hertz_modulus(ball, flat)
         changes = {
             "elastic_modulus_surfaces": modulus,
@@ -155,7 +183,9 @@ def bearing(
     radius = parameters.ball_radius if ball_radius_mm is None else 1e-3 * ball_radius_mm
     density = oil_density_kg_per_m3
     if dynamic_viscosity_mPa_s is not None and viscosity_cSt is not None:
-        density = 1e-3 * dynamic_viscosity_mPa_s / AXES["viscosity"].to_si(viscosity_cSt)
+        density = (
+            1e-3 * dynamic_viscosity_mPa_s / float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
+        )
     if (speed_m_per_s is None) != (density is None):
         raise ValueError(
             f"speed_m_per_s is {speed_m_per_s} and the oil's density {density}; allowed: both, or "
@@ -177,8 +207,8 @@ def bearing(
     try:
         return replace(parameters, **changes)
     except ValueError as error:
-        given = {**numbers, **bodies}
-        names = ", ".join(name for name, value in given.items() if value is not None)
+        used = [name for name, body in bodies.items() if body is not None]
+        names = ", ".join([*given, *used])
         raise ValueError(f"from {names} follows: {error}") from None
 
 
@@ -196,20 +226,8 @@ FORMULAS = {
 
 
 def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
-    """Question 8 as an answer: the inputs that ``bearing`` derives, each with its formula.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        What ``bearing`` returned.
-    viscosity_cSt : float, optional
-        nu [cSt], for which U is told as well.
-
-    Examples
-    --------
-    >>> import thirdbody as tb
-    >>> derived(tb.load_parameters()).value("ball_radius")
-    0.00635
+    """Question 8 as an answer: the inputs that ``bearing`` has derived, each with its formula, and U for
+    an oil of ``viscosity_cSt`` if it is given.
     """
     check_parameters(parameters)
     rows = [
@@ -218,7 +236,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     ]
     if viscosity_cSt is not None:
         check_number("viscosity_cSt", viscosity_cSt, positive=False)
-        speed = parameters.speed_per_viscosity * AXES["viscosity"].to_si(viscosity_cSt)
+        speed = parameters.speed_per_viscosity * float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
         rows.append(Row("speed_parameter", f"U at {viscosity_cSt:g} cSt", speed, "1"))
     note = f"A_n = {parameters.apparent_area:.4g} m2 is an input of its own and stays"
     return Answer("Inputs derived from ball, speed, oil and materials", tuple(rows), (note,))

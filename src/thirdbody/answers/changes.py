@@ -7,28 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from thirdbody.answers.arguments import queries
 from thirdbody.answers.find import SWEEP, crossings, sweep_values
-from thirdbody.answers.units import in_si
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import (
-    CONTACT_MODES,
-    LUBRICATION_REGIMES,
-    SOLUTION_STATUSES,
-    contact_mode,
-    lubrication_regime,
-)
+from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import DEFAULT_RTOL
-
-# What a quantity decides: the flag, its function and its names
-_DECIDES = {
-    "solid_load_fraction": ("lubrication_regime", lubrication_regime, LUBRICATION_REGIMES),
-    "particle_contact_area_ratio": (
-        "contact_mode",
-        lambda ratio: contact_mode(ratio, True),
-        CONTACT_MODES,
-    ),
-}
 
 
 @dataclass(frozen=True)
@@ -47,21 +31,13 @@ class Border:
     below: str
     above: str
 
-    @classmethod
-    def of(cls, quantity: str, level: float) -> Border:
-        """The border at a level of a quantity, one of ``LIMITS``.
 
-        Examples
-        --------
-        >>> Border.of("solid_load_fraction", 0.90)
-        Border(flag='lubrication_regime', below='mixed', above='boundary')
-        """
-        flag, function, names = _DECIDES[quantity]
-        below, above = function(level + np.array([-1e-9, 1e-9])).tolist()
-        return cls(flag, names[below], names[above])
-
-
-BORDERS = tuple(Border.of(*limit) for limit in LIMITS)
+BORDERS = (  # at each of ``LIMITS``
+    Border("lubrication_regime", "mixed", "boundary"),
+    Border("lubrication_regime", "full_film", "mixed"),
+    Border("contact_mode", "hybrid", "particle_surface"),
+    Border("contact_mode", "surface_surface", "hybrid"),
+)
 
 
 @dataclass(frozen=True)
@@ -134,11 +110,10 @@ def transitions(
     [('boundary', 'mixed'), ('mixed', 'full_film')]
     """
     unit, swept = sweep_values(along, between, count, parameters)
-    given = in_si(conditions, parameters, but=unit.axis.name)
-    columns = map(np.ravel, np.broadcast_arrays(*given.values()))
-    others = dict(zip(given, columns, strict=True))
-    queries = next(iter(others.values())).size
-    limits = [(quantity, np.full(queries, level)) for quantity, level in LIMITS]
+    given = queries(conditions, parameters, unit.condition)
+    columns = np.broadcast_arrays(*given.values())
+    others = dict(zip(given, map(np.ravel, columns), strict=True))
+    limits = [(quantity, np.full(columns[0].size, level)) for quantity, level in LIMITS]
     found = crossings(limits, unit, swept, others, parameters, rtol)
     changes = [
         Transition(

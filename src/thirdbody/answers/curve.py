@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +12,9 @@ from numpy.typing import NDArray
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.data.spread import ENDS
 from thirdbody.solver.solution import Solution
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True)
@@ -40,47 +42,41 @@ class Curve:
     @classmethod
     def of(cls, along: str, points: NDArray, mine: Solution, members: list[Solution]) -> Curve:
         """The curve of solutions with the inputs of the interface and with those of the ensemble."""
+        import pandas as pd
+
         values = {name: getattr(mine, name) for name in (*QUANTITIES, *FLAGS)}
-        if not members:
-            return cls(along, points, values, {}, {})
         low, high = {}, {}
-        for name in QUANTITIES:
-            several = np.stack([getattr(member, name) for member in members])
-            low[name], high[name] = (_quantile(several, end) for end in ENDS)
+        for name in QUANTITIES if members else ():
+            of_members = pd.DataFrame([getattr(member, name) for member in members])
+            low[name], high[name] = of_members.quantile(ENDS).to_numpy()  # without nan
         return cls(along, points, values, low, high)
 
-    def columns(self) -> dict[str, list]:
-        """Columns of a table: numbers, None where there is none, and flags as words."""
-        table = {self.along: self.points.tolist()}
+    def to_dataframe(self) -> pd.DataFrame:
+        """A row a point: the axis in its unit, numbers in SI with their ranges, flags as words."""
+        import pandas as pd
+
+        table = {self.along: self.points}
         for name in QUANTITIES:
-            table[name] = _numbers(self.values[name])
-            for end, of_ensemble in (("low", self.low), ("high", self.high)):
-                if name in of_ensemble:
-                    table[f"{name}_{end}"] = _numbers(of_ensemble[name])
+            table[name] = self.values[name]
+            table |= {
+                f"{name}_{end}": of_ensemble[name]
+                for end, of_ensemble in (("low", self.low), ("high", self.high))
+                if name in of_ensemble
+            }
         for name, flag in FLAGS.items():
             table[name] = [
-                flag.meanings[index] if index >= 0 else None for index in self.values[name].tolist()
+                flag.meanings[index] if index >= 0 else None for index in self.values[name]
             ]
-        return table
+        return pd.DataFrame(table)
+
+    def as_dict(self) -> dict[str, list]:
+        """Columns of the table as JSON holds them: None where there is no solution."""
+        table = self.to_dataframe().astype(object)
+        return table.where(table.notna() & ~table.isin([np.inf]), None).to_dict("list")
 
     def as_csv(self) -> str:
-        """The table as CSV, with ten significant digits: the axis in its unit, all else in SI."""
-        table = self.columns()
-        text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
-        writer.writerow(table)
-        for row in zip(*table.values(), strict=True):
-            writer.writerow([f"{cell:.10g}" if isinstance(cell, float) else cell for cell in row])
-        return text.getvalue()
+        """The table as CSV, with ten significant digits."""
+        return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
 
-
-def _numbers(values):
-    return [value if np.isfinite(value) else None for value in values.tolist()]
-
-
-def _quantile(several, end):
-    """The quantile over members that have a solution; nan where none has."""
-    found = np.full(several.shape[1:], np.nan)
-    some = np.isfinite(several).any(axis=0)
-    found[some] = np.nanquantile(several[:, some], end, axis=0)
-    return found
+    def _repr_html_(self) -> str:
+        return self.to_dataframe().to_html(index=False)

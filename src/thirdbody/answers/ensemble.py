@@ -1,8 +1,7 @@
-"""How far numbers depend on which of the calibrated inputs one takes: the ensemble of the calibration.
+"""The calibrated ensemble: sets of inputs that explain the paper's statements about equally well.
 
-The paper leaves some inputs unprinted, and many sets of them explain its statements about equally
-well.  The calibrated file holds some of these sets; every number is computed with each, and what
-nine in ten of them give is the range that stands beside it.
+The paper leaves some inputs unprinted.  Every number is computed with each set, and what nine in ten of
+them give is the range that stands beside it.
 """
 
 from __future__ import annotations
@@ -28,12 +27,6 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     -------
     tuple of Parameters
         A set for each member of the calibrated file that ``config/config.yaml`` names.
-
-    Raises
-    ------
-    ValueError
-        In one line: for inputs that are no ``Parameters``; the file, the key at fault, its value and
-        what is allowed.
 
     Examples
     --------

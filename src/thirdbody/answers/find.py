@@ -1,40 +1,45 @@
 """``find``: where a variable has a level along any of the five axes.
 
-The axis is swept at values evenly spaced in their logarithm; every two neighbours between which the
-variable passes the level enclose a crossing, which is then found to the error asked for.  Where a
-curve turns round next to the level, the sweep is made finer, ``DEPTH`` times by ``FINER``.
+The axis is swept at values evenly spaced in their logarithm.  Two neighbours on both sides of the level
+enclose a crossing, which is then found to the error asked for.  Where a curve turns round next to the
+level, the sweep is made finer, ``DEPTH`` times by ``FINER``.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.arguments import check_count, check_ends, checked_levels
-from thirdbody.answers.units import Unit, in_si
-from thirdbody.conditions.checks import check_points, check_rtol
+from thirdbody.answers.arguments import check_count, check_ends, checked_levels, queries
+from thirdbody.conditions.checks import check_parameters, check_points, check_rtol
+from thirdbody.conditions.in_si import CONDITIONS
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.model.parameters import Parameters
-from thirdbody.progress import Progress, check_progress
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.progress import check_progress
+from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, unit_of
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 SWEEP = 32  # values along the axis
 FINER, DEPTH = 8, 2  # where a curve turns round next to the level
-CHUNK = 500_000  # points solved together
 WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
 
 
 @dataclass(frozen=True)
 class Crossings:
-    """Where variables have levels: one element a crossing, in the order of the queries.
+    """Where a variable has levels: one element a crossing, in the order of the queries.
 
     Attributes
     ----------
     along : str
-        The axis and its unit, by its name.
+        The axis, by its name with a unit.
     shape : tuple of int
         Shape of the queries: that to which the level and the other axes broadcast.
     query : array of int, shape (n,)
@@ -72,6 +77,17 @@ class Crossings:
         first.ravel()[self.query[::-1]] = self.value[::-1]  # the last one to be stored stays
         return first
 
+    def to_dataframe(self) -> pd.DataFrame:
+        """A row a crossing: query, place in the unit of ``along``, its error, direction and status."""
+        import pandas as pd
+
+        columns = {"query": self.query, self.along: self.value, "error": self.error}
+        status = np.array(SOLUTION_STATUSES)[self.solution_status]
+        return pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
+
+    def _repr_html_(self) -> str:
+        return self.to_dataframe().to_html(index=False)
+
 
 def find(
     variable: str,
@@ -94,9 +110,9 @@ def find(
     level : array_like
         Its value: those between regimes and modes stand in ``thirdbody.model.regimes``.
     along : str
-        The axis, by its name in the unit that is wanted: ``load`` [1], ``load_N``, ``viscosity``
-        [m2/s], ``viscosity_cSt``, ``particle_diameter`` [m], ``particle_diameter_nm``, ``roughness``
-        [m], ``roughness_nm``, or ``particle_density_per_m2``.
+        The axis, by its name in the unit that is wanted: ``load`` [1] or ``load_N``, ``viscosity``
+        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
+        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
     parameters : Parameters
         Inputs of the model.
     between : pair of float, optional
@@ -109,7 +125,8 @@ def find(
     progress : bool
         Whether a search that takes long says how far it has come, as ``solve``.
     **conditions : array_like
-        The other four axes, by any of the names above; they and ``level`` broadcast.
+        The other four axes, by any of the names above, as numbers or quantities; they and ``level``
+        broadcast.
 
     Returns
     -------
@@ -119,33 +136,34 @@ def find(
     Raises
     ------
     ValueError
-        In one line: for an unknown variable or axis, a level that is no number, an axis that is
-        missing or given twice, ends that are not positive and increasing, a ``count`` that is not
-        whole or out of its range, and what ``solve`` refuses.
+        In one line: for an unknown variable or axis, a level that the variable cannot have, an axis
+        that is missing or given twice, ends that are not positive and increasing, a ``count`` that is
+        not whole or out of its range, and what ``solve`` refuses.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        As ``solve``, in the units that were given.
 
     Notes
     -----
-    The values of the sweep are evenly spaced in their logarithm.  Two crossings between neighbours
-    are missed, unless the curve is seen to turn round there: where the middle one of three values is
-    nearest to the level, and no farther from it than the larger of the steps beside it, which for a
-    parabola is eight times as far as needed, both cells are swept again, down to a 64th of the
-    spacing.  A crossing between a value without solution and the next is missed.
-    Several separations of a point, of which ``solve`` gives the largest, make curves jump: where
-    one jumps across the level, that is a crossing too.  Dry contact and contact without particles
-    (0) are no values of a search; as ``conditions`` they are.
+    Two crossings between neighbouring values of the sweep are missed, unless the curve is seen to turn
+    round there: where the middle one of three values is nearest to the level, and within the larger
+    of the steps beside it, both cells are swept again, down to a 64th of the spacing.  A crossing
+    beside a value without solution is missed.  Where a curve jumps across the level, because a point
+    has several separations, of which ``solve`` gives the largest, that is a crossing too.
 
     Examples
     --------
-    From which viscosity on the solids bear less than 90 % and less than half of 10 N:
+    From which viscosity on the solids carry less than 90 % and less than half of 10 N:
 
     >>> import thirdbody as tb
-    >>> inputs = tb.load_parameters()
     >>> found = tb.find(
     ...     "solid_load_fraction",
     ...     [0.9, 0.5],
     ...     "viscosity_cSt",
     ...     between=(20, 1000),
-    ...     parameters=inputs,
+    ...     parameters=tb.load_parameters(),
     ...     load_N=10,
     ...     particle_diameter_nm=500,
     ...     roughness_nm=300,
@@ -157,7 +175,7 @@ def find(
     level = checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
-    given = in_si(conditions, parameters, but=unit.axis.name)
+    given = queries(conditions, parameters, unit.condition)
     check_points({"level": level, **given})
     columns = np.broadcast_arrays(level, *given.values())
     levels, *others = map(np.ravel, columns)
@@ -171,15 +189,21 @@ def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and the values [SI] at which it is swept; arguments as of ``find``."""
-    unit = Unit.of(along, parameters)
-    ends = unit.searched(parameters) if between is None else between
-    check_ends("between", ends)
+    check_parameters(parameters)
+    unit = unit_of(along)
+    newtons_per_load = parameters.newtons_per_load
+    if between is None:
+        engineering = UNITS[ENGINEERING[unit.condition]]
+        ends = engineering.to_si(SEARCHED[unit.condition], newtons_per_load)
+    else:
+        check_ends("between", between)
+        ends = unit.to_si(between, newtons_per_load)
     check_count("count", count)
-    return unit, np.geomspace(*unit.to_si(ends), count)
+    return unit, np.geomspace(*ends, count)
 
 
 def crossings(
-    limits: list[tuple[str, NDArray]],
+    limits: Sequence[tuple[str, NDArray]],
     unit: Unit,
     swept: NDArray,
     others: Mapping[str, NDArray],
@@ -191,7 +215,7 @@ def crossings(
 
     Parameters
     ----------
-    limits : list
+    limits : sequence
         Pairs of a variable and its level for each query, shape (queries,).
     unit : Unit
         The axis, and the unit of the result.
@@ -208,122 +232,78 @@ def crossings(
         For each limit the fields of ``Crossings`` from ``query`` on.
     """
     check_rtol(rtol)
-    search = _Search(limits, unit.axis.name, others, parameters, rtol)
-    queries = next(iter(others.values())).size
-    step = max(1, CHUNK // swept.size)
-    pieces = [np.arange(start, min(start + step, queries)) for start in range(0, queries, step)]
-    enclosed = []
-    with Progress(queries, "curves searched", progress) as shown:
-        for piece in pieces:
-            enclosed.append(search.enclosed(piece, swept[:, None]))
-            shown.add(piece.size)
-    limit, query, rises, *ends = map(np.concatenate, zip(*enclosed)) if pieces else [_NONE] * 5
-    log_value, log_error, status = search.refined(limit, query, *ends)
+    names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
+
+    def enclosed(query, values, wanted, depth=DEPTH, progress=False):
+        """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries): limit,
+        query, whether it rises, and ln of both neighbours."""
+        given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
+        given = {name: given[name] for name in CONDITIONS}
+        variables = {names[index] for index in wanted}
+        found = solve_arrays(given, parameters, rtol, variables, progress)
+        log_values = np.broadcast_to(np.log(values), (len(values), query.size))
+        pieces = []
+        for index in wanted:
+            excess = getattr(found, names[index]) - levels[index, query]
+            above, known = excess > 0.0, np.isfinite(excess)
+            step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
+            ends = log_values[step, place], log_values[step + 1, place]
+            limit = np.full(step.size, index)
+            pieces.append((limit, query[place], above[step + 1, place], *ends))
+            step, place = np.nonzero(_may_touch(excess))
+            if depth and place.size:
+                ends = log_values[step, place], log_values[step + 2, place]
+                finer = np.exp(np.linspace(*ends, 2 * FINER + 1))
+                pieces.append(enclosed(query[place], finer, [index], depth - 1))
+        return tuple(map(np.concatenate, zip(*pieces)))
+
+    queries = np.arange(levels.shape[1])
+    limit, query, rises, *ends = enclosed(
+        queries, swept[:, None], range(len(limits)), progress=progress
+    )
+    given = {name: column[query] for name, column in others.items()}
+    asked = names, limit, levels[limit, query], given, parameters, rtol
+    log_value, width = level_roots(unit.condition, ends, *asked)
+    log_error, status = _certain(unit.condition, log_value, 2.0 * (width + rtol), *asked)
     value = np.exp(log_value)
     error = value * np.expm1(log_error)
-    fields = query, unit.from_si(value), unit.from_si(error), rises, status
+    place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
+    fields = query, place, error, rises, status
     order = np.lexsort((value, query, limit))
     chosen = (order[limit[order] == index] for index in range(len(limits)))
     return [tuple(field[places] for field in fields) for places in chosen]
 
 
-_NONE = np.zeros(0, int)
-
-
-@dataclass(frozen=True)
-class _Search:
-    """What is searched: limits, the name of the axis along which, and what each query holds."""
-
-    limits: list[tuple[str, NDArray]]
-    along: str
-    others: Mapping[str, NDArray]
-    parameters: Parameters
-    rtol: float
-
-    def enclosed(self, query, values, limits=None, depth=DEPTH):
-        """The crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries).
-
-        Returns the limit and the query of each, whether it rises, and ln of both neighbours.
-        """
-        limits = range(len(self.limits)) if limits is None else limits
-        given = {name: column[query] for name, column in self.others.items()}
-        wanted = {self.limits[index][0] for index in limits}
-        found = solve(
-            **given,
-            **{self.along: values},
-            parameters=self.parameters,
-            rtol=self.rtol,
-            variables=wanted,
-            progress=False,
-        )
-        log_values = np.broadcast_to(np.log(values), (len(values), query.size))
-        pieces = []
-        for index in limits:
-            name, level = self.limits[index]
-            excess = getattr(found, name) - level[query]
-            above = excess > 0.0
-            known = np.isfinite(excess)
-            step, place = np.nonzero((above[:-1] != above[1:]) & known[:-1] & known[1:])
-            ends = log_values[step, place], log_values[step + 1, place]
-            rises = above[step + 1, place]
-            pieces.append((np.full(step.size, index), query[place], rises, *ends))
-            if depth:
-                step, place = np.nonzero(_may_touch(excess))
-                if place.size:
-                    ends = log_values[step, place], log_values[step + 2, place]
-                    finer = np.exp(np.linspace(*ends, 2 * FINER + 1))
-                    pieces.append(self.enclosed(query[place], finer, [index], depth - 1))
-        return tuple(map(np.concatenate, zip(*pieces)))
-
-    def refined(self, limit, query, low, high):
-        """ln of each crossing and of its error as a ratio, and the status there."""
-        if query.size == 0:
-            return np.zeros(0), np.zeros(0), np.zeros(0, np.int8)
-        names = [name for name, _ in self.limits]
-        level = np.stack([levels for _, levels in self.limits])[limit, query]
-        given = {name: column[query] for name, column in self.others.items()}
-        asked = names, limit, level, given, self.parameters, self.rtol
-        root, width = level_roots(self.along, (low, high), *asked)
-        return root, *self._certain(root, 2.0 * (width + self.rtol), asked)
-
-    def _certain(self, root, error, asked):
-        """How far from ``root`` it is certain that a variable is above the level on one side and
-        below it on the other; begins with ``error``.  Also the status that far below ``root``."""
-        names, limit, level, given, *how = asked
-        left, status = np.arange(root.size), np.zeros(root.size, np.int8)
-        for _ in range(ATTEMPTS):
-            here = {name: column[left] for name, column in given.items()}
-            sides = []
-            for sign in (-1.0, 1.0):
-                value = np.exp(root[left] + sign * error[left])
-                point = here | {self.along: value}
-                asked_for = (
-                    names,
-                    limit[left],
-                    level[left],
-                    point,
-                    *how,
-                    ["error_bound", "solution_status"],
-                )
-                excess, also = excess_over(*asked_for)
-                if sign < 0.0:
-                    status[left] = also["solution_status"]
-                margin = also["error_bound"] * np.abs(excess + level[left])
-                sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
-            left = left[~(sides[0] * sides[1] < 0.0)]
-            if left.size == 0:
-                return error, status
-            error[left] *= WIDER
-        error[left] = np.inf
-        return error, status
+def _certain(along, root, error, names, limit, level, given, parameters, rtol):
+    """How far from ln ``root`` a variable is certain to be above the level on one side and below it on
+    the other, from ``error`` on; and the status that far below."""
+    left, status = np.arange(root.size), np.zeros(root.size, np.int8)
+    for _ in range(ATTEMPTS if root.size else 0):
+        here = {name: column[left] for name, column in given.items()}
+        sides = []
+        for sign in (-1.0, 1.0):
+            here[along] = np.exp(root[left] + sign * error[left])
+            excess, also = excess_over(
+                *(names, limit[left], level[left], here, parameters, rtol),
+                ["error_bound", "solution_status"],
+            )
+            if sign < 0.0:
+                status[left] = also["solution_status"]
+            margin = also["error_bound"] * np.abs(excess + level[left])
+            sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
+        left = left[~(sides[0] * sides[1] < 0.0)]
+        if left.size == 0:
+            return error, status
+        error[left] *= WIDER
+    error[left] = np.inf
+    return error, status
 
 
 def _may_touch(excess):
     """Whether a curve turns round near its level between three neighbouring values, by the index of
     the first: the middle one is nearest to the level, and within the larger of the steps beside it."""
-    first, middle, last = np.abs(excess[:-2]), np.abs(excess[1:-1]), np.abs(excess[2:])
-    same = (np.sign(excess[:-2]) == np.sign(excess[1:-1])) & (
-        np.sign(excess[1:-1]) == np.sign(excess[2:])
-    )
+    distance, sign = np.abs(excess), np.sign(excess)
+    first, middle, last = distance[:-2], distance[1:-1], distance[2:]
+    same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])
     nearest = (middle < first) & (middle < last)
     return same & nearest & (middle <= np.maximum(first, last) - middle)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import warnings
 from collections import Counter
-from collections.abc import Collection
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,22 +19,23 @@ from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.answers.units import ENGINEERING, SEARCHED, in_si, unit_text
 from thirdbody.conditions.checks import NEVER_ZERO, check_names, check_parameters
+from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions.usual import OutOfRangeWarning
 from thirdbody.configuration.inputs import load_parameters
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.conditions import AXES
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, has_unit
 
-SHOWN_IN = {"separation": AXES["roughness"]}  # variables that are told in the unit of an axis
-BORDERED = ("lubrication_regime", "contact_mode")
+LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
+FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
 MEANINGLESS = ("outside_film_formula", "area_exceeded")  # statuses of changes that are left out
-ARROW = "\N{RIGHTWARDS ARROW}"
 
 
 @dataclass(frozen=True)
@@ -41,7 +45,7 @@ class Interface:
     Attributes
     ----------
     load_N : float
-        Normal load F_t [N], positive.
+        Normal load F_t [N], positive; as each condition, a number or a quantity.
     viscosity_cSt : float
         Kinematic viscosity of the oil [cSt]; 0 where it is dry.
     particle_diameter_nm : float
@@ -51,14 +55,18 @@ class Interface:
     particle_density_per_m2 : float
         Particles per area eta_a [m-2]; 0 where there are none.
     parameters : Parameters
-        Materials, ball, film: by default the calibrated ones; ``thirdbody.answers.bearing`` derives
-        others.
+        Materials, ball, film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
 
     Raises
     ------
     ValueError
         For a condition that is not a finite number, or not in its range, and inputs that are no
         ``Parameters``.
+
+    Warns
+    -----
+    OutOfRangeWarning
+        Once, for conditions outside their usual range.
 
     Examples
     --------
@@ -84,7 +92,14 @@ class Interface:
     def __post_init__(self):
         check_parameters(self.parameters)
         for name, key in ENGINEERING.items():
-            check_number(key, getattr(self, key), name in NEVER_ZERO)
+            if not has_unit(getattr(self, key)):
+                check_number(key, getattr(self, key), name in NEVER_ZERO)
+        given = in_si(self.conditions, self.parameters)
+        for name, key in ENGINEERING.items():
+            if has_unit(getattr(self, key)):
+                number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
+                check_number(key, number[()], name in NEVER_ZERO)
+                object.__setattr__(self, key, float(f"{number:.12g}"))
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -96,6 +111,10 @@ class Interface:
         """The sets of inputs of the ensemble (see ``calibrated_ensemble``)."""
         return calibrated_ensemble(self.parameters)
 
+    @property
+    def _inputs(self) -> tuple[Parameters, ...]:
+        return self.parameters, *self.members
+
     def changed(self, **conditions: float | Parameters) -> Interface:
         """The same interface with other conditions, or other ``parameters``."""
         return replace(self, **conditions)
@@ -103,41 +122,33 @@ class Interface:
     def described(self, but: str = "") -> str:
         """The conditions in words, all ``but`` the axis of one name."""
         words = {
-            name: f"{getattr(self, key):g} {unit_text(name)}"
+            name: f"{getattr(self, key):g} {UNITS[key].text}"
             for name, key in ENGINEERING.items()
             if name != but
         }
-        return ", ".join(f"{_word(name)} {value}" for name, value in words.items())
+        return ", ".join(f"{_words(name)} {value}" for name, value in words.items())
 
     def state(self) -> Answer:
         """Question 1: how load and contact area divide, in which regime and mode.
 
-        Returns
-        -------
-        Answer
-            A row for each variable of ``Solution``; ``found`` unless nothing balances the load.
+        The answer has a row for each variable of ``Solution``; ``found`` unless nothing balances the
+        load.
         """
         mine, *of_members = self._states()
         rows = tuple(
-            Row.of(name, words(name), value, unit_of(name), [each[name] for each in of_members])
+            Row.of(
+                name, long_name(name), value, unit_text(name), [each[name] for each in of_members]
+            )
             for name, value in mine.items()
         )
         found = mine["separation"] is not None
-        return Answer(f"State at {self.described()}", rows, self._warnings(mine), found)
+        return Answer(f"State at {self.described()}", rows, _status_notes(mine), found)
 
     def compare(self, other: Interface) -> Answer:
-        """Question 10: two interfaces beside each other.
+        """Question 10: this interface beside an ``other`` one, whose inputs may be others.
 
-        Parameters
-        ----------
-        other : Interface
-            The second one; its inputs may be others.
-
-        Returns
-        -------
-        Answer
-            A row for each variable: ``value`` here, ``other`` there, and the range over the ensemble
-            of the second less the first; ``found`` unless nothing balances a load.
+        The answer has a row for each variable: ``value`` here, ``other`` there, and the range over
+        the ensemble of the second less the first; ``found`` unless nothing balances a load.
         """
         if not isinstance(other, Interface):
             raise ValueError(f"other is {shown(other)}; allowed: an Interface")
@@ -150,34 +161,25 @@ class Interface:
                 changes = [value if pair == (value, theirs[name]) else "" for pair in pairs]
             else:
                 changes = [b - a if None not in (a, b) else None for a, b in pairs]
-            row = Row.of(name, words(name), value, unit_of(name), changes)
+            row = Row.of(name, long_name(name), value, unit_text(name), changes)
             rows.append(replace(row, other=theirs[name]))
         notes = (
             f"first:  {self.described()}",
             f"second: {other.described()}",
-            *self._warnings(mine),
-            *other._warnings(theirs),
+            *_status_notes(mine),
+            *_status_notes(theirs),
         )
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
     def _states(self) -> list[dict[str, Value]]:
         """The variables in engineering units and words: with the inputs, and with each member."""
-        states = []
-        for parameters in (self.parameters, *self.members):
-            solution = solve(**in_si(self.conditions, parameters), parameters=parameters)
-            found = {name: getattr(solution, name) for name in (*QUANTITIES, *FLAGS)}
-            states.append({name: plain(name, value) for name, value in found.items()})
-        return states
-
-    def _warnings(self, state) -> tuple[str, ...]:
-        status = state["solution_status"].replace(" ", "_")
-        return () if status == SOLUTION_STATUSES[0] else (f"{status}: {STATUS_MEANINGS[status]}",)
+        return [_state(_solved(self.conditions, each)) for each in self._inputs]
 
     def transitions(
         self,
         along: str = "load",
-        flags: Collection[str] = BORDERED,
+        flags: Collection[str] = FLAGS_WITH_BORDERS,
         between: tuple[float, float] | None = None,
     ) -> Answer:
         """Questions 2 to 6: at which value of one condition regime or mode change.
@@ -192,77 +194,63 @@ class Interface:
         between : pair of float, optional
             Ends of the search, in the unit of the interface; by default those of ``thirdbody.find``.
 
-        Returns
-        -------
-        Answer
-            A row for each change, with increasing values, and one for each border that is not
-            passed; ``found`` if there is a change.  Changes where the equations have no meaning
-            are left out.
+        The answer has a row for each change, with increasing values, and one for each border that is
+        not passed; ``found`` if there is a change.  Changes where the equations have no meaning are
+        left out.
         """
         key = _key_of(along)
-        check_names("flags", flags, BORDERED)
+        check_names("flags", flags, FLAGS_WITH_BORDERS)
         between = SEARCHED[along] if between is None else between
         others = {name: value for name, value in self.conditions.items() if name != key}
-        found, *of_members = (
-            transitions(key, parameters=each, between=between, **others)
-            for each in (self.parameters, *self.members)
-        )
+        with _without_warnings():
+            found, *of_members = (
+                transitions(key, parameters=each, between=between, **others)
+                for each in self._inputs
+            )
         mine, *of_members = (_meaningful(each, flags) for each in (found, *of_members))
-        unit = unit_text(along)
+        unit = UNITS[key].text
         rows = []
         for (before, after, index), value in mine.items():
             same = [each.get((before, after, index)) for each in of_members]
-            name = f"{before}_to_{after}"
-            rows.append(Row.of(name, f"{_word(before)} {ARROW} {_word(after)}", value, unit, same))
+            told = f"{_words(before)} to {_words(after)}"
+            rows.append(Row.of(f"{before}_to_{after}", told, value, unit, same))
         for border in BORDERS:
             ways = (border.above, border.below, 0), (border.below, border.above, 0)
             if border.flag in flags and not any(way in mine for way in ways):
                 first = [
                     min(filter(None, map(each.get, ways)), default=None) for each in of_members
                 ]
-                name = f"{border.below}_and_{border.above}"
-                told = f"between {_word(border.below)} and {_word(border.above)}"
-                rows.append(Row.of(name, told, None, unit, first))
-        left_out = [each for each in found if each.solution_status in MEANINGLESS]
+                told = f"between {_words(border.below)} and {_words(border.above)}"
+                rows.append(Row.of(f"{border.below}_and_{border.above}", told, None, unit, first))
         notes = (
-            f"searched: {_word(along)} {between[0]:g} to {between[1]:g} {unit}",
-            *(self._end(along, end) for end in between),
+            f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
+            *(f"at {end:g} {unit}: {self._state_at(key, end)}" for end in between),
             *(
                 f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
                 f"{STATUS_MEANINGS[each.solution_status]}"
-                for each in left_out
-                if each.border.flag in flags
+                for each in found
+                if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
         )
-        title = f"Changes along the {_word(along)} at {self.described(but=along)}"
+        title = f"Changes along the {_words(along)} at {self.described(but=along)}"
         return Answer(title, tuple(rows), notes, bool(mine))
 
-    def _end(self, along, value) -> str:
-        """In which state an end of a search is."""
-        there = self.changed(**{ENGINEERING[along]: value})
-        solution = solve(**in_si(there.conditions, self.parameters), parameters=self.parameters)
-        told = [plain(name, getattr(solution, name)) for name in (*BORDERED, "solution_status")]
-        known = (each for each in told if each not in (None, SOLUTION_STATUSES[0]))
-        return f"at {value:g} {unit_text(along)}: {', '.join(known)}"
+    def _state_at(self, key, value) -> str:
+        """Regime, mode and status at one end of a search."""
+        state = _state(_solved(self.conditions | {key: value}, self.parameters))
+        words = [state[name] for name in (*FLAGS_WITH_BORDERS, "solution_status")]
+        return ", ".join(each for each in words if each not in (None, SOLUTION_STATUSES[0]))
 
     def turning_point(self, between_N: tuple[float, float] = LOADS) -> Answer:
-        """Question 7: where the particles' share of the contact area turns, and for which sizes.
+        """Question 7: at which load the particles' fraction of the contact area turns, for which sizes.
 
-        Parameters
-        ----------
-        between_N : pair of float
-            First and last load of the curve [N], by default those of the paper.
-
-        Returns
-        -------
-        Answer
-            Load, share of the area and of the load at the turning point, then the least and the
-            largest diameter for which dry contact has one; ``found`` if this interface has one.
+        The curve runs over the loads ``between_N`` [N], by default those of the paper.  The answer has
+        load, fraction of the area and of the load at the turning point, then the least and the
+        largest diameter for which dry contact has one; ``found`` if this interface has one.
         """
-        mine, *of_members = (
-            self._turning_with(each, between_N) for each in (self.parameters, *self.members)
-        )
-        size = AXES["particle_diameter"].unit
+        with _without_warnings():
+            mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
+        size = UNITS["particle_diameter_nm"].text
         told = {
             "load_N": ("load at the turning point, F_t", "N"),
             "load": ("the same over A_n E_ss, F_TPCA*", "1"),
@@ -285,42 +273,30 @@ class Interface:
 
     def _turning_with(self, parameters, between_N) -> dict[str, Value]:
         """The rows of ``turning_point`` with some inputs."""
-        given = in_si(self.conditions, parameters)
-        given.pop("load")
+        given = {key: value for key, value in self.conditions.items() if key != "load_N"}
         found = turning_point(parameters=parameters, between_N=between_N, **given)
         names = "load", "peak_ratio", "solid_load_fraction"
         state = {name: float(getattr(found, name)) if found.exists else None for name in names}
         load = state["load"] and state["load"] * parameters.newtons_per_load
-        layer = {name: given[name] for name in ("roughness", "particle_density")}
+        layer = {name: given[name] for name in ("roughness_nm", "particle_density_per_m2")}
         window = turning_window(parameters=parameters, between_N=between_N, **layer)
-        ends = {
-            name: _known(float(getattr(window, name)) * self.roughness_nm)
-            for name in ("low", "high")
-        }
-        return {"load_N": load, **state, **ends}
+        low, high = (
+            None if np.isnan(end) else float(end) * self.roughness_nm
+            for end in (window.low, window.high)
+        )
+        return {"load_N": load, **state, "low": low, "high": high}
 
     def curve(self, along: str, low: float, high: float, count: int = 60) -> Curve:
-        """Question 9: all variables along one axis.
+        """Question 9: all variables along one condition, with their ranges over the ensemble.
 
         Parameters
         ----------
         along : str
-            ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or ``particle_density``.
+            As of ``transitions``.
         low, high : float
             Ends of the axis, positive, in the unit of the interface.
         count : int
             Number of points, evenly spaced in their logarithm; from 2 to a million.
-
-        Returns
-        -------
-        Curve
-            With the range over the ensemble.
-
-        Raises
-        ------
-        ValueError
-            For an unknown axis, ends that are not positive and increasing, or a ``count`` that is
-            not whole or out of its range.
 
         Examples
         --------
@@ -335,12 +311,41 @@ class Interface:
         check_ends("low to high", (low, high))
         check_count("count", count)
         points = np.geomspace(low, high, count)
-        given = self.conditions | {key: points}
         mine, *of_members = (
-            solve(**in_si(given, each), parameters=each)
-            for each in (self.parameters, *self.members)
+            _solved(self.conditions | {key: points}, each) for each in self._inputs
         )
         return Curve.of(key, points, mine, of_members)
+
+
+@contextmanager
+def _without_warnings() -> Iterator[None]:
+    """Without what an interface has said of its conditions when it was made."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OutOfRangeWarning)
+        yield
+
+
+def _solved(conditions: Mapping[str, Any], parameters: Parameters) -> Solution:
+    with _without_warnings():
+        return solve(**in_si(conditions, parameters), parameters=parameters)
+
+
+def _state(solution: Solution) -> dict[str, Value]:
+    """The variables of one point in engineering units and words."""
+    return {name: _value(name, getattr(solution, name)) for name in (*QUANTITIES, *FLAGS)}
+
+
+def _value(name: str, value: NDArray) -> Value:
+    if name in FLAGS:
+        return _words(FLAGS[name].meanings[int(value)]) if value >= 0 else None
+    if np.isnan(value):
+        return None
+    return float(LENGTH.from_si(value) if name == "separation" else value)
+
+
+def _status_notes(state: Mapping[str, Value]) -> tuple[str, ...]:
+    status = state["solution_status"].replace(" ", "_")
+    return () if status == SOLUTION_STATUSES[0] else (f"{status}: {STATUS_MEANINGS[status]}",)
 
 
 def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple, float]:
@@ -362,32 +367,19 @@ def _key_of(along: str) -> str:
     return ENGINEERING[along]
 
 
-def _known(value: float) -> float | None:
-    return None if np.isnan(value) else value
-
-
-def _word(name: str) -> str:
+def _words(name: str) -> str:
     return name.replace("_", " ")
 
 
-def words(name: str) -> str:
+def long_name(name: str) -> str:
     """What a variable is, with its symbol where it is a number."""
     if name in FLAGS:
         return FLAGS[name].long_name
     return f"{QUANTITIES[name].long_name}, {QUANTITIES[name].symbol}"
 
 
-def unit_of(name: str) -> str:
-    """The unit in which a variable is told; none of a name."""
+def unit_text(name: str) -> str:
+    """The unit of a variable in answers; none of a name."""
     if name in FLAGS:
         return ""
-    return SHOWN_IN[name].unit if name in SHOWN_IN else QUANTITIES[name].units
-
-
-def plain(name: str, value: NDArray) -> Value:
-    """A variable [SI] of one point as it is told; None where there is no solution."""
-    if name in FLAGS:
-        return _word(FLAGS[name].meanings[int(value)]) if value >= 0 else None
-    if np.isnan(value):
-        return None
-    return SHOWN_IN[name].from_si(float(value)) if name in SHOWN_IN else float(value)
+    return LENGTH.text if name == "separation" else QUANTITIES[name].units

@@ -7,14 +7,14 @@ from dataclasses import fields
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.arguments import check_count, check_ends
-from thirdbody.answers.units import LOAD_IN_NEWTONS, Unit, in_si
-from thirdbody.conditions.checks import check_rtol
+from thirdbody.answers.arguments import check_count, check_ends, queries
+from thirdbody.conditions.checks import check_parameters, check_rtol
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.units import LOAD_IN_NEWTONS, UNITS, unit_of
 
 SWEEP = 60  # loads between which maxima are looked for
 RATIOS = np.linspace(0.2, 3.0, 113)  # x_a/sigma of a window's first sweep
@@ -75,12 +75,11 @@ def turning_point(
     check_rtol(rtol)
     check_count("count", count)
     loads = np.geomspace(*load_range(between_N, parameters), count)
-    given = in_si(conditions, parameters, but="load")
+    given = queries(conditions, parameters, "load")
     columns = np.broadcast_arrays(*given.values())
     curves = dict(zip(given, map(np.ravel, columns), strict=True))
-    solved = solve(
-        load=loads[:, None], **curves, parameters=parameters, rtol=rtol, variables=["separation"]
-    )
+    points = {"load": loads[:, None]} | curves
+    solved = solve_arrays(points, parameters, rtol, ["separation"])
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
     shape = columns[0].shape
     return TurningPoints(
@@ -126,10 +125,10 @@ def turning_window(
     True
     """
     for key in conditions:
-        if Unit.of(key, parameters).axis.name in ("load", *DRY):
+        if unit_of(key).condition in ("load", *DRY):
             told = "allowed: roughness and particle density"
             raise ValueError(f"{key} is no condition of a window of dry contact; {told}")
-    given = in_si(DRY | conditions, parameters, but="load")
+    given = queries(DRY | conditions, parameters, "load")
     for name, values in given.items():
         if values.ndim:
             raise ValueError(f"{name} has shape {values.shape}; allowed: one number")
@@ -142,6 +141,7 @@ def turning_window(
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, from newtons."""
+    check_parameters(parameters)
     check_ends("between_N", between_N)
-    first, last = Unit.of(LOAD_IN_NEWTONS, parameters).to_si(between_N).tolist()
+    first, last = UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist()
     return first, last

@@ -21,7 +21,7 @@ from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import FLAGS
-from thirdbody.model.film import Film, log_load_parameter
+from thirdbody.model.film import Film, film_load, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,
@@ -237,7 +237,8 @@ def passed_diameter(
     )
     contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
     solid = np.exp(contact.log_solid_load(d).value).reshape(densities.size, -1)
-    film = film_loads(separation, axes["viscosity"], axes["roughness"][0], parameters)
+    viscosity = axes["viscosity"][:, np.newaxis]
+    film, _ = film_load(separation, viscosity, axes["roughness"][0], parameters)
     total = parameters.interpretation.film_load.total_load(solid, film[:, np.newaxis])
     total = np.maximum.accumulate(np.log(total), axis=-1)
     log_diameter = log_diameter.reshape(densities.size, -1)
@@ -245,19 +246,6 @@ def passed_diameter(
     for place in np.ndindex(total.shape[:2]):
         found[place] = np.interp(np.log(loads), total[place], log_diameter[place[1]])
     return np.exp(found)
-
-
-def film_loads(
-    separation: NDArray, viscosity: NDArray, roughness: float, parameters: Parameters
-) -> NDArray:
-    """F* [1] in W at which films are as thick as a ``separation`` [m] (Eqs. 7 and 8), 0 where dry:
-    shape (viscosities, separations)."""
-    loads = np.zeros((viscosity.size, separation.size))
-    wet = viscosity > 0.0
-    film = Film.of(viscosity[wet, np.newaxis], roughness, parameters)
-    log_parameter = film.load_parameter(separation / parameters.ball_radius)
-    loads[wet] = np.exp(log_parameter - log_load_parameter(0.0, parameters))
-    return loads
 
 
 def passed_viscosity(

@@ -3,57 +3,30 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
-from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+import warnings
 from collections.abc import Sequence
+from inspect import signature
+from io import StringIO
+from shutil import get_terminal_size
+from typing import Any
 
-from thirdbody.answers.answer import Answer
-from thirdbody.command.options import option
-from thirdbody.command.questions import QUESTIONS
+import typer
 
-ANSWERED, NONE_FOUND, BAD_INPUT = 0, 1, 2
+from thirdbody.command.questions import EXAMPLES, questions
 
-
-class OneLineParser(ArgumentParser):
-    """A parser whose errors are one line: the option, its value and what is allowed."""
-
-    def error(self, message: str):
-        """Leave with ``BAD_INPUT``."""
-        told = message.removeprefix("argument ").replace(": is '", " is '", 1)
-        unknown = re.match(r"QUESTION: invalid choice: ('.*?')", told)
-        if unknown:
-            told = f"QUESTION is {unknown[1]}; allowed: {', '.join(QUESTIONS)}"
-        self.exit(BAD_INPUT, f"{self.prog}: {told}\n")
-
-
-def make_parser() -> ArgumentParser:
-    """The parser of the command and its sub-commands."""
-    parser = OneLineParser(
-        prog="thirdbody",
-        description="Contact of rough surfaces with hard particles and an oil film between them.",
-        epilog="exit codes: 0 answered, 1 what was asked for does not occur, 2 bad input",
-        allow_abbrev=False,
-    )
-    commands = parser.add_subparsers(dest="question", metavar="QUESTION", required=True)
-    for name, question in QUESTIONS.items():
-        command = commands.add_parser(
-            name,
-            help=question.asks,
-            description=f"{question.asks[0].upper()}{question.asks[1:]}.",
-            epilog=f"example:\n  {question.example}",
-            formatter_class=RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )
-        question.add_options(command)
-        command.add_argument("--json", action="store_true", help="print the answer as JSON")
-    return parser
-
-
-def told(error: Exception, options: Namespace) -> str:
-    """What is wrong, arguments of the library under the names of their options."""
-    names = "|".join(name for name in vars(options) if "_" in name)  # conditions, at least
-    return re.sub(rf"\b({names})\b", lambda found: option(found[1]), str(error))
+ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130
+WIDTH = 200  # columns of a text that is not on a terminal
+# messages of typer, and the same as messages of the library: the option, its value, what is allowed
+MESSAGES = {
+    r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
+    r"Missing option '(\S+)'.": r"\1 is missing",
+    r"Missing command.": f"QUESTION is missing; allowed: {', '.join(EXAMPLES)}",
+    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(EXAMPLES)}",
+    r"No such option: (\S+)": r"there is no option \1",
+}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -67,12 +40,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0 if there is an answer, 1 if what is asked for does not occur.
-
-    Raises
-    ------
-    SystemExit
-        With code 2 after one line about what is wrong with the input.
+        0 if there is an answer, 1 if what is asked for does not occur, 2 after one line about what is
+        wrong with the input, 3 if the answer cannot be written, 130 after Ctrl-C.
 
     Examples
     --------
@@ -83,20 +52,71 @@ def main(arguments: Sequence[str] | None = None) -> int:
     {"title": "Changes along the particle diameter at load 10 N, ...
     1
     """
-    parser = make_parser()
-    options = parser.parse_args(arguments)
-    question = QUESTIONS[options.question]
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in EXAMPLES)])
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("default")
+        try:
+            asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
+        except typer.TyperException as error:
+            return _refuse(name, error.format_message())
+        except (ValueError, OSError, ModuleNotFoundError) as error:
+            return _refuse(name, str(error))
+    for message in dict.fromkeys(str(each.message) for each in caught):
+        print(f"{name}: warning: {_plain(message)}", file=sys.stderr)
+    if asked == STOPPED:
+        print(f"{name}: stopped; run the same command again to start over", file=sys.stderr)
+    if isinstance(asked, int):  # of --help, --version and Ctrl-C
+        return asked
+    answer, as_json = asked
+    written = _print(name, _text(answer, as_json))
+    return written or (ANSWERED if getattr(answer, "found", True) else NONE_FOUND)
+
+
+def _refuse(name: str, message: str) -> int:
+    print(f"{name}: {_plain(message)}", file=sys.stderr)
+    return BAD_INPUT
+
+
+def _plain(message: str) -> str:
+    """A message in one line, with the arguments of the library under the names of their options."""
+    for pattern, replacement in MESSAGES.items():
+        message = re.sub(pattern, replacement, message)
+    functions = (command.callback for command in questions.registered_commands)
+    arguments = {name for each in functions for name in signature(each).parameters if "_" in name}
+    names = "|".join(sorted(arguments, key=len, reverse=True))
+    message = re.sub(rf"\b({names})\b", lambda found: "--" + found[1].replace("_", "-"), message)
+    return " ".join(message.split())
+
+
+def _text(answer: Any, as_json: bool) -> str:
+    """An ``Answer``, a ``Curve`` or a line as it is printed: on a terminal, tables fit its width."""
+    if isinstance(answer, str):
+        return answer
+    if as_json:
+        return json.dumps(answer.as_dict())
+    if hasattr(answer, "as_csv"):
+        return answer.as_csv().rstrip("\n")
+    from rich.console import Console
+
+    text, terminal = StringIO(), sys.stdout.isatty()
+    width = get_terminal_size().columns if terminal else WIDTH
+    Console(file=text, width=width, force_terminal=terminal, markup=False, highlight=False).print(
+        answer
+    )
+    return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+
+
+def _print(name: str, text: str) -> int:
+    """Print a text in any encoding: what it lacks is escaped.  A closed pipe is no error."""
+    encoding = sys.stdout.encoding or "utf-8"
     try:
-        answer = question.answer(options)
-    except (ValueError, OSError, ModuleNotFoundError) as error:
-        print(f"{parser.prog} {options.question}: {told(error, options)}", file=sys.stderr)
-        return BAD_INPUT
-    if isinstance(answer, Answer):
-        print(json.dumps(answer.as_dict()) if options.json else answer)
-        return ANSWERED if answer.found else NONE_FOUND
-    if options.json:
-        print(json.dumps(answer.columns()))
-    else:
-        written = " and ".join(filter(None, [options.csv, options.plot]))
-        print(f"{written} written" if written else answer.as_csv().rstrip("\n"))
+        print(text.encode(encoding, "backslashreplace").decode(encoding))
+        sys.stdout.flush()
+    except OSError as error:
+        # What is left in the buffer would be written again at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            print(f"{name}: the answer cannot be written ({error.strerror})", file=sys.stderr)
+            return NOT_WRITTEN
     return ANSWERED

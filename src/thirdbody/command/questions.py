@@ -1,244 +1,363 @@
-"""The sub-commands: what each asks, its options, an example, and the call that answers it."""
+"""The sub-commands: the options of each, and the call that answers it."""
 
 from __future__ import annotations
 
-from argparse import ArgumentParser, Namespace
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from typing import Annotated, Any
 
-import yaml
+import typer
 
-from thirdbody.answers.answer import Answer
-from thirdbody.answers.bearing import bearing, derived
-from thirdbody.answers.curve import Curve
-from thirdbody.answers.interface import BORDERED
-from thirdbody.answers.units import ENGINEERING
-from thirdbody.command.options import (
-    add_conditions,
-    add_ends,
-    ends_of,
-    interface_of,
-    material,
-    number,
-    one_of,
-    option,
-    other_interface_of,
-    whole_number,
+from thirdbody.units import ENGINEERING, SEARCHED
+
+SURFACE, LAYER = "--roughness-nm 300", "--particle-density-per-m2 1e11"
+PARTICLES = f"--particle-diameter-nm 500 {SURFACE} {LAYER}"
+_OPTIONS = {
+    "state": f"--load-N 10 --viscosity-cSt 90 {PARTICLES}",
+    "viscosity": f"--load-N 10 {PARTICLES}",
+    "size": f"--load-N 10 --viscosity-cSt 90 {SURFACE} {LAYER}",
+    "roughness": f"--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 {LAYER}",
+    "density": f"--load-N 10 --viscosity-cSt 90 --particle-diameter-nm 500 {SURFACE}",
+    "transitions": f"--viscosity-cSt 90 {PARTICLES}",
+    "turning-point": f"--viscosity-cSt 0 --particle-diameter-nm 300 {SURFACE} {LAYER}",
+    "bearing": "--ball silicon-nitride --ball-radius-mm 5 --speed-m-per-s 2 "
+    "--oil-density-kg-per-m3 850 --pressure-viscosity-per-GPa 20 --write bearing.yaml",
+    "curve": f"--load-N 10 {PARTICLES} --along viscosity --from 10 --to 150 "
+    "--csv curve.csv --plot curve.svg",
+    "compare": f"--load-N 10 --viscosity-cSt 90 {PARTICLES} --other-viscosity-cSt 120",
+}
+EXAMPLES = {name: f"thirdbody {name} {options}" for name, options in _OPTIONS.items()}
+
+
+def _number(given: Any) -> float:
+    text = str(given)  # defaults, which are numbers, come here as well
+    try:
+        return int(text) if text.isdecimal() else float(text)
+    except ValueError:
+        raise typer.BadParameter(f"is {text!r}; allowed: a number, without unit") from None
+
+
+def _option(name: str, text: str, kind: Any = float) -> Any:
+    """The type of an argument that an option gives."""
+    return Annotated[kind, typer.Option(f"--{name}", parser=_number, metavar="NUMBER", help=text)]
+
+
+def _optional(name: str, text: str) -> Any:
+    return _option(name, text, float | None)
+
+
+_CONDITIONS = {
+    "load-N": "normal load [N]",
+    "viscosity-cSt": "kinematic viscosity of the lubricant, 0 when dry [cSt]",
+    "particle-diameter-nm": "mean diameter of the particles, 0 without [nm]",
+    "roughness-nm": "equivalent root mean square roughness [nm]",
+    "particle-density-per-m2": "particles per area, 0 without [m-2]",
+}
+Load, Viscosity, Diameter, Roughness, Density = (
+    _option(name, text) for name, text in _CONDITIONS.items()
 )
-from thirdbody.configuration.inputs import load_parameters
-from thirdbody.data.files import atomic_write
-from thirdbody.data.paper_tables import LOADS
+AnyLoad, AnyViscosity, AnyDiameter, AnyRoughness, AnyDensity = (
+    _optional(name, text) for name, text in _CONDITIONS.items()
+)
+OtherLoad, OtherViscosity, OtherDiameter, OtherRoughness, OtherDensity = (
+    _optional(f"other-{name}", f"of the second: {text}") for name, text in _CONDITIONS.items()
+)
+First = _option("from", "first value, in the unit of its option")
+Last = _option("to", "last value, in the unit of its option")
+File = Annotated[str | None, typer.Option(metavar="FILE")]
+Inputs = Annotated[
+    str | None,
+    typer.Option(
+        metavar="FILE",
+        help="inputs of the model, as `thirdbody bearing --write` makes them; by default the calibrated ones",
+    ),
+]
+Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
 
-# the interface of the examples, by the names of the axes
-GIVEN = {
-    "load": "--load-N 10",
-    "viscosity": "--viscosity-cSt 90",
-    "particle_diameter": "--particle-diameter-nm 500",
-    "roughness": "--roughness-nm 300",
-    "particle_density": "--particle-density-per-m2 1e11",
-}
-
-
-def example(command: str, but: str = "", more: str = "") -> str:
-    """A command with the conditions of ``GIVEN``, all ``but`` one, and ``more`` options."""
-    given = (text for name, text in GIVEN.items() if name != but)
-    return " ".join(filter(None, ["thirdbody", command, *given, more]))
-
-
-@dataclass(frozen=True)
-class Question:
-    """A sub-command.
-
-    Attributes
-    ----------
-    asks : str
-        What it answers.
-    example : str
-        A command that works.
-    add_options : callable
-        Adds its options to a parser.
-    answer : callable
-        Maps parsed options to an ``Answer`` or a ``Curve``.
-    """
-
-    asks: str
-    example: str
-    add_options: Callable[[ArgumentParser], None]
-    answer: Callable[[Namespace], Answer | Curve]
+questions = typer.Typer(
+    add_completion=False,
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
 
 
-def along(axis: str, command: str, asks: str, flags: tuple[str, ...]) -> Question:
-    """The question where regimes or modes, ``flags``, change along an axis."""
+def _version(given: bool) -> None:
+    if given:
+        import thirdbody
 
-    def add_options(parser):
-        add_conditions(parser, but=[axis])
-        add_ends(parser, axis)
-
-    def answer(options):
-        return interface_of(options).transitions(axis, flags, ends_of(options))
-
-    return Question(asks, example(command, but=axis), add_options, answer)
+        print(f"thirdbody {thirdbody.__version__}")
+        raise typer.Exit()
 
 
-def _add_turning_options(parser):
-    add_conditions(parser, but=["load"])
-    for name, default in zip(("from_N", "to_N"), LOADS):
-        parser.add_argument(
-            option(name),
-            type=number(positive=True),
-            default=default,
-            metavar="NUMBER",
-            help=f"{name.split('_')[0]} this load [N] (default {default:g})",
-        )
+@questions.callback(
+    epilog="Exit codes: 0 answered, 1 what was asked for does not occur, 2 bad input, 3 the answer "
+    "cannot be written, 130 stopped by Ctrl-C."
+)
+def _thirdbody(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="print the version")
+    ] = False,
+) -> None:
+    """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _turning_point(options):
-    return interface_of(options).turning_point(ends_of(options, "from_N", "to_N"))
+def _question(name: str) -> Callable:
+    return questions.command(name, epilog=f"\b\nExample:\n  {EXAMPLES[name]}")  # \b: no wrapping
 
 
-NUMBERS_OF_BEARING = {
-    "ball_radius_mm": "radius of the ball R_x [mm]",
-    "speed_m_per_s": "rolling speed u [m/s]",
-    "oil_density_kg_per_m3": "density of the oil rho [kg m-3]; goes with the speed",
-    "dynamic_viscosity_mPa_s": "dynamic viscosity mu_0 [mPa s]; with nu in the place of the density",
-    "viscosity_cSt": "kinematic viscosity nu [cSt]; U is told for it",
-    "pressure_viscosity_per_GPa": "pressure-viscosity coefficient alpha [GPa-1]",
-}
-BODIES_OF_BEARING = ("ball", "flat", "particle")
+@_question("state")
+def _state(
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """How load and contact area divide, in which regime and mode."""
+    return _interface(locals()).state(), json
 
 
-def _add_bearing_options(parser):
-    for name, what in NUMBERS_OF_BEARING.items():
-        parser.add_argument(option(name), type=number(True), metavar="NUMBER", help=what)
-    for name in BODIES_OF_BEARING:
-        parser.add_argument(
-            option(name),
-            type=material,
-            metavar="MATERIAL",
-            help=f"material of the {name}: steel, silicon-nitride, alumina, or modulus [GPa], "
-            "Poisson's ratio and hardness [GPa] as in 205,0.29,5",
-        )
-    parser.add_argument(
-        "--write", metavar="FILE", help="write all inputs there, for --inputs of other questions"
-    )
+@_question("viscosity")
+def _viscosity(
+    load_N: Load,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    first: First = SEARCHED["viscosity"][0],
+    last: Last = SEARCHED["viscosity"][1],
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """Which viscosity leaves boundary lubrication."""
+    return _changes("viscosity", [REGIME], locals()), json
 
 
-def _bearing(options):
-    given = {name: getattr(options, name) for name in (*NUMBERS_OF_BEARING, *BODIES_OF_BEARING)}
+@_question("size")
+def _size(
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    first: First = SEARCHED["particle_diameter"][0],
+    last: Last = SEARCHED["particle_diameter"][1],
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """Which particle size a filter has to keep out."""
+    return _changes("particle_diameter", [MODE], locals()), json
+
+
+@_question("roughness")
+def _roughness(
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    particle_density_per_m2: Density,
+    first: First = SEARCHED["roughness"][0],
+    last: Last = SEARCHED["roughness"][1],
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """At which roughness regime or mode change."""
+    return _changes("roughness", [REGIME, MODE], locals()), json
+
+
+@_question("density")
+def _density(
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    first: First = SEARCHED["particle_density"][0],
+    last: Last = SEARCHED["particle_density"][1],
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """Which density of debris is too much: the mode changes."""
+    return _changes("particle_density", [MODE], locals()), json
+
+
+@_question("transitions")
+def _transitions(
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    first: First = SEARCHED["load"][0],
+    last: Last = SEARCHED["load"][1],
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """At which load the regime or the mode changes."""
+    return _changes("load", [REGIME, MODE], locals()), json
+
+
+@_question("turning-point")
+def _turning_point(
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    first: _option("from-N", "first load [N]") = 0.04,  # Table 2
+    last: _option("to-N", "last load [N]") = 80.0,
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """At which load the contact area turns (TPCA), and for which sizes."""
+    return _interface(locals()).turning_point(_increasing(first, last, "-N")), json
+
+
+MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's ratio and hardness"
+
+
+def _material(text: str) -> Any:
+    """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
+    from thirdbody.answers.bearing import MATERIALS as KNOWN
+    from thirdbody.answers.bearing import Material
+
+    try:
+        if text.replace("-", " ") in KNOWN:
+            return KNOWN[text.replace("-", " ")]
+        modulus, ratio, hardness = map(float, text.split(","))
+        return Material(1e9 * modulus, ratio, 1e9 * hardness)
+    except ValueError:
+        raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, as 205,0.29,5") from None
+
+
+Body = Annotated[
+    str | None,
+    typer.Option(parser=_material, metavar="MATERIAL", help=f"{MATERIALS}, as 205,0.29,5"),
+]
+
+
+@_question("bearing")
+def _bearing(
+    ball_radius_mm: _optional("ball-radius-mm", "radius R_x [mm]") = None,
+    speed_m_per_s: _optional("speed-m-per-s", "rolling speed u [m/s]") = None,
+    oil_density_kg_per_m3: _optional(
+        "oil-density-kg-per-m3", "density rho [kg m-3]; goes with the speed"
+    ) = None,
+    dynamic_viscosity_mPa_s: _optional(
+        "dynamic-viscosity-mPa-s", "mu_0 [mPa s]; with nu in place of the density"
+    ) = None,
+    viscosity_cSt: _optional("viscosity-cSt", "nu [cSt]; U is given for it") = None,
+    pressure_viscosity_per_GPa: _optional("pressure-viscosity-per-GPa", "alpha [GPa-1]") = None,
+    ball: Body = None,
+    flat: Body = None,
+    particle: Body = None,
+    write: File = None,
+    json: Json = False,
+):
+    """Which inputs follow from another ball, speed, oil or material."""
+    given = {name: value for name, value in locals().items() if name not in ("write", "json")}
+    from thirdbody.answers.bearing import bearing, derived
+    from thirdbody.configuration.inputs import load_parameters
+
     inputs = bearing(load_parameters(), **given)
-    if options.write:
-        with atomic_write(options.write) as part:
-            part.write_text(yaml.safe_dump(inputs.as_dict(), sort_keys=False), encoding="utf-8")
-    return derived(inputs, options.viscosity_cSt)
+    if write:
+        import yaml
+
+        _write(write, yaml.safe_dump(inputs.as_dict(), sort_keys=False))
+    return derived(inputs, viscosity_cSt), json
 
 
-def _add_curve_options(parser):
-    parser.add_argument(
-        "--along",
-        type=one_of(ENGINEERING),
-        required=True,
-        metavar="AXIS",
-        help=f"axis of the curve: {', '.join(ENGINEERING)}; its own option counts for nothing",
-    )
-    add_conditions(parser, required=False)  # all but one are, and which one is not known yet
-    add_ends(parser)
-    parser.add_argument(
-        "--count", type=whole_number, default=60, metavar="NUMBER", help="points (default 60)"
-    )
-    parser.add_argument(
-        "--csv", metavar="FILE", help="write the curve there instead of printing it"
-    )
-    parser.add_argument(
-        "--plot", metavar="FILE", help="draw it: a name that ends with .svg, .png, .pdf"
-    )
-
-
-def _curve(options):
-    missing = [
-        key
-        for name, key in ENGINEERING.items()
-        if name != options.along and vars(options)[key] is None
-    ]
-    if missing:
-        raise ValueError(f"{option(missing[0])} is missing; allowed: a number")
-    curve = interface_of(options).curve(options.along, *ends_of(options), options.count)
-    if options.csv:
-        with atomic_write(options.csv) as part:
-            part.write_text(curve.as_csv(), encoding="utf-8")
-    if options.plot:
+@_question("curve")
+def _curve(
+    along: Annotated[str, typer.Option(metavar="AXIS", help=", ".join(ENGINEERING))],
+    first: First,
+    last: Last,
+    load_N: AnyLoad = None,
+    viscosity_cSt: AnyViscosity = None,
+    particle_diameter_nm: AnyDiameter = None,
+    roughness_nm: AnyRoughness = None,
+    particle_density_per_m2: AnyDensity = None,
+    count: _option("count", "points") = 60,
+    csv: File = None,
+    plot: File = None,
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """All variables along one axis, as CSV and as a plot."""
+    given = dict(locals())
+    if along not in ENGINEERING:
+        raise ValueError(f"--along is {along!r}; allowed: {', '.join(ENGINEERING)}")
+    for name, key in ENGINEERING.items():
+        if name != along and given[key] is None:
+            raise ValueError(f"{key} is missing; allowed: a number")
+    found = _interface(given).curve(along, *_increasing(first, last), count)
+    if csv:
+        _write(csv, found.as_csv())
+    if plot:
         from thirdbody.figures.line import draw, save_drawing
 
-        save_drawing(
-            draw(curve.along, curve.points, curve.values, curve.low, curve.high), options.plot
-        )
-    return curve
+        save_drawing(draw(found.along, found.points, found.values, found.low, found.high), plot)
+    written = " and ".join(filter(None, [csv, plot]))
+    return f"{written} written" if written and not json else found, json
 
 
-def _add_two(parser):
-    add_conditions(parser)
-    add_conditions(parser, other=True)
+@_question("compare")
+def _compare(
+    load_N: Load,
+    viscosity_cSt: Viscosity,
+    particle_diameter_nm: Diameter,
+    roughness_nm: Roughness,
+    particle_density_per_m2: Density,
+    other_load_N: OtherLoad = None,
+    other_viscosity_cSt: OtherViscosity = None,
+    other_particle_diameter_nm: OtherDiameter = None,
+    other_roughness_nm: OtherRoughness = None,
+    other_particle_density_per_m2: OtherDensity = None,
+    inputs: Inputs = None,
+    other_inputs: Inputs = None,
+    json: Json = False,
+):
+    """Two interfaces beside each other; the second differs by --other-..."""
+    given = dict(locals())
+    one = _interface(given)
+    changes = {key: given[f"other_{key}"] for key in ENGINEERING.values()}
+    changes["parameters"] = _inputs(other_inputs, "--other-inputs") if other_inputs else None
+    other = one.changed(**{key: each for key, each in changes.items() if each is not None})
+    return one.compare(other), json
 
 
-REGIME, MODE = BORDERED
-QUESTIONS = {
-    "state": Question(
-        "how load and contact area divide, in which regime and mode",
-        example("state"),
-        add_conditions,
-        lambda options: interface_of(options).state(),
-    ),
-    "viscosity": along(
-        "viscosity",
-        "viscosity",
-        "which viscosity leaves boundary lubrication, and which reaches a full film",
-        (REGIME,),
-    ),
-    "size": along(
-        "particle_diameter",
-        "size",
-        "which particle size, that is which filter, keeps out of the particle-surface mode",
-        (MODE,),
-    ),
-    "roughness": along(
-        "roughness", "roughness", "at which roughness regime or mode change", BORDERED
-    ),
-    "density": along(
-        "particle_density",
-        "density",
-        "which density of debris is too much: the mode changes",
-        (MODE,),
-    ),
-    "transitions": along(
-        "load", "transitions", "at which load the regime or the mode changes", BORDERED
-    ),
-    "turning-point": Question(
-        "at which load the contact area turns (TPCA), and for which sizes it does",
-        "thirdbody turning-point --viscosity-cSt 0 --particle-diameter-nm 300 --roughness-nm 300 "
-        "--particle-density-per-m2 1e11",
-        _add_turning_options,
-        _turning_point,
-    ),
-    "bearing": Question(
-        "which inputs follow from another ball, speed, oil, steel or ceramic",
-        "thirdbody bearing --ball silicon-nitride --ball-radius-mm 5 --speed-m-per-s 2 "
-        "--oil-density-kg-per-m3 850 --pressure-viscosity-per-GPa 20 --write bearing.yaml",
-        _add_bearing_options,
-        _bearing,
-    ),
-    "curve": Question(
-        "all variables along one axis, as CSV and as a plot",
-        example(
-            "curve",
-            but="viscosity",
-            more="--along viscosity --from 10 --to 150 --csv curve.csv --plot curve.svg",
-        ),
-        _add_curve_options,
-        _curve,
-    ),
-    "compare": Question(
-        "two interfaces beside each other",
-        example("compare", more="--other-viscosity-cSt 120"),
-        _add_two,
-        lambda options: interface_of(options).compare(other_interface_of(options)),
-    ),
-}
+REGIME, MODE = "lubrication_regime", "contact_mode"
+
+
+def _changes(along: str, flags: list[str], given: Mapping[str, Any]) -> Any:
+    """Where flags change along a condition, with the arguments of a sub-command."""
+    between = _increasing(given["first"], given["last"])
+    return _interface(given).transitions(along, flags, between)
+
+
+def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:
+    if not first < last:
+        raise ValueError(f"--from{unit} is {first:g}; allowed: less than --to{unit}, {last:g}")
+    return first, last
+
+
+def _interface(given: Mapping[str, Any]) -> Any:
+    """The interface of the arguments of a sub-command; a condition that is absent counts for nothing."""
+    from thirdbody.answers.interface import Interface
+
+    conditions = {
+        key: SEARCHED[name][0] if given.get(key) is None else given[key]
+        for name, key in ENGINEERING.items()
+    }
+    return Interface(**conditions, parameters=_inputs(given["inputs"], "--inputs"))
+
+
+def _inputs(path: str | None, name: str) -> Any:
+    from thirdbody.configuration.inputs import load_parameters
+
+    try:
+        return load_parameters(path)
+    except (ValueError, OSError) as error:
+        raise ValueError(f"{name} is {path!r}; {error}") from None
+
+
+def _write(path: str, text: str) -> None:
+    from thirdbody.data.files import atomic_write
+
+    with atomic_write(path) as part:
+        part.write_text(text, encoding="utf-8")

@@ -12,11 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.labelled import is_labelled
-from thirdbody.conditions.units import without_unit
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
+from thirdbody.units import is_labelled, without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 PLAIN_NUMBERS = float, int, np.float64
@@ -106,11 +105,10 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         return np.asarray(float(values))  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
-        raise ValueError(
-            f"{name} is a {kind} of pandas; allowed: .to_numpy() or .to_xarray() of it"
-        )
-    given = values.data if is_labelled(values) else values
-    given = without_unit(name, given, parameters.newtons_per_load)
+        ways = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
+        raise ValueError(f"{name} is a {kind} of pandas; allowed: {ways} of it")
+    given = without_unit(name, values, parameters.newtons_per_load)
+    given = given.data if is_labelled(given) else given
     if np.ma.is_masked(given):
         raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     try:

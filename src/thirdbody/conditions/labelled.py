@@ -13,13 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.units import is_labelled
+
 if TYPE_CHECKING:
     import xarray as xr
-
-
-def is_labelled(given: Any) -> bool:
-    """Whether ``given`` is a ``DataArray`` or ``Variable`` of xarray."""
-    return hasattr(given, "dims") and hasattr(given, "data")
 
 
 def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[str, Any]:

@@ -1,8 +1,6 @@
-"""How far the conditions of real interfaces reach: what lies beyond is told, and solved.
+"""The usual range of each condition: what lies outside is solved, with a warning.
 
-The paper has loads F_t* up to 1e-4, oils up to 150 cSt, sizes up to 1 um and 5e12 particles per square
-metre; each limit is more than fifty times as high.  What is given in another unit, a load in newtons
-or a size in nanometres, is beyond its limit.
+A number in another unit, a load in newtons or a size in nanometres, lies outside.
 """
 
 from __future__ import annotations
@@ -11,17 +9,23 @@ import sys
 import warnings
 from collections.abc import Mapping
 
-MOST = {  # SI, with the unit that messages give
-    "load": (2e-2, ""),
-    "viscosity": (1e-2, " m2/s"),
-    "particle_diameter": (1e-3, " m"),
-    "roughness": (1e-3, " m"),
-    "particle_density": (1e16, " m-2"),
+import numpy as np
+from numpy.typing import NDArray
+
+from thirdbody.units import UNITS, Unit
+
+# SI, far wider than the paper's ranges; 0 is no oil, or no particle
+USUAL = {
+    "load": (1e-13, 2e-2),
+    "viscosity": (3e-7, 1e-2),
+    "particle_diameter": (1e-9, 1e-3),
+    "roughness": (1e-10, 1e-3),
+    "particle_density": (1e6, 1e16),
 }
 
 
 class OutOfRangeWarning(UserWarning):
-    """Conditions are beyond those of real interfaces: probably they are in another unit.
+    """Numbers are outside their usual range: probably they are in another unit.
 
     Examples
     --------
@@ -37,24 +41,54 @@ class OutOfRangeWarning(UserWarning):
     ...         parameters=tb.load_parameters(),
     ...     )
     >>> print(told[0].message)
-    viscosity is 90 m2/s; usual: up to 0.01 m2/s
+    viscosity is 90 m2 s-1; usual: 3e-07 to 0.01 m2 s-1
     """
 
 
-def warn_beyond_usual(greatest: Mapping[str, float]) -> None:
-    """Issue one ``OutOfRangeWarning``, at the caller of the package, for what is beyond ``MOST`` of
-    the ``greatest`` values of conditions."""
-    told = [
-        f"{name} is {greatest[name]:g}{unit}; usual: up to {most:g}{unit}"
-        for name, (most, unit) in MOST.items()
-        if greatest[name] > most
-    ]
+def warn_unusual(
+    conditions: Mapping[str, NDArray],
+    units: Mapping[str, Unit] = UNITS,
+    newtons_per_load: float = 1.0,
+) -> None:
+    """Issue one ``OutOfRangeWarning``, at the caller of the package.
+
+    Parameters
+    ----------
+    conditions : mapping
+        Values [SI] by the names of conditions.
+    units : mapping
+        By the same names: the units in which the values were given.
+    newtons_per_load : float
+        F_t/F_t* [N].
+    """
+    ranges = {
+        f"{units[name].key}": (
+            units[name].from_si(values, newtons_per_load),
+            ends,
+            units[name].text,
+        )
+        for name, values in conditions.items()
+        for ends in [units[name].from_si(USUAL[name], newtons_per_load)]
+    }
+    warn_outside(ranges)
+
+
+def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
+    """Issue one ``OutOfRangeWarning`` for values, by name, outside of usual ends in the same unit."""
+    told = []
+    for name, (values, (least, most), unit) in given.items():
+        values = np.ravel(values)
+        outside = values[((values < least) & (values != 0.0)) | (values > most)]
+        if outside.size:
+            suffix = "" if unit == "1" else f" {unit}"
+            ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
+            told.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
     if told:
         warnings.warn(", and ".join(told), OutOfRangeWarning, stacklevel=_outside_of_package())
 
 
 def _outside_of_package() -> int:
-    """The ``stacklevel`` of the nearest caller that is no part of this package."""
+    """The ``stacklevel`` of the nearest caller outside of this package."""
     frame, level = sys._getframe(1), 1
     package = __name__.partition(".")[0]
     while frame and frame.f_globals.get("__name__", "").partition(".")[0] == package:

@@ -7,9 +7,10 @@ from collections.abc import Collection, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from thirdbody.conditions.in_si import CONDITIONS
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.parameters import Parameters
-from thirdbody.solver.solve import solve
+from thirdbody.solver.solve import solve_arrays
 
 
 def excess_over(
@@ -46,7 +47,7 @@ def excess_over(
         The variables of ``also``.
     """
     wanted = {*quantities, *also}
-    found = solve(**given, parameters=parameters, rtol=rtol, variables=wanted)
+    found = solve_arrays({name: given[name] for name in CONDITIONS}, parameters, rtol, wanted)
     values = np.choose(chosen, [getattr(found, name) for name in quantities])
     return values - level, {name: getattr(found, name) for name in also}
 

@@ -1,4 +1,8 @@
-"""Loads at which a curve passes from one lubrication regime or contact mode to another."""
+"""Loads at which a curve passes from one lubrication regime or contact mode to another.
+
+At a separation d the loads of solids and film, and so L_s and A_sa,t*, depend on d alone.  A crossing
+is found over d between two points of the curve, and its load follows from Eq. 1.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +11,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves.crossings import level_roots
+from thirdbody.curves.bracketing import bracketed_roots
+from thirdbody.curves.turning_point import particle_ratio
+from thirdbody.model.film import film_load
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
+from thirdbody.solver.points import make_contact
 
 LIMITS = (
     ("solid_load_fraction", BOUNDARY_LIMIT),
@@ -20,21 +28,21 @@ LIMITS = (
 
 
 def transitions(
-    load: NDArray,
+    separation: NDArray,
     values: Mapping[str, NDArray],
     conditions: NDArray,
     parameters: Parameters,
     rtol: float,
     limits: Sequence[tuple[str, float]] = LIMITS,
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
-    """Find the loads at which quantities cross given levels.
+    """Find the loads at which L_s and A_sa,t* cross given levels.
 
     Parameters
     ----------
-    load : array, shape (loads,)
-        Increasing loads F_t* [1] at which the curves are known.
+    separation : array, shape (loads, curves)
+        Separations d [m] at increasing loads at which the curves are known.
     values : mapping
-        The quantities that ``limits`` name, arrays of shape (loads, curves).
+        The quantities that ``limits`` name, arrays of shape (loads, curves); nan where unknown.
     conditions : array, shape (4, curves)
         Viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2].
     parameters : Parameters
@@ -42,7 +50,8 @@ def transitions(
     rtol : float
         Relative error asked for.
     limits : sequence of pairs
-        A quantity and the level that it crosses; by default those between regimes and modes.
+        ``solid_load_fraction`` or ``particle_contact_area_ratio`` and the level that it crosses; by
+        default those between regimes and modes.
 
     Returns
     -------
@@ -55,18 +64,44 @@ def transitions(
     rises : array of bool
         Whether the quantity rises with the load there.
     """
-    quantities, levels = zip(*limits, strict=True)
     excess = np.stack([values[quantity] - level for quantity, level in limits])
     above, known = excess > 0.0, np.isfinite(excess)
     change = known[:, :-1] & known[:, 1:] & (above[:, :-1] != above[:, 1:])
     limit, step, curve = np.nonzero(change)
-    if curve.size == 0:
-        return limit, curve, np.zeros(0), np.zeros(0), np.zeros(0, dtype=bool)
+    load, error = np.zeros((2, curve.size))
+    quantity, level = (np.array(each)[limit] for each in zip(*limits, strict=True))
+    three_body = has_particles(*conditions[1::2, curve])
+    for some in (np.flatnonzero(three_body), np.flatnonzero(~three_body)):
+        if some.size:
+            ends = (separation[step[some] + after, curve[some]] for after in (0, 1))
+            is_ratio = quantity[some] == "particle_contact_area_ratio"
+            given = conditions[:, curve[some]], parameters, rtol
+            load[some], error[some] = _crossings(*ends, is_ratio, level[some], *given)
+    return limit, curve, load, error, above[limit, step + 1, curve]
 
-    names = "viscosity", "particle_diameter", "roughness", "particle_density"
-    given = dict(zip(names, conditions[:, curve], strict=True))
-    passed = quantities, limit, np.array(levels)[limit]
-    ends = np.log(load[step]), np.log(load[step + 1])
-    root, width = level_roots("load", ends, *passed, given, parameters, rtol)
-    crossing = np.exp(root)
-    return limit, curve, crossing, crossing * (width + rtol), above[limit, step + 1, curve]
+
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
+def _crossings(first, last, is_ratio, level, conditions, parameters, rtol):
+    """F_t* [1] where A_sa,t* or L_s has its level between two separations [m], and bounds on errors."""
+    viscosity, diameter, roughness, density = conditions
+    solids = make_contact(diameter, roughness, density, parameters, rtol)
+
+    def loads(d):
+        solid = solids.log_solid_load(d)
+        film, film_slope = film_load(d, viscosity, roughness, parameters)
+        total = parameters.interpretation.film_load.total_load(np.exp(solid.value), film)  # Eq. 1
+        return solid, total, np.maximum(np.abs(solid.slope), np.abs(film_slope))
+
+    def excess(d):
+        solid, total, _ = loads(d)
+        return np.where(is_ratio, particle_ratio(solids, d), np.exp(solid.value) / total) - level
+
+    at_first, at_last = excess(first), excess(last)
+    outside = (at_first > 0.0) == (
+        at_last > 0.0
+    )  # within its error a point lies on the level itself
+    nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
+    ends = (np.where(outside, nearest, end) for end in (first, last))
+    d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
+    _, total, steepest = loads(d)
+    return total, total * (steepest * width + rtol)

@@ -22,7 +22,7 @@ from scipy.special import expit
 
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.model.contact import Contact
-from thirdbody.model.film import Film, log_load_parameter
+from thirdbody.model.film import film_load
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import TINY, has_particles
 from thirdbody.solver.points import make_contact
@@ -312,12 +312,8 @@ def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) ->
     inputs = solids.parameters
     loads = solids.log_solid_load(separation)
     solid, steepest = np.exp(loads.value), np.abs(loads.slope)
-    fluid, wet = np.zeros_like(solid), viscosity > 0.0
-    film = Film.of(viscosity[wet], roughness[wet], inputs)
-    log_parameter = film.load_parameter(separation[wet] / inputs.ball_radius)  # Eq. 7
-    fluid[wet] = np.exp(log_parameter - log_load_parameter(0.0, inputs))  # Eq. 8
-    film_slope = 1.0 / np.abs(inputs.ball_radius * film.thickness(log_parameter)[1])
-    steepest[wet] = np.maximum(steepest[wet], film_slope)
+    fluid, film_slope = film_load(separation, viscosity, roughness, inputs)
+    steepest = np.maximum(steepest, np.abs(film_slope))
     load = inputs.interpretation.film_load.total_load(solid, fluid)  # Eq. 1
     return {
         "load": load,

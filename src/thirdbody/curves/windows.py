@@ -16,7 +16,7 @@ from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import PROMINENCE, ratio_maxima
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.points import make_contact
-from thirdbody.solver.solve import DEFAULT_RTOL, solve
+from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
 
 @dataclass(frozen=True)
@@ -201,14 +201,9 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
     """By how much a turning point stands out more than it must; negative where there is none."""
     columns = diameter, roughness, np.full_like(diameter, density)
     names = "particle_diameter", "roughness", "particle_density"
-    first, last = solve(
-        load=np.array(load_range)[:, None],
-        viscosity=0.0,
-        **dict(zip(names, columns, strict=True)),
-        parameters=parameters,
-        rtol=search.rtol,
-        variables=("separation",),
-    ).separation
+    points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
+    points |= dict(zip(names, columns, strict=True))
+    first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
     solids = make_contact(*columns, parameters, search.rtol)
     between = _between(first, last, roughness, search.separations)
     curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)

@@ -1,10 +1,9 @@
 """Solved points as data that last: scenes, datasets, files and tables.
 
-This room knows how each condition and each variable is called and in which unit it is written
-(``conditions``, ``quantities``), how a configured scene becomes a dataset (``scene``, ``dataset``, ``plain``),
-how a dataset becomes a file and is read again (``netcdf``, ``streaming``), and what is extracted
-from it (``extraction``, ``tables``).  It may import ``thirdbody.curves`` and what is below.  Begin
-with ``dataset.grid``.
+``conditions`` and ``quantities`` name every axis and variable; ``scene`` and ``dataset`` make a dataset of
+a configured figure or a grid, held inside as one of ``plain``; ``netcdf`` and ``streaming`` write its file;
+``extraction``, ``tables`` and ``readable`` are about what is found in it.  Begin with ``dataset.grid``.  It
+imports ``thirdbody.curves``, ``thirdbody.configuration`` and what is below them.
 """
 
 from thirdbody.extras import require

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
 from thirdbody.data.model_attribute import model_attribute
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, STATUS, Quantity
+from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
@@ -66,7 +66,7 @@ def software_version() -> str:
 
 
 def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
-    """Attributes of a coordinate: one of the axes, or the normal load beside the first."""
+    """Attributes of a coordinate: an axis, or the normal load beside the first."""
     return {
         "units": described.units,
         "long_name": described.long_name,
@@ -75,7 +75,7 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable, with what stands for the points which it does not hold."""
+    """Attributes of a variable, with what stands for points that a figure does not show."""
     attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
     return attributes | ({"comment": quantity.comment} if quantity.comment else {})
 
@@ -88,7 +88,7 @@ def _number_attributes(quantity):
         "equation": quantity.equation,
         "ancillary_variables": STATUS,
         "coverage_content_type": "modelResult",
-    } | ({} if quantity.counts else {"_FillValue": FILL_FLOAT})
+    } | ({"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {})
 
 
 def _flag_attributes(flag):
@@ -107,7 +107,7 @@ def _flag_attributes(flag):
 
 
 def identity(origin: str) -> dict[str, str]:
-    """Attributes that are the same for datasets of the same origin only, told in one text."""
+    """The sum of an ``origin`` text, and the name of a dataset that it makes."""
     digest = hashlib.sha256(origin.encode()).hexdigest()
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
@@ -121,18 +121,8 @@ def global_attributes(
 ) -> dict:
     """Attributes of a whole dataset.
 
-    Parameters
-    ----------
-    title : str
-        Title of the dataset.
-    parameters : Parameters
-        What it was solved with: becomes ``model_parameters``.
-    roughness : ndarray, shape (n,)
-        Its values of σ [m], along which the summits of ``model_parameters`` are listed.
-    rtol : float
-        Relative error asked for [1].
-    request : Mapping
-        What was asked for: with the parameters and ``rtol`` it makes ``configuration_sha256``.
+    ``model_parameters`` lists the summits of ``parameters`` along ``roughness`` [m], shape (n,);
+    ``configuration_sha256`` depends on the parameters, ``rtol`` and what was asked for, ``request``.
     """
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
     canonical = json.dumps(configuration, sort_keys=True)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_parameters, check_rtol, check_variables, checked_axis
-from thirdbody.conditions.usual import warn_beyond_usual
+from thirdbody.conditions.checks import check_rtol, check_variables
+from thirdbody.conditions.in_si import in_si
 from thirdbody.data.attributes import (
     coordinate_attributes,
     global_attributes,
@@ -44,31 +44,16 @@ Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the 
 
 def grid(
     *,
-    load: ArrayLike,
-    viscosity: ArrayLike,
-    particle_diameter: ArrayLike,
-    roughness: ArrayLike,
-    particle_density: ArrayLike,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
     progress: bool = True,
+    **conditions: ArrayLike,
 ) -> xr.Dataset:
     """Every combination of five axes, solved and described, in memory.
 
     Parameters
     ----------
-    load : array_like, shape (n,) or scalar
-        F_t* = F_t/(A_n E_ss) [1], above 0; as every axis, increasing, and of numbers or quantities
-        as in ``solve``.
-    viscosity : array_like, shape (n,) or scalar
-        Kinematic ν [m2/s]; 0 is dry contact.
-    particle_diameter : array_like, shape (n,) or scalar
-        Mean x_a [m]; 0 is two-body contact.
-    roughness : array_like, shape (n,) or scalar
-        Equivalent σ [m], above 0.
-    particle_density : array_like, shape (n,) or scalar
-        η_a [m-2]; 0 is two-body contact.
     parameters : Parameters
         Inputs of the model.
     rtol : float, optional
@@ -79,6 +64,12 @@ def grid(
         ``separation_count`` where a point has the status ``several_separations``.
     progress : bool, optional
         Whether a call that takes long says how far it has come, as ``solve``.
+    **conditions : array_like, shape (n,) or scalar
+        The five axes, increasing, as numbers or quantities: ``load`` [1] or ``load_N``, ``viscosity``
+        [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
+        ``roughness`` [m] or ``roughness_nm``, ``particle_density`` [m-2] or
+        ``particle_density_per_m2``.  Viscosity 0 is dry contact; diameter or density 0 is two-body
+        contact.
 
     Returns
     -------
@@ -89,8 +80,8 @@ def grid(
     Raises
     ------
     ValueError
-        In one line: for an axis that is not 1-D, increasing and of physical meaning, a quantity of
-        another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
+        In one line: for an axis that is missing, not 1-D, not increasing or not physical, a quantity
+        of another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
         float64 cannot keep, or an unknown variable.
 
     Warns
@@ -102,11 +93,11 @@ def grid(
     --------
     >>> import thirdbody as tb
     >>> points = tb.grid(
-    ...     load=[1e-6, 1e-5],
-    ...     viscosity=[0.0, 9e-5],
-    ...     particle_diameter=[3e-7],
-    ...     roughness=[3e-7],
-    ...     particle_density=[1e11],
+    ...     load_N=[1, 10],
+    ...     viscosity_cSt=[0, 90],
+    ...     particle_diameter_nm=300,
+    ...     roughness_nm=300,
+    ...     particle_density_per_m2=1e11,
     ...     parameters=tb.load_parameters(),
     ...     variables=["solid_load_fraction"],
     ... )
@@ -115,17 +106,16 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    check_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
     names = with_status(variables)
-    axes = grid_axes(parameters, load, viscosity, particle_diameter, roughness, particle_density)
-    solved = dict.fromkeys([*names, SEPARATION_COUNT.name])
+    axes = grid_axes(parameters, conditions)
+    wanted = dict.fromkeys([*names, SEPARATION_COUNT.name])
     if is_worthwhile(axes, rtol):
-        solution = sweep(axes, parameters, rtol, solved, progress)
+        solution = sweep(axes, parameters, rtol, wanted, progress)
     else:
-        solution = solve_arrays(crossed(axes), parameters, rtol, solved, progress)
-    values = {name: getattr(solution, name) for name in solved}
+        solution = solve_arrays(crossed(axes), parameters, rtol, wanted, progress)
+    values = {name: getattr(solution, name) for name in wanted}
     if SEPARATION_COUNT.name not in names:
         _keep_counts_of_several(values)
     return described_grid(axes, values, parameters, rtol).to_xarray()
@@ -134,17 +124,24 @@ def grid(
 def with_status(variables: Collection[str]) -> list[str]:
     """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
     check_variables(variables, VARIABLES)
-    return [name for name in VARIABLES if name in variables or name == "solution_status"]
+    return [name for name in VARIABLES if name in variables or name == STATUS]
 
 
-def grid_axes(parameters: Parameters, *given: ArrayLike) -> Axes:
+def grid_axes(parameters: Parameters, conditions: Mapping[str, ArrayLike]) -> Axes:
     """The five axes of a grid by name; errors and warnings as of ``grid``."""
-    axes = {
-        name: _checked_increasing(name, values, parameters)
-        for name, values in zip(DIMENSIONS, given, strict=True)
-    }
-    warn_beyond_usual({name: axis[-1] for name, axis in axes.items()})
-    return axes
+    return in_si(conditions, parameters, check=_checked_increasing)
+
+
+def _checked_increasing(key: str, values: NDArray) -> NDArray:
+    axis = np.atleast_1d(values)
+    if axis.ndim != 1 or axis.size == 0:
+        raise ValueError(f"{key} has shape {axis.shape}; allowed: one increasing dimension")
+    back = np.flatnonzero(np.diff(axis) <= 0.0)
+    if back.size:
+        first, second = axis[back[0] :][:2]
+        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
+        raise ValueError(f"{key} has {told}")
+    return axis
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
@@ -167,17 +164,14 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     ----------
     scene : Scene
         Axes, and which of their combinations the figure shows.
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float, optional
-        Relative error asked for in every variable [1].
+    parameters, rtol
+        As of ``grid``.
 
     Returns
     -------
     PlainDataset
-        All variables of ``CONTRACT`` over the five axes of ``scene``, and ``separation_count`` where
-        a point has several; combinations that the figure does not show hold ``FILL_FLOAT`` or
-        ``FILL_FLAG``.
+        All variables of ``CONTRACT`` over the five axes, and ``separation_count`` where a point has
+        several; combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.
 
     Raises
     ------
@@ -209,18 +203,6 @@ def _keep_counts_of_several(values):
     """Drop the counts of separations from ``values`` if no point has several."""
     if not (values[STATUS] == SEVERAL).any():
         del values[SEPARATION_COUNT.name]
-
-
-def _checked_increasing(name, values, parameters):
-    axis = np.atleast_1d(checked_axis(name, values, parameters))
-    if axis.ndim != 1 or axis.size == 0:
-        raise ValueError(f"{name} has shape {axis.shape}; allowed: one increasing dimension")
-    back = np.flatnonzero(np.diff(axis) <= 0.0)
-    if back.size:
-        first, second = axis[back[0] :][:2]
-        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
-        raise ValueError(f"{name} has {told}")
-    return axis
 
 
 def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:

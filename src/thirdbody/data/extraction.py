@@ -52,7 +52,8 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
-    crossings = transitions(dataset["load"].values, values, conditions, parameters, rtol)
+    separation = dataset["separation"].values[:, shown]
+    crossings = transitions(separation, values, conditions, parameters, rtol)
     _, curves, loads, *_ = crossings
     statuses = _statuses(loads, conditions[:, curves], dataset, parameters)
     return [

@@ -16,24 +16,15 @@ from thirdbody.messages import shown, shown_file
 def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files that take their places together, once all of them are written.
 
-    Parameters
-    ----------
-    *paths
-        The places of the files.
-
-    Yields
-    ------
-    Path or tuple of Path
-        Names beside the places, to be written to: one, or as many as there are ``paths``.
+    Yields names beside the places, to be written to: one, or as many as there are ``paths``.
 
     Raises
     ------
     ValueError
         For what is no name of a file.
     OSError
-        Naming the places, if a file was not written, or could not be for want of room or right; what
-        cannot be begun is refused before the block runs.  Whatever the block raises, nothing new
-        appears in any place.
+        Naming the places, if a file was not or cannot be written; what cannot be begun is refused
+        before the block runs.  Whatever the block raises, nothing new appears in any place.
 
     Examples
     --------

@@ -13,43 +13,36 @@ ROUGHNESSES = (100e-9, 500e-9)  # sigma [m], Table 2
 VISCOSITIES = (0.0, 150e-6)  # nu [m2/s], Table 2
 
 
-def _hertz_modulus(inputs: Parameters):
-    modulus = STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2))
-    return [modulus / 1e9], "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)"
+def _force_unit(inputs: Parameters) -> float:
+    """E_ss R_x^2 [N]."""
+    return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
-def _normal_load(inputs: Parameters):
-    scale = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
-    remark = "W E_ss R_x^2 from the printed W; the row is called dimensionless but is in newtons"
-    return [parameter * scale for parameter in LOAD_PARAMETERS], remark
-
-
-def _load_parameter(inputs: Parameters):
-    scale = inputs.elastic_modulus_surfaces * inputs.ball_radius**2
-    return [load / scale * 1e5 for load in LOADS], "F_t/(E_ss R_x^2)"
-
-
-def _speed_parameter(inputs: Parameters):
-    return [
-        inputs.speed_per_viscosity * viscosity * 1e10 for viscosity in VISCOSITIES
-    ], "proportional to the viscosity; 7.3e-10 at 150 cSt fixes mu_0 u/nu alone"
-
-
-def _roughness_parameter(inputs: Parameters):
-    return [roughness / inputs.ball_radius * 1e5 for roughness in ROUGHNESSES], "sigma/R_x"
-
-
-def _hardness_parameter(inputs: Parameters):
-    return [inputs.softer_hardness / inputs.elastic_modulus_surfaces], "H/E_ss of Table 1"
-
-
-RECOMPUTED = {
-    "hertz_modulus": _hertz_modulus,
-    "normal_load": _normal_load,
-    "load_parameter": _load_parameter,
-    "speed_parameter": _speed_parameter,
-    "roughness_parameter": _roughness_parameter,
-    "hardness_parameter": _hardness_parameter,
+RECOMPUTED = {  # how an entry derives from the others, and what to say of it
+    "hertz_modulus": (
+        lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
+        "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)",
+    ),
+    "normal_load": (
+        lambda inputs: [parameter * _force_unit(inputs) for parameter in LOAD_PARAMETERS],
+        "W E_ss R_x^2 from the printed W; the row is called dimensionless but is in newtons",
+    ),
+    "load_parameter": (
+        lambda inputs: [load / _force_unit(inputs) * 1e5 for load in LOADS],
+        "F_t/(E_ss R_x^2)",
+    ),
+    "speed_parameter": (
+        lambda inputs: [inputs.speed_per_viscosity * each * 1e10 for each in VISCOSITIES],
+        "proportional to the viscosity; 7.3e-10 at 150 cSt fixes mu_0 u/nu alone",
+    ),
+    "roughness_parameter": (
+        lambda inputs: [roughness / inputs.ball_radius * 1e5 for roughness in ROUGHNESSES],
+        "sigma/R_x",
+    ),
+    "hardness_parameter": (
+        lambda inputs: [inputs.softer_hardness / inputs.elastic_modulus_surfaces],
+        "H/E_ss of Table 1",
+    ),
 }
 
 
@@ -77,7 +70,8 @@ def _judged(row: dict, inputs: Parameters) -> dict:
     result |= _ends("printed", printed)
     if "recompute" not in row:
         return result | _ends("recomputed", []) | {"verdict": "input", "remark": ""}
-    recomputed, remark = RECOMPUTED[row["recompute"]](inputs)
+    function, remark = RECOMPUTED[row["recompute"]]
+    recomputed = function(inputs)
     disagreements = [
         f"printed {a:g} against {b:.{row['digits'] + 1}g}"
         for a, b in zip(printed, recomputed, strict=True)

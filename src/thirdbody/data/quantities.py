@@ -1,11 +1,12 @@
-"""The variables of the datasets: what each is called, where the paper defines it, what it means.
+"""The variables of the datasets: name, symbol, unit, equation and meaning of each.
 
-Datasets, their envelopes, tables, figures and the nomenclature page take all of it from here; the
-axes, which are given and not computed, stand in ``thirdbody.data.conditions``.
+Datasets, tables, figures, answers and the nomenclature page take all of it from here; the conditions,
+which are given and not computed, stand in ``thirdbody.data.conditions``.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -39,9 +40,8 @@ STATUS_MEANINGS = {
     "load_exceeded": "the load is more than what is carried at any separation of zero or more",
 }
 STATUS = "solution_status"  # the flag that says how to take all other variables
-# What stands where a dataset holds no point, which is another thing than a point without solution:
-# the fill values of NetCDF.  Of a flag it is a value with a meaning, not_shown, and not declared as
-# missing, for which readers such as xarray would turn integers into floats.
+# What stands where a figure shows no point: the fill values of NetCDF.  Of a flag it is a value with a
+# meaning, not_shown: xarray would turn integers with missing values into floats.
 FILL_FLOAT = 9.969209968386869e36
 FILL_FLAG = np.int8(-127)
 
@@ -62,12 +62,12 @@ class Quantity:
         What it is.
     equation : str
         Equation or section of the paper that defines it, ``none`` if none does.
+    largest : float
+        It is between 0 and this.
     meanings : tuple of str
         Of a flag, what its values 0, 1, ... stand for; empty for a number.
     comment : str
         What else there is to say of it, or nothing.
-    counts : bool
-        Whether it is a whole number, a byte as flags are.
     """
 
     name: str
@@ -75,9 +75,9 @@ class Quantity:
     units: str
     long_name: str
     equation: str
+    largest: float = math.inf
     meanings: tuple[str, ...] = ()
     comment: str = ""
-    counts: bool = False
 
 
 NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
@@ -96,12 +96,15 @@ SEPARATION_COUNT = Quantity(
     "at how many separations the forces balance",
     "1-2",
     comment=f"0: without values; {FILL_FLAG}: not shown",
-    counts=True,
 )
 
 
 def _by_name(*quantities: Quantity) -> dict[str, Quantity]:
     return {quantity.name: quantity for quantity in quantities}
+
+
+def _flag(name: str, symbol: str, long_name: str, equation: str, comment: str = "") -> Quantity:
+    return Quantity(name, symbol, "1", long_name, equation, math.inf, FLAG_MEANINGS[name], comment)
 
 
 QUANTITIES = _by_name(
@@ -112,6 +115,7 @@ QUANTITIES = _by_name(
         "1",
         "contact area of particles over total real contact area",
         "10",
+        largest=1.0,
     ),
     Quantity(
         "surface_contact_area_ratio",
@@ -119,31 +123,25 @@ QUANTITIES = _by_name(
         "1",
         "contact area of summits over total real contact area",
         "10",
+        largest=1.0,
     ),
-    Quantity("solid_load_fraction", "L_s", "1", "share of the load borne by the solids", "9"),
-    Quantity("fluid_load_fraction", "L_f", "1", "share of the load borne by the fluid", "9"),
+    Quantity(
+        "solid_load_fraction", "L_s", "1", "fraction of the load carried by the solids", "9", 1.0
+    ),
+    Quantity(
+        "fluid_load_fraction", "L_f", "1", "fraction of the load carried by the fluid", "9", 1.0
+    ),
     Quantity("separation", "d", "m", "mean separation of the two surfaces", "4"),
     Quantity("film_thickness", "H_c", "1", "central film thickness over ball radius", "7"),
 )
 FLAGS = _by_name(
-    Quantity(
-        "lubrication_regime",
-        "L_s",
-        "1",
-        "lubrication regime",
-        "section 3.1",
-        FLAG_MEANINGS["lubrication_regime"],
-    ),
-    Quantity(
-        "contact_mode", "A_sa,t*", "1", "contact mode", "section 3.2", FLAG_MEANINGS["contact_mode"]
-    ),
-    Quantity(
+    _flag("lubrication_regime", "L_s", "lubrication regime", "section 3.1"),
+    _flag("contact_mode", "A_sa,t*", "contact mode", "section 3.2"),
+    _flag(
         STATUS,
         "none",
-        "1",
         "status of the solution",
         "1-8",
-        FLAG_MEANINGS[STATUS],
         "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )
@@ -171,8 +169,8 @@ def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bo
 
     Parameters
     ----------
-    dataset : PlainDataset
-        One of ``read_plain``.
+    dataset : xarray.Dataset
+        Points over the five axes.
 
     Returns
     -------

@@ -1,4 +1,4 @@
-"""Tables as people read them: a row a curve, engineering units, the paper's numbers beside.
+"""Tables for reading: a row a curve, engineering units, the paper's numbers beside.
 
 Programs read the CSV files of the same names, which hold every digit in SI.  Here a number has three
 digits, or fewer where its error is larger than that.
@@ -10,18 +10,15 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
+from itertools import groupby
+from pathlib import Path
+from string import Template
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 
 DIGITS = 3
-NEGLIGIBLE = 0.005  # of an elasticity or a share of variance
-# curves stand in the order of these
-ORDER = [
-    AXES[name].column
-    for name in ("roughness", "particle_diameter", "particle_density", "viscosity")
-]
+NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
 LOAD_UNIT = 1e-6  # of F_t* in headings
-PLUS_MINUS = " ± "
 RESULTS = {
     "turning_point_load": "turning point: load",
     "turning_point_ratio": "turning point: Aₛₐ,ₜ*",
@@ -34,26 +31,29 @@ MEASURES = {
     "elasticity": "Sensitivities: elasticities, d ln(result)/d ln(input)",
     "sobol_total": "Sensitivities: total Sobol indices",
 }
-CROSSINGS = (  # columns of the transitions: quantity, level, heading
-    ("solid_load_fraction", 0.9, "Lₛ = 90 % [N]"),
-    ("solid_load_fraction", 0.03, "Lₛ = 3 % [N]"),
-    ("particle_contact_area_ratio", 0.95, "Aₛₐ,ₜ* = 0.95 [N]"),
-    ("particle_contact_area_ratio", 0.05, "Aₛₐ,ₜ* = 0.05 [N]"),
-)
-FIGURES, PAPER = "figures", "paper"  # headings of what curves of one's own do not have
-STATUS = "status"  # heading of what is left out where it is converged everywhere
-CONVERGED = "converged"
+CROSSINGS = {  # columns of the transitions: heading, quantity and level
+    "Lₛ = 90 % [N]": ("solid_load_fraction", 0.9),
+    "Lₛ = 3 % [N]": ("solid_load_fraction", 0.03),
+    "Aₛₐ,ₜ* = 0.95 [N]": ("particle_contact_area_ratio", 0.95),
+    "Aₛₐ,ₜ* = 0.05 [N]": ("particle_contact_area_ratio", 0.05),
+}
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
+FIGURES, PAPER, STATUS = "figures", "(paper)", "status"  # headings, PAPER the end of some
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """A table as it is read: a title and a note above it, headings, and rows of texts."""
+    """A table for reading: a title and a note above it, and rows of texts by their headings."""
 
     title: str
     note: str
-    headings: Sequence[str]
-    rows: Sequence[Sequence[str]]
+    rows: Sequence[Mapping[str, str]]
+
+    def table(self, style: str) -> str:
+        """The rows in a ``style`` of tabulate."""
+        from tabulate import tabulate
+
+        return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
@@ -86,7 +86,7 @@ def with_error(value: float, error: float) -> str:
     >>> with_error(0.5234, 0.0612)
     '0.52 ± 0.06'
     """
-    return f"{rounded(value, error)}{PLUS_MINUS}{rounded(error, digits=1)}"
+    return f"{rounded(value, error)} ± {rounded(error, digits=1)}"
 
 
 def result_name(row: Mapping) -> str:
@@ -102,7 +102,7 @@ def result_name(row: Mapping) -> str:
 def readable(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> list[Sheet]:
-    """A table as it is read.
+    """A table for reading.
 
     Parameters
     ----------
@@ -121,7 +121,8 @@ def readable(
 def markdown(sheets: Sequence[Sheet]) -> str:
     """Text of ``sheets``, one below the other, each with its caption as a first paragraph."""
     return "\n".join(
-        f"{_caption(sheet, '**{}.**')}\n\n{_table(sheet, 'github')}\n" for sheet in sheets
+        f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n{sheet.table('github')}\n"
+        for sheet in sheets
     )
 
 
@@ -130,186 +131,158 @@ def page(sheets: Sequence[Sheet]) -> str:
 
     Examples
     --------
-    >>> text = page([Sheet("Sizes", "All of them.", ["x"], [["x < 3"]])])
+    >>> text = page([Sheet("Sizes", "All of them.", [{"x": "x < 3"}])])
     >>> "<strong>Sizes.</strong> All of them." in text, "<td>x &lt; 3</td>" in text
     (True, True)
     """
-    shown = "\n".join(
-        f"<p>{_caption(sheet, '<strong>{}.</strong>', escape)}</p>\n{_table(sheet, 'html')}"
+    parts = [
+        f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
+        f"{sheet.table('html')}"
         for sheet in sheets
-    )
-    return PAGE.format(title=escape(sheets[0].title), shown=shown)
-
-
-PAGE = """\
-<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>{title}</title>
-<style>
-body {{ background: white; color: black; font: 14px/1.4 sans-serif; margin: 1em; }}
-table {{ border-collapse: collapse; margin-bottom: 2em; }}
-th, td {{ border: 1px solid #bbb; padding: 0.2em 0.6em; text-align: left; vertical-align: top; }}
-th {{ background: #eee; }}
-</style>
-</head>
-<body>
-{shown}
-</body>
-</html>
-"""
-
-
-def _caption(sheet, title, written=str) -> str:
-    return f"{title.format(written(sheet.title))} {written(sheet.note)}".rstrip()
-
-
-def _table(sheet, style) -> str:
-    from tabulate import tabulate
-
-    return tabulate(sheet.rows, sheet.headings, tablefmt=style, disable_numparse=True)
+    ]
+    template = Template(Path(__file__).with_name("page.html").read_text(encoding="utf-8"))
+    return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
 
 def _paper_table(title) -> Callable[..., list[Sheet]]:
-    """How a table of the paper is read: printed and recomputed values side by side."""
-    note = "Recomputed from the other printed values where that is possible."
-    headings = ["property", "symbol", "unit", "printed", "recomputed", "verdict", "remark"]
+    """A table of the paper: printed and recomputed values side by side."""
 
     def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
         lines = [
-            [
-                *(row[name] for name in ("property", "symbol", "unit")),
-                *(_ends(row[f"{name}_low"], row[f"{name}_high"]) for name in headings[3:5]),
-                row["verdict"],
-                row["remark"] or "",
-            ]
+            {
+                **{name: row[name] for name in ("property", "symbol", "unit")},
+                "printed": _ends(row["printed_low"], row["printed_high"]),
+                "recomputed": _ends(row["recomputed_low"], row["recomputed_high"]),
+                "verdict": row["verdict"],
+                "remark": row["remark"] or "",
+            }
             for row in rows
         ]
-        return [Sheet(title, note, headings, lines)]
+        note = "Recomputed from the other printed values where that is possible."
+        return [Sheet(title, note, lines)]
 
     return sheets
 
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
-    numbers = _by_curve(printed)
-    headings = [*CURVE_HEADINGS, "F_TPCA* [10⁻⁶]", PAPER, "F_TPCA [N]", "Aₛₐ,ₜ*", PAPER]
-    headings += ["Lₛ [%]", PAPER, "d [nm]", STATUS]
     lines = []
     for key, some in _curves(rows):
-        row, paper = some[0], numbers.get(key, {})
+        row = some[0]
         load, error = row["load"], row["load_error"]
-        lines.append(
-            [
-                *_curve_cells(some),
-                rounded(load / LOAD_UNIT, error / LOAD_UNIT),
-                _paper(paper, "turning_point_load", LOAD_UNIT),
-                rounded(load * newtons_per_load, error * newtons_per_load),
-                rounded(row["peak_ratio"]),
-                _paper(paper, "turning_point_ratio"),
-                rounded(100.0 * row["solid_load_fraction"]),
-                _paper(paper, "turning_point_solid_load_fraction", 0.01),
-                rounded(row["separation_m"] / 1e-9),
-                _status(some),
-            ]
+        paper = {number["quantity"]: number for number in reversed(printed) if _key(number) == key}
+        load_paper, ratio_paper, solid_paper = (
+            _spread(paper.get(f"turning_point_{name}"), unit)
+            for name, unit in (("load", LOAD_UNIT), ("ratio", 1.0), ("solid_load_fraction", 0.01))
         )
-    title = "Turning points of the contact area"
+        lines.append(
+            _curve_cells(some)
+            | {
+                "F_TPCA* [10⁻⁶]": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
+                f"F_TPCA* {PAPER}": load_paper,
+                "F_TPCA [N]": rounded(load * newtons_per_load, error * newtons_per_load),
+                "Aₛₐ,ₜ*": rounded(row["peak_ratio"]),
+                f"Aₛₐ,ₜ* {PAPER}": ratio_paper,
+                "Lₛ [%]": rounded(100.0 * row["solid_load_fraction"]),
+                f"Lₛ {PAPER}": solid_paper,
+                "d [nm]": rounded(row["separation_m"] / 1e-9),
+                STATUS: _statuses(some),
+            }
+        )
     note = "A row is a curve. Beside the model's numbers stand the paper's, with their tolerances."
-    return [_sheet_beside(printed, title, note, headings, lines)]
+    return [_sheet_beside(printed, "Turning points of the contact area", note, lines)]
 
 
 def _windows(rows, printed, _) -> list[Sheet]:
-    headings = ["σ [nm]", "low end of xₐ/σ", PAPER, "high end of xₐ/σ", PAPER, "xₐ [nm]"]
-    surfaces: dict[float, dict] = {}
+    lines: dict[float, dict] = {}
+    sizes: dict[float, list] = {}
     for row in rows:
-        surfaces.setdefault(row["roughness_m"], {})[row["end"]] = row
-    lines = []
-    for roughness, ends in surfaces.items():
-        line, diameters = [_shown("roughness", roughness)], []
-        for name, row in ends.items():
-            value = row["diameter_over_roughness"]
-            paper = [
-                _spread(number)
-                for number in printed
-                if number["quantity"] == f"window_{name}" and number["roughness_m"] == roughness
-            ]
-            line += [rounded(value, row["error"]), "; ".join(dict.fromkeys(paper))]
-            diameters.append(rounded(value * roughness / 1e-9, row["error"] * roughness / 1e-9))
-        lines.append([*line, " to ".join(diameters)])
-    title = "Windows of the turning point in dry contact"
+        roughness, end, ratio = (row[n] for n in ("roughness_m", "end", "diameter_over_roughness"))
+        line = lines.setdefault(roughness, {"σ [nm]": _in_unit("roughness", roughness)})
+        paper = [
+            _spread(number)
+            for number in printed
+            if (number["quantity"], number["roughness_m"]) == (f"window_{end}", roughness)
+        ]
+        line[f"{end} end of xₐ/σ"] = rounded(ratio, row["error"])
+        line[f"{end} end {PAPER}"] = "; ".join(dict.fromkeys(paper))
+        size = rounded(ratio * roughness / 1e-9, row["error"] * roughness / 1e-9)
+        sizes.setdefault(roughness, []).append(size)
     note = (
         "It occurs between two ends of xₐ/σ. Beside them stand the paper's, with their tolerances."
     )
-    return [Sheet(title, note, headings, lines)]
+    title = "Windows of the turning point in dry contact"
+    rows = [line | {"xₐ [nm]": " to ".join(sizes[key])} for key, line in lines.items()]
+    return [Sheet(title, note, rows)]
 
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
-    numbers = [number for number in printed if number["quantity"] == "load"]
-    headings = [*CURVE_HEADINGS, *(heading for *_, heading in CROSSINGS), STATUS]
     lines = []
     for key, some in _curves(rows):
         line = _curve_cells(some)
-        for quantity, level, _ in CROSSINGS:
+        for heading, crossing in CROSSINGS.items():
             found = {
                 rounded(row["load"] * newtons_per_load): ARROWS[row["direction"]]
                 for row in some
-                if (row["quantity"], row["level"]) == (quantity, level)
+                if (row["quantity"], row["level"]) == crossing
             }
             paper = [
                 f"(paper: {_spread(number, 1.0 / newtons_per_load)})"
-                for number in numbers
-                if _key(number) == key
-                and (number["at_quantity"], number["at_level"]) == (quantity, level)
+                for number in printed
+                if number["quantity"] == "load"
+                and _key(number) == key
+                and (number["at_quantity"], number["at_level"]) == crossing
             ]
-            line.append(", ".join([arrow + load for load, arrow in found.items()] + paper))
-        lines.append([*line, _status(some)])
-    title = "Loads at which the regime or mode changes"
+            line[heading] = ", ".join([arrow + load for load, arrow in found.items()] + paper)
+        lines.append(line | {STATUS: _statuses(some)})
     note = "A row is a curve. ↓ the quantity falls with the load, ↑ it rises."
-    return [_sheet_beside(printed, title, note, headings, lines)]
+    return [_sheet_beside(printed, "Loads at which the regime or mode changes", note, lines)]
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
+    given = [row for row in rows if row["input"]]
+    results = list(dict.fromkeys(map(result_name, given)))
     sheets = []
-    names = list(dict.fromkeys(result_name(row) for row in rows if row["input"]))
-    note = f"0 stands for less than {NEGLIGIBLE:g}."
     for measure, title in MEASURES.items():
-        inputs: dict[str, dict] = {}
-        for row in rows:
-            if row["measure"] == measure and row["input"] and row["sensitivity"] is not None:
-                cells = inputs.setdefault(row["input"].replace("_", " "), {})
-                cells[result_name(row)] = _response(row)
-        lines = [[name, *(cells.get(one, "") for one in names)] for name, cells in inputs.items()]
-        sheets.append(Sheet(title, note, ["input", *names], lines))
+        cells = [
+            ({"input": row["input"].replace("_", " ")}, result_name(row), _response(row))
+            for row in given
+            if row["measure"] == measure and row["sensitivity"] is not None
+        ]
+        note = f"0 stands for less than {NEGLIGIBLE:g}."
+        sheets.append(Sheet(title, note, _pivoted(cells, results)))
     return sheets
 
 
-def _chart(title, note, limited, below, beyond) -> Callable[..., list[Sheet]]:
-    """How the table of a design chart is read: a column a load, the range of the ensemble in brackets.
+def _chart(title, limited, below, beyond) -> Callable[..., list[Sheet]]:
+    """A design chart: a column a load, the range of the ensemble in brackets.
 
     ``limited`` is the axis that the limit is on; ``below`` and ``beyond`` stand for limits beyond
     either end of it.
     """
 
-    def told(value) -> str:
+    def text(value) -> str:
         if math.isinf(value) or value == 0.0:
             return beyond if value else below
         return rounded(AXES[limited].from_si(value))
 
+    def cell(row) -> str:
+        ends = dict.fromkeys((text(row["low"]), text(row["high"])))
+        status = _statuses([row])
+        return f"{text(row['limit'])} ({' to '.join(ends)})" + (f", {status}" if status else "")
+
     def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
         held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
-        loads = list(dict.fromkeys(row["load_N"] for row in rows))
-        lines: dict[tuple, dict] = {}
-        for row in rows:
-            key = tuple(_shown(axis.name, row[axis.column]) for axis in held)
-            ends = [told(row[name]) for name in ("low", "high")]
-            span = f" ({ends[0]} to {ends[1]})" if ends[0] != ends[1] else f" ({ends[0]})"
-            status = f", {_status([row])}" if _status([row]) else ""
-            lines.setdefault(key, {})[row["load_N"]] = told(row["limit"]) + span + status
-        headings = [f"{axis.sign} [{axis.unit}]" for axis in held]
-        headings += [f"{load:g} N" for load in loads]
-        cells = [[*key, *(line[load] for load in loads)] for key, line in lines.items()]
-        return [Sheet(title, note, headings, cells)]
+        loads = [f"{row['load_N']:g} N" for row in rows]
+        conditions = [
+            {_heading(axis): _in_unit(axis.name, row[axis.column]) for axis in held} for row in rows
+        ]
+        cells = zip(conditions, loads, map(cell, rows), strict=True)
+        note = (
+            "At the load of each column; in brackets between which values nine in ten members of "
+            f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
+            "the atlas."
+        )
+        return [Sheet(title, note, _pivoted(cells, loads))]
 
     return sheets
 
@@ -323,38 +296,79 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "sensitivity": _sensitivities,
     "largest_particle": _chart(
         "Largest particles that stay out of the particle-surface mode [nm]",
-        "At the load of each column; in brackets between which values nine in ten members of the "
-        "calibrated ensemble lie. none, all: of the diameters in the atlas.",
         "particle_diameter",
         "none",
         "all",
     ),
     "least_viscosity": _chart(
-        "Least viscosity that leaves boundary lubrication [cSt]",
-        "At the load of each column; in brackets between which values nine in ten members of the "
-        "calibrated ensemble lie. none, all: of the viscosities in the atlas.",
-        "viscosity",
-        "all",
-        "none",
+        "Least viscosity that leaves boundary lubrication [cSt]", "viscosity", "all", "none"
     ),
 }
-CURVE_HEADINGS = [FIGURES, *(f"{axis.sign} [{axis.unit}]" for axis in CONDITION_AXES)]
 
 
-def _sheet_beside(printed, title, note, headings, lines) -> Sheet:
-    """A table of curves; where nothing is printed of them, without columns for what the paper says,
-    and where all have converged, without one that says so."""
-    absent = set() if printed else {FIGURES, PAPER}
-    absent |= set() if any(line[headings.index(STATUS)] for line in lines) else {STATUS}
-    kept = [place for place, heading in enumerate(headings) if heading not in absent]
-    shown = [[line[place] for place in kept] for line in lines]
-    return Sheet(title, note, [headings[place] for place in kept], shown)
+def _pivoted(cells, columns) -> list[dict[str, str]]:
+    """One row for the ``cells`` (first columns, further column, text) that share the first columns."""
+    lines: dict[tuple, dict] = {}
+    for first, column, text in cells:
+        line = lines.setdefault(tuple(first.values()), first | dict.fromkeys(columns, ""))
+        line[column] = text
+    return [*lines.values()]
 
 
-def _status(rows) -> str:
-    """Statuses of some points, but for that of those that have converged."""
+def _sheet_beside(printed, title, note, lines) -> Sheet:
+    """A table of curves, without columns that are empty because nothing is printed of the curves, or
+    because all have converged."""
+    if not lines:
+        return Sheet(title, "There are none.", [])
+    kept = [
+        name
+        for name in lines[0]
+        if (printed or not (name == FIGURES or name.endswith(PAPER)))
+        and (name != STATUS or any(line[STATUS] for line in lines))
+    ]
+    return Sheet(title, note, [{name: line[name] for name in kept} for line in lines])
+
+
+def _key(row) -> tuple[str, ...]:
+    """The curve of a row, free of the rounding of files."""
+    return tuple("" if row[a.column] is None else f"{row[a.column]:.9g}" for a in CONDITION_AXES)
+
+
+def _curves(rows):
+    """Rows by curve, some of which figures share."""
+    names = "roughness", "particle_diameter", "particle_density", "viscosity"
+    ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
+    return [(key, [*some]) for key, some in groupby(ordered, key=_key)]
+
+
+def _curve_cells(rows) -> dict[str, str]:
+    numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in rows)
+    figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
+    conditions = {
+        _heading(axis): _in_unit(axis.name, rows[0][axis.column]) for axis in CONDITION_AXES
+    }
+    return {FIGURES: figures} | conditions
+
+
+def _heading(axis) -> str:
+    return f"{axis.sign} [{axis.unit}]"
+
+
+def _in_unit(name, value) -> str:
+    return f"{AXES[name].from_si(value):.6g}".replace("e+", "e")
+
+
+def _condition(name, row) -> str:
+    axis = AXES[name]
+    if name == "viscosity" and row[axis.column] == 0.0:
+        return "dry"
+    return f"{axis.sign} = {_in_unit(name, row[axis.column])} {axis.unit}"
+
+
+def _statuses(rows) -> str:
+    """Statuses of some points, except of those that have converged."""
     statuses = dict.fromkeys(row["solution_status"] for row in rows)
-    return ", ".join(each.replace("_", " ") for each in statuses if each != CONVERGED)
+    return ", ".join(each.replace("_", " ") for each in statuses if each != "converged")
 
 
 def _ends(low, high) -> str:
@@ -372,61 +386,13 @@ def _response(row) -> str:
     return with_error(value, max(error, NEGLIGIBLE))
 
 
+def _spread(number, unit=1.0) -> str:
+    """A printed number and its tolerance, in ``unit``; empty if there is none."""
+    if number is None:
+        return ""
+    value, reach = number["value"] / unit, (number["high"] - number["low"]) / (2.0 * unit)
+    return f"{value:.3g} ± {reach:.2g}"
+
+
 def _exponent(value) -> int:
     return math.floor(math.log10(abs(value)))
-
-
-def _key(row) -> tuple[str, ...]:
-    """The curve of a row, free of the rounding of files."""
-    return tuple("" if row[a.column] is None else f"{row[a.column]:.9g}" for a in CONDITION_AXES)
-
-
-def _curves(rows):
-    """Rows by curve: figures share some."""
-    groups: dict[tuple, list] = {}
-    for row in sorted(rows, key=lambda row: [row[name] for name in ORDER]):
-        groups.setdefault(_key(row), []).append(row)
-    return groups.items()
-
-
-def _by_curve(printed) -> dict[tuple, dict]:
-    """Printed numbers by curve and quantity."""
-    numbers: dict[tuple, dict] = {}
-    for row in printed:
-        numbers.setdefault(_key(row), {}).setdefault(row["quantity"], row)
-    return numbers
-
-
-def _curve_cells(rows) -> list[str]:
-    figures = dict.fromkeys(
-        str(int(row["figure"].removeprefix("fig"))) for row in rows if _numbered(row)
-    )
-    return [
-        ", ".join(figures),
-        *(_shown(axis.name, rows[0][axis.column]) for axis in CONDITION_AXES),
-    ]
-
-
-def _numbered(row) -> bool:
-    return row["figure"].removeprefix("fig").isdigit()
-
-
-def _shown(name, value) -> str:
-    return f"{AXES[name].from_si(value):.6g}".replace("e+", "e")
-
-
-def _condition(name, row) -> str:
-    axis = AXES[name]
-    if name == "viscosity" and row[axis.column] == 0.0:
-        return "dry"
-    return f"{axis.sign} = {_shown(name, row[axis.column])} {axis.unit}"
-
-
-def _paper(numbers, quantity, unit=1.0) -> str:
-    return _spread(numbers[quantity], unit) if quantity in numbers else ""
-
-
-def _spread(number, unit=1.0) -> str:
-    """A printed number and its tolerance, in ``unit``."""
-    value, reach = number["value"] / unit, (number["high"] - number["low"]) / (2.0 * unit)
-    return f"{value:.3g}{PLUS_MINUS}{reach:.2g}"

@@ -16,19 +16,7 @@ RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key in the place of the
 
 @dataclass(frozen=True)
 class Curves:
-    """A group of curves: every combination of four axes, each 1-D and increasing, SI.
-
-    Attributes
-    ----------
-    viscosity : ndarray
-        ν [m2/s]; 0 is dry contact.
-    particle_diameter : ndarray
-        Mean x_a [m]; 0 is two-body contact.
-    roughness : ndarray
-        σ [m].
-    particle_density : ndarray
-        η_a [m-2].
-    """
+    """A group of curves: every combination of four axes, each 1-D and increasing, SI."""
 
     viscosity: NDArray[np.float64]
     particle_diameter: NDArray[np.float64]
@@ -80,41 +68,19 @@ class Scene:
 
     @classmethod
     def of(cls, name: str, scene: Mapping, newtons_per_load: float) -> Scene:
-        """The scene that the configuration describes.
-
-        Parameters
-        ----------
-        name : str
-            Name of the figure.
-        scene : Mapping
-            A valid entry of ``config/scenes.yaml``, with its load axis.
-        newtons_per_load : float
-            F_t/F_t* [N], which turns the load axis, given in newtons, into F_t*.
+        """The scene of a figure of a valid entry of ``config/scenes.yaml``, with its load axis in newtons.
 
         Examples
         --------
-        >>> scene = Scene.of(
-        ...     "fig",
-        ...     {
-        ...         "title": "Two viscosities",
-        ...         "load_axis": {"load_N": [1.0, 100.0], "count": 3},
-        ...         "curves": [
-        ...             {
-        ...                 "viscosity_cSt": [0, 90],
-        ...                 "particle_diameter_nm": [500],
-        ...                 "roughness_nm": [300],
-        ...                 "particle_density_per_m2": [1e11],
-        ...             }
-        ...         ],
-        ...     },
-        ...     newtons_per_load=1e6,
-        ... )
+        >>> group = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [500], "roughness_nm": [300]}
+        >>> group["particle_density_per_m2"] = [1e11]
+        >>> axis = {"load_N": [1.0, 100.0], "count": 3}
+        >>> given = {"title": "Two viscosities", "load_axis": axis, "curves": [group]}
+        >>> scene = Scene.of("fig", given, newtons_per_load=1e6)
         >>> scene.load
         array([1.e-06, 1.e-05, 1.e-04])
-        >>> scene.axis("viscosity")
-        array([0.e+00, 9.e-05])
-        >>> scene.size
-        6
+        >>> scene.axis("viscosity"), scene.size
+        (array([0.e+00, 9.e-05]), 6)
         """
         groups = [curves for group in scene["curves"] for curves in Curves.of(group)]
         load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
@@ -154,17 +120,11 @@ def load_values(
     Parameters
     ----------
     axis : Mapping
-        ``load_N``, first and last normal load [N]; ``count``, the number of loads between them,
-        both included.
+        ``load_N``, first and last normal load [N], and ``count`` of loads from one to the other.
     named_loads : iterable of float
         F_t* [1] that the text names; those beyond the ends are left out.
     newtons_per_load : float
         F_t/F_t* [N].
-
-    Returns
-    -------
-    ndarray, shape (n,)
-        F_t* [1], increasing.
 
     Examples
     --------

@@ -10,6 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
 
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
@@ -259,7 +260,9 @@ def _draw_series(axes: Axes, series: Series, style: dict) -> None:
     """Draw a series in the ``style`` of its curve."""
     colour = {"color": style["color"]} if style else {}
     if series.kind == marks.BAND:
-        axes.fill(series.x, series.y, **band_style(style["color"]))
+        # not `fill`, which finds limits of the axes from each edge: its outline has them
+        area = np.column_stack([series.x, series.y])
+        axes.add_artist(Polygon(area, **band_style(style["color"])))
         axes.plot(series.x, series.y, **BAND_EDGE, **colour)
     elif series.kind == CURVE:
         axes.plot(series.x, series.y, **style)

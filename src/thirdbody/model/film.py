@@ -50,6 +50,32 @@ def has_film(viscosity: ArrayLike) -> NDArray:
     return viscosity > 0.0
 
 
+def film_load(
+    separation: NDArray, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters
+) -> tuple[NDArray, NDArray]:
+    """F* [1] in W under which films are as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
+
+    Parameters
+    ----------
+    separation, viscosity : array
+        d [m] and nu [m2/s], of shapes that broadcast.
+    roughness : array or float
+        sigma [m], of each film or of all.
+    parameters : Parameters
+        Inputs of the model.
+
+    Returns
+    -------
+    load, slope : array
+        Both 0 where there is no film.
+    """
+    wet = has_film(viscosity)
+    film = Film.of(np.where(wet, viscosity, 1.0), roughness, parameters)
+    log_parameter, slope = film.load_parameter_and_slope(separation / parameters.ball_radius)
+    load = np.exp(log_parameter - log_load_parameter(0.0, parameters))
+    return np.where(wet, load, 0.0), np.where(wet, slope / separation, 0.0)
+
+
 @dataclass(frozen=True)
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).

@@ -15,8 +15,8 @@ from thirdbody.conditions.checks import (
     check_variables,
     checked_axis,
 )
-from thirdbody.conditions.labelled import broadcast_by_name, is_labelled, labelled_as, with_names
-from thirdbody.conditions.usual import warn_beyond_usual
+from thirdbody.conditions.labelled import broadcast_by_name, labelled_as, with_names
+from thirdbody.conditions.usual import warn_unusual
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
@@ -26,6 +26,7 @@ from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.balance import bracket, enclose
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
+from thirdbody.units import is_labelled
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
@@ -51,13 +52,13 @@ def solve(
     """Contact state of the interface at each point (Eqs. 1-10).
 
     The five conditions broadcast against each other, and are given by name: numbers in the unit that
-    is said here, or quantities of pint in any unit of the same dimension.  Arrays of xarray broadcast
-    by the names of their dimensions.
+    is said here, or quantities of pint, astropy, unyt or quantities in any unit of the same dimension.
+    Arrays of xarray broadcast by the names of their dimensions; their attribute ``units`` counts.
 
     Parameters
     ----------
     load : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive; of pint, a force F_t as well.
+        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive; as a quantity, a force F_t as well.
     viscosity : array_like
         Kinematic viscosity of the lubricant [m2/s]; 0 where the interface is dry.
     particle_diameter : array_like
@@ -95,8 +96,9 @@ def solve(
     Warns
     -----
     OutOfRangeWarning
-        Once, for conditions so far beyond those of real interfaces that another unit must be meant:
-        F_t* above 0.02, nu above 0.01 m2/s, sizes above 1 mm, more than 1e16 particles per m2.
+        Once, for conditions outside their usual ranges, where another unit is probably meant: F_t*
+        1e-13 to 0.02, nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 0.1 nm to 1 mm, eta_a 1e6 to
+        1e16 m-2.
 
     Examples
     --------
@@ -128,7 +130,7 @@ def solve(
     given = dict(zip(CONDITIONS, given, strict=True))
     # copies, which the caller does not change later
     arrays = {name: np.array(checked_axis(name, each, parameters)) for name, each in given.items()}
-    warn_beyond_usual({name: each.max(initial=0.0) for name, each in arrays.items()})
+    warn_unusual(arrays)
     if not any(map(is_labelled, given.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})

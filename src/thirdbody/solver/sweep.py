@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
+import scipy  # of which interpolate is loaded when it is first used: many jobs never do
 from numpy.typing import NDArray
-from scipy.interpolate import PPoly, make_interp_spline
 
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import Film, log_load_parameter
@@ -197,7 +197,9 @@ class _Surface:
         powers = np.stack([np.concatenate(each, axis=1) for each in columns])
         for places, stop in zip(separations, stops, strict=True):
             cells = slice(stop - places.size, stop - 1)
-            yield PPoly.construct_fast(np.ascontiguousarray(powers[:, cells]), places)
+            yield scipy.interpolate.PPoly.construct_fast(
+                np.ascontiguousarray(powers[:, cells]), places
+            )
 
     def _explicit(self, table):
         """Eq. 1 where the film's thickness follows from the total load: d is known."""
@@ -266,7 +268,7 @@ class _Surface:
         places = np.geomspace(max(low, 0.5 * self.alone.min()), high, GUESSES)
         log_film = self.film.load_parameter(places / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
-        return make_interp_spline(places, log_film, k=1, axis=-1)
+        return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
 
     def _summits(self, log_load):
         """Fraction of F_t that the summits carry."""

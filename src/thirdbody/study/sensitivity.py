@@ -152,7 +152,7 @@ def last_crossings(
             name: np.column_stack([getattr(curve, name) for curve in curves]) for name, _ in LIMITS
         }
         limit, curve, load, *_ = transitions(
-            evidence.loads,
+            np.column_stack([curve.separation for curve in curves]),
             values,
             np.transpose(conditions),
             evidence.parameters,

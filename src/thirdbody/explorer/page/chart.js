@@ -53,12 +53,13 @@ export function chartIn(parent, { onRead, onLeave }) {
   const clipId = `clip-${Math.random().toString(36).slice(2)}`;
   const clip = svg.append("clipPath").attr("id", clipId).append("rect");
   const layer = Object.fromEntries(
-    ["grid", "zones", "axes"].map((name) => [name, svg.append("g")]),
+    ["grid", "limits", "axes"].map((name) => [name, svg.append("g")]),
   );
   const inside = svg.append("g").attr("clip-path", `url(#${clipId})`);
   for (const name of ["bands", "ghosts", "lines", "markers", "doubts", "here", "printed", "stars", "cursor"]) {
     layer[name] = inside.append("g");
   }
+  layer.zones = svg.append("g"); // names above the curves
   const chart = { figure: figure.node(), svg: svg.node(), spec: null, room, update, clear };
   let scales = null;
   let framed = ""; // what the axes that are drawn belong to
@@ -154,6 +155,11 @@ export function chartIn(parent, { onRead, onLeave }) {
     const [ticksX, ticksY] = [spec.x, spec.y].map((axis) => (axis.log ? null : axis));
     const bottomAxis = axisWith(d3.axisBottom(x), spec.x, ticksX, right - left);
     const leftAxis = axisWith(d3.axisLeft(y), spec.y, ticksY, bottom - top);
+    // one path, as many elements are slow to lay out
+    const small = [
+      ...minorTicks(spec.x).map((value) => `M${x(value)},${bottom}v4`),
+      ...minorTicks(spec.y).map((value) => `M${left},${y(value)}h-4`),
+    ];
     const parts = [
       ["axis", `translate(0,${bottom})`, bottomAxis],
       ["axis", `translate(${left},0)`, leftAxis],
@@ -161,6 +167,8 @@ export function chartIn(parent, { onRead, onLeave }) {
     if (spec.top) {
       const newtons = x.copy().domain(x.domain().map((end) => end * spec.top));
       parts.push(["axis", `translate(0,${top})`, axisWith(d3.axisTop(newtons), { name: "newtons", log: true }, null, right - left)]);
+      const values = minorTicks({ log: spec.x.log, domain: newtons.domain() });
+      small.push(...values.map((value) => `M${newtons(value)},${top}v-4`));
     }
     layer.axes
       .selectAll("g.axis")
@@ -171,6 +179,7 @@ export function chartIn(parent, { onRead, onLeave }) {
       .each(function (part) {
         d3.select(this).call(part[2]);
       });
+    layer.axes.selectAll("path.minor").data([small.join("")]).join("path").attr("class", "minor").attr("d", (path) => path);
     layer.grid
       .selectAll("g.grid")
       .data([
@@ -206,7 +215,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     const { limits = [], zones = [] } = VARIABLES[spec.y.name];
     const [low, high] = y.domain();
     const shown = limits.filter((limit) => limit > low && limit < high && canShow(spec.y, limit));
-    layer.zones
+    layer.limits
       .selectAll("line")
       .data(shown)
       .join("line")
@@ -385,18 +394,15 @@ function axisWith(axis, { name, log }, linear, length) {
   const major = decades(axis.scale().domain());
   const plain = name === "newtons";
   const few = major.length < 2;
-  const values = few ? axis.scale().ticks(5) : [...major, ...between(axis.scale().domain(), major.length)];
-  const text = (value) => {
-    if (few) return readable(value, 3);
-    if (!major.some((each) => Math.abs(each / value - 1) < 1e-9)) return "";
-    return plain && value > 1e-4 && value < 1e5 ? readable(value, 3) : powerOfTen(Math.round(Math.log10(value)));
-  };
-  return axis.tickValues(values).tickFormat(text).tickSizeOuter(0);
+  const text = (value) =>
+    few || (plain && value > 1e-4 && value < 1e5) ? readable(value, 3) : powerOfTen(Math.round(Math.log10(value)));
+  return axis.tickValues(few ? axis.scale().ticks(5) : major).tickFormat(text).tickSizeOuter(0);
 }
 
-// twofold to ninefold powers of ten, unless there are many
-function between([low, high], count) {
-  if (count > 7) return [];
+// small ticks of a logarithmic axis: twofold to ninefold powers of ten, unless there are many
+function minorTicks({ log, domain: [low, high] }) {
+  const count = log ? decades([low, high]).length : 0;
+  if (count < 2 || count > 7) return [];
   const powers = d3.range(Math.floor(Math.log10(low)), Math.ceil(Math.log10(high)));
   return powers
     .flatMap((exponent) => d3.range(2, 10).map((digit) => digit * 10 ** exponent))

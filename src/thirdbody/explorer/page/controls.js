@@ -14,7 +14,7 @@ import {
   toUnit,
 } from "./state.js";
 import { inputWords, letterOf, unitOf, wordOf } from "./names.js";
-import { readable, significant } from "./text.js";
+import { numberIn, readable, significant } from "./text.js";
 
 const STEPS = 1000; // of a slider
 // engineering units of inputs that are given in SI
@@ -28,7 +28,7 @@ export function makeControls(form) {
   form.addEventListener("submit", (event) => event.preventDefault());
   const conditions = group(form, "Conditions");
   axes.forEach((axis) => conditions.append(conditionControl(axis)));
-  const readings = group(form, "Reading of the paper");
+  const readings = group(form, "Interpretation of the paper");
   readings.append(presetControl());
   const named = Object.entries(content.inputs);
   for (const [name, { allowed }] of named) if (allowed) readings.append(wordControl(name));
@@ -57,10 +57,10 @@ function rangeControl({ id, label, hint, axis, value, original, set, marks, show
   control.className = "control";
   control.innerHTML = `
     <label for="${id}"></label>
-    <input type="number" id="${id}" step="any">
+    <input type="text" inputmode="decimal" id="${id}">
     <button type="button" class="back" title="back to the default">↺</button>
     <div class="slider"><span class="range"></span><span class="default"></span><input type="range" min="0" max="${STEPS}"></div>`;
-  const [field, slider, back] = ["input[type=number]", "input[type=range]", ".back"].map((each) => control.querySelector(each));
+  const [field, slider, back] = ["input[type=text]", "input[type=range]", ".back"].map((each) => control.querySelector(each));
   control.querySelector("label").innerHTML = label;
   control.title = hint;
   slider.setAttribute("aria-label", `${control.querySelector("label").textContent}, slider`);
@@ -71,7 +71,7 @@ function rangeControl({ id, label, hint, axis, value, original, set, marks, show
   control.querySelector(".default").style.left = percent(axis.to(original));
   slider.addEventListener("input", () => set(axis.from(slider.value / STEPS)));
   field.addEventListener("change", () => {
-    const given = field.value === "" ? NaN : shown.from(Number(field.value));
+    const given = shown.from(numberIn(field.value));
     const allowed = set(given);
     field.setCustomValidity(allowed ? "" : hint);
     if (!allowed) field.reportValidity();
@@ -151,7 +151,7 @@ function numberControl(name) {
   return control;
 }
 
-// Controls that choose a word: the reading of one place of the paper.
+// Controls that choose a word: the interpretation of one place of the paper.
 function choiceControl({ id, label, hint, options, value, changed, set }) {
   const control = document.createElement("div");
   control.className = "control wide";
@@ -177,7 +177,7 @@ function wordControl(name) {
   return choiceControl({
     id: `input-${name}`,
     label: inputWords(name),
-    hint: `${inputWords(name)} (${source}): one way to read the paper`,
+    hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
     options: allowed.map((word) => [String(word), text[word] ?? String(word).replaceAll("_", " ")]),
     value: () => String(state.inputs[name] ?? defaultInputs[name]),
     changed: () => state.inputs[name] !== undefined,
@@ -188,14 +188,14 @@ function wordControl(name) {
 const isChosen = (values) =>
   Object.entries(values).every(([name, value]) => (state.inputs[name] ?? defaultInputs[name]) === value);
 
-// All inputs of a calibrated reading at once.
+// All inputs of a calibrated interpretation at once.
 function presetControl() {
   const { readings, reading } = content;
   const chosen = () => Object.keys(readings).find((name) => isChosen(readings[name])) ?? "";
   return choiceControl({
     id: "reading",
     label: "Calibrated inputs",
-    hint: "All unprinted inputs as calibrated under one reading",
+    hint: "All unprinted inputs as calibrated under one interpretation",
     options: [["", "my own"], ...Object.keys(readings).map((name) => [name, name.replaceAll("_", " ")])],
     value: chosen,
     changed: () => chosen() !== reading && Object.keys(state.inputs).length > 0,

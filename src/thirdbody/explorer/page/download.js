@@ -1,6 +1,6 @@
 // What is shown as a file: numbers as CSV, drawings as SVG.
 
-const INLINED = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "font-style"];
+const INLINED = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "font-style", "paint-order"];
 const GAP = 24;
 const ENTRY = 260; // width of an entry of the key
 

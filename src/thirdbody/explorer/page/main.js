@@ -305,6 +305,8 @@ addEventListener("resize", () => {
   ask();
 });
 
+// a page that was saved as it stood has them already
+for (const id of ["tabs", "toolbar", "controls", "filter", "charts"]) $(id).replaceChildren();
 if (innerWidth <= 780) document.querySelectorAll("#inputs .pane, #statements .pane").forEach((pane) => (pane.open = false));
 setTheme();
 makeTabs();

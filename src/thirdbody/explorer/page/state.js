@@ -1,6 +1,6 @@
 // What the page shows, and its text in the fragment of the address: whatever differs from the default.
 
-import { significant } from "./text.js";
+import { numberIn, significant } from "./text.js";
 
 export const content = JSON.parse(document.getElementById("content").textContent);
 export const axes = content.axes; // load, then the four conditions of a curve
@@ -80,9 +80,10 @@ export function toFragment() {
 // What a fragment says; what it says wrongly is left out.
 export function fromFragment(text) {
   const found = fresh();
-  for (const [name, word] of new URLSearchParams(text.replace(/^#/, ""))) {
+  const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12, no space
+  for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
-    const number = Number(word);
+    const number = numberIn(word);
     if (name in PLAIN) found[name] = word;
     else if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
     else if (name in defaultInputs) {
@@ -121,6 +122,6 @@ export function isAllowed({ name }, value) {
 export function inputNamed(name, word) {
   const { allowed, least, most } = content.inputs[name];
   if (allowed) return allowed.find((each) => String(each) === word);
-  const value = Number(word);
-  return word !== "" && value >= least && value <= most ? value : undefined;
+  const value = numberIn(word);
+  return value >= least && value <= most ? value : undefined;
 }

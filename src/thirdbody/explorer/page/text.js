@@ -4,6 +4,14 @@ const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const raised = (exponent) =>
   String(exponent).replace("-", "⁻").replace(/\d/g, (digit) => SUPERSCRIPTS[digit]);
 
+// The number that a person types, with a decimal point or comma; NaN where it is none, or where a comma
+// may stand before thousands: 1,000.
+export function numberIn(text) {
+  const plain = text.replace(/[\s'’]/g, "").replaceAll("−", "-").replace(/(?:[×·*]|(?<=\d)x)10\^?/, "e");
+  if (plain === "" || /^-?[1-9]\d{0,2},\d{3}$/.test(plain)) return NaN;
+  return Number(plain.includes(".") ? plain : plain.replace(",", "."));
+}
+
 // so many significant digits, as Python's format `g` gives them
 export function significant(value, digits) {
   if (Number.isNaN(value)) return "nan";

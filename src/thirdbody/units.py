@@ -1,0 +1,213 @@
+"""Units of the five conditions: names that carry a unit, and quantities of other packages.
+
+``viscosity`` is in SI, ``viscosity_cSt`` in centistokes.  ``load`` is F_t* [1], ``load_N`` the normal
+load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arrays of xarray with the attribute
+``units``, bring their own unit.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from thirdbody.extras import require
+from thirdbody.messages import shown
+
+
+@dataclass(frozen=True)
+class Unit:
+    """A name for a condition, and its unit.
+
+    Attributes
+    ----------
+    key : str
+        The name, such as ``viscosity_cSt``.
+    condition : str
+        The argument of ``solve`` that it stands for.
+    text : str
+        The unit, spelt as UDUNITS reads it.
+    scale : float
+        The unit in SI; of ``load_N`` 1, because it also needs F_t/F_t*.
+    """
+
+    key: str
+    condition: str
+    text: str
+    scale: float = 1.0
+
+    def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
+        """``values`` in SI, as the floats nearest to their decimals: 300 nm are 3e-07 m.
+
+        Examples
+        --------
+        >>> UNITS["roughness_nm"].to_si(300)
+        array(3.e-07)
+        """
+        if self.key == LOAD_IN_NEWTONS:
+            return np.multiply(values, 1.0 / newtons_per_load)
+        return np.asarray(values, float) if self.scale == 1.0 else _decimal(values, self.scale, 12)
+
+    def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
+        """Values in SI in this unit."""
+        return np.divide(values, self.scale / self._per_load(newtons_per_load))
+
+    def _per_load(self, newtons_per_load: float) -> float:
+        return newtons_per_load if self.key == LOAD_IN_NEWTONS else 1.0
+
+
+LOAD_IN_NEWTONS = "load_N"
+UNITS = {
+    unit.key: unit
+    for unit in (
+        Unit("load", "load", "1"),
+        Unit("viscosity", "viscosity", "m2 s-1"),
+        Unit("particle_diameter", "particle_diameter", "m"),
+        Unit("roughness", "roughness", "m"),
+        Unit("particle_density", "particle_density", "m-2"),
+        Unit(LOAD_IN_NEWTONS, "load", "N"),
+        Unit("viscosity_cSt", "viscosity", "cSt", 1e-6),
+        Unit("particle_diameter_nm", "particle_diameter", "nm", 1e-9),
+        Unit("roughness_nm", "roughness", "nm", 1e-9),
+        Unit("particle_density_per_m2", "particle_density", "m-2"),
+    )
+}
+# name of each condition in engineering units
+ENGINEERING = {unit.condition: key for key, unit in UNITS.items() if key != unit.condition}
+# Default ends of a search, in engineering units: the paper's ranges (Table 2) and about a decade beyond
+SEARCHED = {
+    "load": (0.01, 1000.0),
+    "viscosity": (1.0, 1000.0),
+    "particle_diameter": (10.0, 10_000.0),
+    "roughness": (20.0, 2000.0),
+    "particle_density": (1e8, 1e14),
+}
+
+
+def unit_of(key: Any) -> Unit:
+    """The unit of a name; ``ValueError`` in one line if there is no such name."""
+    if not isinstance(key, str) or key not in UNITS:
+        raise ValueError(f"there is no axis {shown(key)}; allowed: {', '.join(UNITS)}")
+    return UNITS[key]
+
+
+class Wanted(NamedTuple):
+    """What a condition is: in words, its dimensions and unit as pint reads them."""
+
+    words: str
+    dimensions: str
+    unit: str
+
+
+FORCE = Wanted("a force, as in N", "[force]", "N")
+WANTED = {
+    "load": Wanted(f"a number without dimension or {FORCE.words}", "[]", "dimensionless"),
+    "viscosity": Wanted("a kinematic viscosity, as in cSt", "[length] ** 2 / [time]", "m ** 2 / s"),
+    "particle_diameter": Wanted("a length, as in nm", "[length]", "m"),
+    "roughness": Wanted("a length, as in nm", "[length]", "m"),
+    "particle_density": Wanted("a number per area, as in 1/mm**2", "[length] ** -2", "m ** -2"),
+}
+
+
+def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
+    """Bare numbers, in the unit of an argument of ``solve``.
+
+    Parameters
+    ----------
+    name : str
+        The condition, an argument of ``solve``.
+    given : object
+        A quantity, a list or an array of some, or anything else, which is returned.
+    newtons_per_load : float
+        F_t/F_t* [N], for a load that is given as a force.
+
+    Raises
+    ------
+    ValueError
+        In one line: for a unit that is unknown or of another dimension, and for uncertainties.
+    ModuleNotFoundError
+        In one line, if pint is not installed, which reads units of other packages.
+    """
+    if is_labelled(given) and has_unit(given.data):
+        given = given.data
+    given = getattr(given, "quantity", given)  # of an array of pint-pandas
+    of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
+    if of_objects or isinstance(given, (list, tuple)):
+        parts = list(given.flat) if of_objects else given
+        kinds = set(map(type, parts))
+        if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
+            return given
+        found = [without_unit(name, each, newtons_per_load) for each in parts]
+        return np.reshape(found, given.shape) if of_objects else found
+    if not has_unit(given):
+        return given
+    quantity = given if is_quantity(given) else _of_pint(name, given)
+    wanted = FORCE if name == "load" and quantity.check(FORCE.dimensions) else WANTED[name]
+    if not quantity.check(wanted.dimensions):
+        unit = f"{quantity.units:~}" or "no unit"
+        raise ValueError(f"{name} is in {unit}; allowed: {wanted.words}")
+    try:
+        numbers = _decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
+    except (TypeError, ValueError):
+        kind = type(quantity.magnitude).__name__
+        raise ValueError(f"{name} is a quantity of {kind}; allowed: plain numbers") from None
+    return numbers / newtons_per_load if wanted is FORCE else numbers
+
+
+def has_unit(given: Any) -> bool:
+    """Whether an object, or those of a class, are quantities or arrays that name their unit."""
+    return is_quantity(given) or _unit_text(given) is not None
+
+
+def is_quantity(given: Any) -> bool:
+    """Whether an object, or those of a class, are quantities of pint."""
+    return hasattr(given, "dimensionality") and hasattr(given, "to")
+
+
+def is_labelled(given: Any) -> bool:
+    """Whether ``given`` is a ``DataArray`` or ``Variable`` of xarray."""
+    return hasattr(given, "dims") and hasattr(given, "data")
+
+
+# where astropy, quantities and unyt keep the unit
+ATTRIBUTES = ("unit", "dimensionality", "units")
+
+
+def _unit_text(given: Any) -> str | None:
+    """The unit of a quantity of another package than pint, or of an array of xarray."""
+    if is_labelled(given):
+        attributes = getattr(given, "attrs", None)
+        return attributes.get("units") if isinstance(attributes, dict) else None
+    return next((str(getattr(given, name)) for name in ATTRIBUTES if hasattr(given, name)), None)
+
+
+def _of_pint(name: str, given: Any) -> Any:
+    """A quantity of another package as one of pint."""
+    text = _unit_text(given)
+    try:
+        unit = _registry().Unit(text or "dimensionless")
+    except ModuleNotFoundError:
+        raise
+    except Exception:  # pint raises many kinds
+        told = f"{name} has the unit {shown(text)}, which is unknown"
+        raise ValueError(f"{told}; allowed: {WANTED[name].words}") from None
+    return _registry().Quantity(np.asarray(given), unit)
+
+
+@cache
+def _registry() -> Any:
+    """The registry of pint, which reads ``m2 s-1`` as well, as UDUNITS does."""
+    require("data", "pint")
+    import pint
+
+    power = re.compile(r"(?<=[A-Za-z])(?<![0-9][eE])(?=-?\d)")
+    return pint.UnitRegistry(preprocessors=[lambda text: power.sub("**", text)])
+
+
+def _decimal(values: ArrayLike, scale: float, digits: int) -> NDArray:
+    """``scale`` times ``values`` to some digits, without what rounding of a product adds."""
+    return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)
