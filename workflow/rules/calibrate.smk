@@ -81,7 +81,7 @@ rule search_inputs:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
-        seed=lambda wildcards: int(wildcards.seed),
+        seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
         sources=sources_of("search_inputs.py"),
     message:
@@ -100,7 +100,7 @@ use rule search_inputs as search_fold with:
     params:
         settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
         parameters=settings["uncalibrated"],
-        seed=SEEDS[0],
+        seeds=SEEDS,
         fold=lambda wildcards: int(wildcards.fold),
         sources=sources_of("search_inputs.py"),
     message:

@@ -12,10 +12,10 @@ from thirdbody.study.record import read_rows, write_rows
 from thirdbody.study.search import search
 
 
-def run(name, seed, fold, claims, scattered, settings, parameters, evaluations):
+def run(name, seeds, fold, claims, scattered, settings, parameters, evaluations):
     """Write all evaluations of the search; a number ``fold`` says whose statements are left out.
 
-    The first seed starts from the best of the scattered inputs, the second from the second best.
+    The first of ``seeds`` starts from the best of the scattered inputs, the second from the second best.
     """
     statements, base = load_claims(claims), Parameters(**parameters)
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
@@ -23,11 +23,16 @@ def run(name, seed, fold, claims, scattered, settings, parameters, evaluations):
     interpretation = Interpretation.of(name, settings)
     every = Objective.of(statements, settings, base)
     places = _with_objective(interpretation, objective, every, read_rows(scattered))
-    record = Path(evaluations).with_suffix(".record")
-    start = places[np.argsort(places[:, -1], kind="stable")[seed - 1], :-1]
-    rows = search(interpretation, objective, start, settings["budget"], seed, record)
-    write_rows(evaluations, np.vstack([places, rows]))
-    record.unlink()
+    ranking = np.argsort(places[:, -1], kind="stable")
+    found, records = [places], []
+    for seed in seeds:
+        record = Path(evaluations).with_suffix(f".{seed}.record")
+        start = places[ranking[seed - 1], :-1]
+        found.append(search(interpretation, objective, start, settings["budget"], seed, record))
+        records.append(record)
+    write_rows(evaluations, np.vstack(found))
+    for record in records:
+        record.unlink()
 
 
 def _with_objective(interpretation, objective, every, rows):
@@ -48,7 +53,7 @@ if __name__ == "__main__":
     with logged(snakemake.log[0]):
         run(
             snakemake.wildcards.reading,
-            snakemake.params.seed,
+            snakemake.params.seeds,
             snakemake.params.fold,
             snakemake.input.claims,
             snakemake.input.scattered,
