@@ -109,9 +109,9 @@ def solve(
     >>> given["parameters"] = tb.load_parameters()
     >>> found = tb.solve(load=1e-5, viscosity=[0.0, 120e-6], **given)
     >>> found.solid_load_fraction.round(4)
-    array([1.    , 0.6547])
+    array([1.    , 0.7452])
     >>> found.separation.round(10)  # [m]
-    array([1.0397e-06, 1.1274e-06])
+    array([1.0852e-06, 1.2197e-06])
 
     Loads and viscosities with names make a table of both:
 
@@ -120,7 +120,7 @@ def solve(
     >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> found = tb.solve(load=loads, viscosity=oils, **given)
     >>> found.solid_load_fraction.sel(oil="thick").round(4).values
-    array([1.    , 0.6547])
+    array([0.9983, 0.7452])
     """
     check_parameters(parameters)
     check_rtol(rtol)
