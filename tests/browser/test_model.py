@@ -16,20 +16,17 @@ from thirdbody.data.quantities import shown_combinations
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.interpretations import KINDS
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solution import QUANTITIES
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.study.claims import load_claims
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.verdicts import Judge, outcome
 
-POINTS = 2000
+POINTS = 1000
 RTOL = 1e-6
 TINY = 1e-300  # smaller numbers are no numbers in float64 any more
 NEWTONS = 0.04, 80.0
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
-VARIABLES = (
-    *("total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"),
-    *("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness"),
-)
 SOLVED_IN_THE_PAGE = """
 return arguments[0].map(([inputs, condition, load]) => {
   const found = thirdbody.solve(inputs, condition, load);
@@ -96,7 +93,7 @@ def solved_by_the_library(points):
     for inputs, conditions, load in points:
         solution = solve(load=load, **conditions, parameters=inputs, rtol=DEFAULT_RTOL)
         flags = solution.solution_status, solution.lubrication_regime, solution.contact_mode
-        values = [float(getattr(solution, name)) for name in VARIABLES]
+        values = [float(getattr(solution, name)) for name in QUANTITIES]
         found.append((SOLUTION_STATUSES[int(flags[0])], int(flags[1]), int(flags[2]), *values))
     return found
 
@@ -105,7 +102,7 @@ def solved_by_the_library(points):
 def solved_by_the_page(points, explorer):
     """The same of the page's own script, in the browser."""
     asked = [(inputs.as_dict(), conditions, load) for inputs, conditions, load in points]
-    rows = explorer.open().run(SOLVED_IN_THE_PAGE, asked, VARIABLES)
+    rows = explorer.open().run(SOLVED_IN_THE_PAGE, asked, QUANTITIES)
     return [
         (*row[:3], *(np.nan if value is None else float(value) for value in row[3:]))
         for row in rows
@@ -113,16 +110,15 @@ def solved_by_the_page(points, explorer):
 
 
 def test_every_variable_is_the_librarys(points, solved_by_the_library, solved_by_the_page, tell):
-    """Relative 1e-6 at 2,000 points of all readings."""
     library, page = (
         np.array([row[3:] for row in rows]) for rows in (solved_by_the_library, solved_by_the_page)
     )
-    assert library.shape == page.shape == (POINTS, len(VARIABLES))
+    assert library.shape == page.shape == (POINTS, len(QUANTITIES))
     assert (np.isnan(library) == np.isnan(page)).all()
     error = np.abs(page - library) / np.maximum(np.abs(library), TINY)
     tell(f"explorer: {POINTS} points, largest relative error {np.nanmax(error):.1e}")
     worst = np.unravel_index(np.nanargmax(error), error.shape)
-    assert np.nanmax(error) <= RTOL, (VARIABLES[worst[1]], points[worst[0]])
+    assert np.nanmax(error) <= RTOL, (QUANTITIES[worst[1]], points[worst[0]])
 
 
 def test_status_regime_and_mode_are_the_librarys(solved_by_the_library, solved_by_the_page):
@@ -204,7 +200,7 @@ def test_turning_points_are_the_librarys(explorer, page, defaults):
 
 
 def test_verdicts_are_the_librarys(explorer, results_of_claims):
-    """On every statement under the default inputs, and under those of another reading."""
+    """On every statement under the default inputs, on some under those of another reading."""
     words, inputs = results_of_claims
     explorer.open()
     for name, expected in words.items():
@@ -223,11 +219,12 @@ def results_of_claims(page, defaults):
     other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[
         "inputs"
     ]
-    judged = Judge(claims, defaults, NEWTONS)(other, FULL_EFFORT)
+    some = claims[::4]
+    judged = Judge(some, defaults, NEWTONS)(other, FULL_EFFORT)
     words = {
         "default": {row["id"]: row["verdict"] for row in written["statements"]},
         "other": {
-            claim.id: outcome(claim, verdict) for claim, verdict in zip(claims, judged, strict=True)
+            claim.id: outcome(claim, verdict) for claim, verdict in zip(some, judged, strict=True)
         },
     }
     return words, {"default": defaults.as_dict(), "other": replace(defaults, **other).as_dict()}

@@ -7,10 +7,8 @@ and the inputs of the model are at or beyond their bounds. Rows of one surface s
 solved as one array.
 
     python -m tests.golden.generate_accuracy_points             # writes accuracy_points.csv
-    python -m tests.golden.generate_accuracy_points --check     # recomputes some rows with more digits
 """
 
-import argparse
 import csv
 import itertools
 import math
@@ -25,7 +23,6 @@ from tests.golden import solved as model
 from tests.golden.generate_solutions import (
     PUBLISHED,
     UNPUBLISHED,
-    largest_difference,
     surface,
     text,
 )
@@ -43,7 +40,6 @@ COLUMNS = (
 SEED = 20241
 POINTS = 64  # rows of a class
 DIGITS = 28  # working precision: five or more are lost in the Gaussian tails
-CHECKED_DIGITS = 20
 AS_PRINTED = dict(
     surface_offset=1, elastic_limits="printed", coverage_limits="printed", film_load="fluid"
 )
@@ -176,25 +172,5 @@ def generate():
         writer.writerows(rows)
 
 
-def check():
-    """Recompute every 29th row with more digits."""
-    with PRODUCT.open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    mp.dps = DIGITS + 8
-    for index in range(0, len(rows), 29):
-        difference = largest_difference(rows[index])
-        print(f"line {index + 2}: largest relative difference {difference:.1e}", flush=True)
-        assert difference < 10.0**-CHECKED_DIGITS, rows[index]
-
-
-def main():
-    """Generate the product, or check it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument(
-        "--check", action="store_true", help="recompute rows of the file instead of writing it"
-    )
-    check() if parser.parse_args().check else generate()
-
-
 if __name__ == "__main__":
-    main()
+    generate()

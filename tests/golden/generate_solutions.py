@@ -5,7 +5,6 @@ digits), computed by `solved.py`. The points are spread at random, from a fixed 
 ranges of load, viscosity, particle diameter, roughness and particle density, and over all readings of the equations.
 
     python -m tests.golden.generate_solutions             # writes solutions.csv
-    python -m tests.golden.generate_solutions --check     # recomputes some rows with more digits
 
 Needs mpmath. Units are SI. The load is F_t/(A_n E_ss), the total contact area A_t/A_n. Columns that do not explain
 themselves: `status` is the `solution_status`; `group` says what the row is for; `surface_offset` is 1 where y_s and sigma_s follow from the distance
@@ -14,7 +13,6 @@ group `smooth` leaves the published ranges for film loads down to 1e-20 of the l
 meant as they stand: as float64 they are 0.
 """
 
-import argparse
 import csv
 import itertools
 import math
@@ -234,46 +232,5 @@ def generate():
         writer.writerows(rows)
 
 
-def largest_difference(row):
-    """Largest relative difference between a row of a file and its solution as it is found now."""
-    numbers = {name: float(row[name]) for name in (*model.COORDINATES, *model.PARAMETERS)}
-    again = model.solve_contact(row | numbers, most_coverage=1)
-    assert row["status"] == again["status"], row
-    differences = (
-        abs(mp.mpf(row[name]) - again[name]) / max(again[name], mp.mpf("1e-300"))
-        for name in model.OUTPUTS
-    )
-    return float(max(differences))
-
-
-def check():
-    """Recompute every twentieth row and those with the extreme solutions: 22 digits must agree."""
-    with PRODUCT.open(newline="") as file:
-        rows = list(csv.DictReader(file))
-    chosen = {*range(0, len(rows), 20)}
-    for name in model.OUTPUTS:
-        values = [
-            (mp.mpf(row[name]), index) for index, row in enumerate(rows) if mp.mpf(row[name]) > 0
-        ]
-        chosen |= {min(values)[1], max(values)[1]}
-    mp.dps = DIGITS + 8
-    for index in sorted(chosen):
-        difference = largest_difference(rows[index])
-        print(
-            f"line {index + 2} ({rows[index]['group']}): largest relative difference {difference:.1e}",
-            flush=True,
-        )
-        assert difference < 1e-22, rows[index]
-
-
-def main():
-    """Generate the product, or check it."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument(
-        "--check", action="store_true", help="recompute rows of the file instead of writing it"
-    )
-    check() if parser.parse_args().check else generate()
-
-
 if __name__ == "__main__":
-    main()
+    generate()

@@ -1,7 +1,5 @@
 """The paper's equations on the datasets that the workflow made."""
 
-import json
-
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -9,60 +7,13 @@ from numpy.testing import assert_allclose
 import thirdbody as tb
 from thirdbody.data.conditions import Condition
 from thirdbody.data.model_attribute import parameters_of_attribute
-from thirdbody.model.regimes import SOLUTION_STATUSES, contact_mode, lubrication_regime
+from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solution import QUANTITIES
 
 pytestmark = [pytest.mark.results, pytest.mark.filterwarnings("error")]
 
-QUANTITIES = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "surface_contact_area_ratio",
-    "solid_load_fraction",
-    "fluid_load_fraction",
-    "separation",
-    "film_thickness",
-)
 CONVERGED, NOT_CONVERGED = map(SOLUTION_STATUSES.index, ("converged", "not_converged"))
-ROUNDING = 4e-16  # of two numbers up to 1
-EVERY = 5  # loads between those at which integrals are taken anew
 LOADED = 1e-280  # smaller shares of a load have underflowed
-NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
-
-
-@pytest.fixture(scope="module")
-def on_surfaces(dataset, curves, equations):
-    """For each roughness: loads, conditions, values and equations of its points, all 1-D."""
-    conditions, values = curves
-    load = dataset["load"].values[::EVERY]
-    groups = []
-    for index, roughness in enumerate(dataset["roughness"].values):
-        here = conditions[2] == roughness
-        points = [np.tile(row[here], (load.size, 1)).ravel() for row in conditions]
-        taken = {name: value[::EVERY, here].ravel() for name, value in values.items()}
-        loads = np.repeat(load, here.sum())
-        model = dataset.attrs["model_parameters"]
-        again = equations(model, index, roughness, points[1], points[3])
-        groups.append((loads, points, taken, again))
-    return groups
-
-
-def allowed(function, d, rtol):
-    """What errors of ``rtol`` in the separation and in the value itself leave between both."""
-    spread = function(d * (1.0 + rtol)) - function(d * (1.0 - rtol))
-    return rtol * np.abs(function(d)) + np.abs(spread)
-
-
-def test_area_ratios_sum_to_one(curves):
-    _, values = curves
-    ratios = values["particle_contact_area_ratio"] + values["surface_contact_area_ratio"]
-    assert_allclose(ratios, 1.0, rtol=ROUNDING)
-
-
-def test_load_shares_sum_to_one(curves):
-    _, values = curves
-    assert_allclose(
-        values["solid_load_fraction"] + values["fluid_load_fraction"], 1.0, rtol=ROUNDING
-    )
 
 
 def test_every_shown_point_is_solved(curves):
@@ -75,82 +26,6 @@ def test_every_shown_point_is_solved(curves):
     for name in QUANTITIES:
         assert np.isfinite(values[name]).all(), name
         assert (values[name] >= 0.0).all(), name
-
-
-def test_the_film_thickness_is_the_separation_over_the_ball_radius(dataset, curves):
-    _, values = curves
-    radius = json.loads(dataset.attrs["model_parameters"])["R_x"]
-    assert_allclose(values["film_thickness"], values["separation"] / radius, rtol=ROUNDING)
-
-
-def test_regimes_and_modes_agree_with_their_quantities(curves):
-    (_, diameter, _, density), values = curves
-    regime = lubrication_regime(values["solid_load_fraction"])
-    assert np.array_equal(values["lubrication_regime"], regime)
-    mode = contact_mode(values["particle_contact_area_ratio"], (diameter > 0.0) & (density > 0.0))
-    assert np.array_equal(values["contact_mode"], mode)
-
-
-def test_the_solids_bear_their_share(dataset, on_surfaces):
-    rtol = dataset.attrs["rtol"]
-    for load, _, values, again in on_surfaces:
-        d, share = values["separation"], values["solid_load_fraction"] * load
-        error = np.abs(again.solid_load(d) - share)
-        assert (error <= allowed(again.solid_load, d, rtol))[share > LOADED].all()
-
-
-def test_the_film_is_that_of_its_load(dataset, on_surfaces):
-    rtol = dataset.attrs["rtol"]
-    for load, (viscosity, *_), values, again in on_surfaces:
-        share = values["fluid_load_fraction"]
-        wet = (viscosity > 0.0) & (share > 0.0)
-        in_film = load if again.model["film_load"] == "total" else share * load
-        thickness, _ = again.film(in_film[wet], viscosity[wet])
-        # the load enters H_c with a power of at most 0.2
-        assert_allclose(values["film_thickness"][wet], thickness, rtol=1.2 * rtol)
-        # solids that bear all keep the surfaces apart by more than a film
-        alone = (viscosity > 0.0) & (share == 0.0)
-        thinner, _ = again.film(in_film[alone], viscosity[alone])
-        assert (thinner <= values["film_thickness"][alone] * (1.0 + rtol)).all()
-
-
-def test_the_load_is_the_one_that_holds_the_surfaces_there(dataset, on_surfaces):
-    rtol = dataset.attrs["rtol"]
-    for load, (viscosity, *_), values, again in on_surfaces:
-        # a film of the total load is as thick as it is, or solids bear everything
-        together = np.maximum if again.model["film_load"] == "total" else np.add
-
-        def total(d, again=again, viscosity=viscosity, together=together):
-            return together(again.solid_load(d), film_load(d, again, viscosity))
-
-        d = values["separation"]
-        assert (np.abs(total(d) - load) <= allowed(total, d, rtol)).all()
-
-
-def film_load(d, again, viscosity):
-    """The load F* in W of films ``d`` [m] thick, by halving: H_c falls with it."""
-    wet = viscosity > 0.0
-    low, high = np.full(d.shape, -700.0), np.zeros(d.shape)
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        thin = np.zeros(d.shape, dtype=bool)
-        thin[wet] = again.model["R_x"] * again.film(np.exp(middle[wet]), viscosity[wet])[0] < d[wet]
-        low, high = np.where(thin, low, middle), np.where(thin, middle, high)
-    return np.where(wet, np.exp(low), 0.0)
-
-
-def test_areas_are_those_of_the_separation(dataset, on_surfaces):
-    rtol = dataset.attrs["rtol"]
-    names = "total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"
-    for _, _, values, again in on_surfaces:
-        for which, name in enumerate(names):
-
-            def area(d, which=which, again=again):
-                return again.areas(d)[which]
-
-            d, value = values["separation"], values[name]
-            error = np.abs(area(d) - value)
-            assert (error <= allowed(area, d, rtol))[value > LOADED].all(), name
 
 
 def test_the_attributes_alone_give_each_value_again(dataset, curves):

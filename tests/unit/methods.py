@@ -1,8 +1,15 @@
-"""Both methods by which the summits under points are evaluated, chosen for tests."""
+"""A point, and both methods by which the summits under points are evaluated, chosen for tests."""
 
 from contextlib import contextmanager
 from importlib import import_module
 
+POINT = {
+    "load": 1e-5,
+    "viscosity": 90e-6,
+    "particle_diameter": 500e-9,
+    "roughness": 300e-9,
+    "particle_density": 1e11,
+}
 METHODS = {"tables": 1, "quadrature": 10**12}  # points on one roughness that repay a table
 
 

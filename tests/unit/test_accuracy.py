@@ -1,6 +1,5 @@
 """What measures the accuracy is itself right: errors, verdicts, baselines, times."""
 
-import time
 from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
@@ -15,13 +14,10 @@ from benchmarks.classes import (
     CLASSES,
     HEAVIEST,
     ROUGHNESS,
-    SPANS,
-    grid_axes,
-    least_seconds,
     random_conditions,
 )
 from benchmarks.extremes import judge_extremes, verdict
-from benchmarks.points import VARIABLES, grouped, read_rows, relative_error
+from benchmarks.points import VARIABLES, read_rows, relative_error
 from benchmarks.targets import TARGETS, target_rows
 from benchmarks.uses import ONE, START, STREAM, SURFACES
 
@@ -48,16 +44,6 @@ def test_a_relative_error_is_relative_and_never_nan():
     error = relative_error(value, expected)
     np.testing.assert_allclose(error, [0.1, 0.0, 0.0, np.inf, 0.0, 0.25])
     assert relative_error(np.array(1e-300), np.array(0.0)) > 1.0
-
-
-def test_golden_points_are_grouped_by_what_they_share():
-    rows = read_rows(GOLDEN / "accuracy_points.csv")
-    groups = grouped(rows)
-    assert sum(len(group.rows) for group in groups) == len(rows) >= 500
-    for group in groups:
-        assert len(set(group.conditions["roughness"])) == 1
-        assert len({(row["medium"], row["bodies"], row["span"]) for row in group.rows}) == 1
-        assert all(values.shape == (len(group.rows),) for values in group.expected.values())
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-6])
@@ -116,29 +102,6 @@ def test_the_elementwise_baseline_has_every_interpretation(other, parameters):
     assert np.median(errors_of(elementwise, best)) < 1e-8
 
 
-def test_a_baseline_gives_nan_where_it_finds_nothing(parameters, plain):
-    given = dict(
-        load=1.0, viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0
-    )
-    given = {name: np.array([value]) for name, value in given.items()}
-    assert np.isnan(NestedRoots(plain, parameters).solve(**given).separation).all()
-    assert np.isnan(ElementwiseRoots(parameters, 3e-7, 1e-9).solve(**given).separation).all()
-
-
-@pytest.mark.parametrize("kind", CLASSES, ids="-".join)
-def test_the_points_of_a_class_are_what_its_name_says(kind, parameters):
-    counts = {"load": 5, "viscosity": 4, "particle_diameter": 3, "particle_density": 2}
-    low, high = SPANS[kind.span]["normal_load"]
-    for given in (random_conditions(kind, 100, parameters), grid_axes(kind, counts, parameters)):
-        assert (given["viscosity"] > 0.0).all() == (kind.medium == "lubricated")
-        assert (given["particle_diameter"] > 0.0).all() == (kind.bodies == "three_body")
-        newtons = given["load"] * parameters.newtons_per_load
-        assert (low <= 1.001 * newtons).all() and (newtons <= 1.001 * high).all()
-    again, other = (random_conditions(kind, 100, parameters, seed)["load"] for seed in (4, 5))
-    assert np.array_equal(again, random_conditions(kind, 100, parameters)["load"])
-    assert not np.array_equal(again, other)
-
-
 @pytest.mark.parametrize(
     ("status", "error", "bound", "expected"),
     [
@@ -159,13 +122,6 @@ def test_a_warning_makes_a_point_wrong(monkeypatch):
     monkeypatch.setattr(tb, "solve", lambda **_: np.log(np.zeros(1)))
     (found,) = judge_extremes(rows, 1e-9)
     assert found["verdict"].startswith("wrong: RuntimeWarning")
-
-
-def test_waiting_takes_time_on_the_clock_but_not_of_the_processor():
-    runs = {"asleep": lambda: time.sleep(0.05), "awake": lambda: sum(range(10**6))}
-    least = least_seconds(runs, 3)
-    assert least["asleep"] < 0.005 < least["awake"]
-    assert 0.05 <= least_seconds(runs, 1, time.perf_counter)["asleep"] < 5.0
 
 
 @pytest.mark.parametrize(("cost", "reached"), [(1.0, True), (2.0, False)])

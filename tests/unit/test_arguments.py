@@ -141,12 +141,6 @@ def test_dimensions_of_one_name_run_together(solve):
     assert_same(found, solve(load=LOADS.values, viscosity=LOADS.values * 9.0))
 
 
-def test_variables_not_asked_for_stay_away(solve):
-    found = solve(load=LOADS, variables=["separation"])
-    assert found.separation.dims == ("load",)
-    assert found.total_contact_area is None
-
-
 def test_a_variable_has_dimensions_without_coordinates(solve):
     assert solve(load=LOADS.variable, viscosity=OILS).separation.dims == ("load", "oil")
 

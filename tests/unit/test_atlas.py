@@ -62,14 +62,6 @@ def atlas(written):
         yield dataset
 
 
-def test_all_of_it_has_an_identity_of_its_own(atlas, written):
-    parts = [xr.open_dataset(file) for file in (written.parent / "chunks").iterdir()]
-    ids = {dataset.attrs["id"] for dataset in (atlas, *parts)}
-    assert len(ids) == len(parts) + 1
-    for part in parts:
-        part.close()
-
-
 def solved(parameters, newtons, atlas):
     axes = {name: atlas[name].values for name in DIMENSIONS[1:]}
     return tb.grid(load=newtons / parameters.newtons_per_load, **axes, parameters=parameters)

@@ -10,7 +10,7 @@ import pytest
 
 from thirdbody.explorer import page as building
 from thirdbody.explorer.content import figure_content, thinned
-from thirdbody.explorer.page import one_script, page_text
+from thirdbody.explorer.page import page_text
 
 HERE = Path(building.__file__).parent
 CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"
@@ -66,18 +66,6 @@ def test_a_flat_outline_is_its_ends():
     assert thinned([(1.0, 2.0), (2.0, 2.0), (3.0, 2.0)]).tolist() == [[1.0, 2.0], [3.0, 2.0]]
 
 
-def test_scripts_are_joined_once_each_behind_those_that_they_use():
-    text = one_script("main.js")
-    joined = re.findall(r'^modules\["(\w+\.js)"\] = \(\(\) => \{$', text, re.MULTILINE)
-    assert sorted(joined) == sorted(path.name for path in (HERE / "page").glob("*.js"))
-    for name in joined:
-        uses = re.findall(
-            r'from "\./(\w+\.js)"', (HERE / "page" / name).read_text(encoding="utf-8")
-        )
-        assert all(joined.index(used) < joined.index(name) for used in uses)
-    assert not re.search(r"^(import|export) ", text, re.MULTILINE)
-
-
 def test_content_cannot_end_its_script():
     text = page_text({"figures": ["</script><b>"]})
     given = re.search(r'id="content">(.*?)</script>', text, re.DOTALL)[1]
@@ -97,19 +85,3 @@ def test_the_charting_library_is_the_one_that_is_named():
     makefile = (HERE.parents[2] / "Makefile").read_text(encoding="utf-8")
     assert f"version {version}" in told and f"D3 := {version}\n" in makefile
     assert f"D3 {version}" in (HERE / "page" / "index.html").read_text(encoding="utf-8")
-
-
-def test_equations_stand_in_one_script_alone():
-    """No other script knows a coefficient of Eqs. 4 to 8."""
-    model = (HERE / "page" / "model.js").read_text(encoding="utf-8")
-    coefficients = "3.672", "0.573", "0.502", "0.884", "0.977", "1.248", "0.045944", "3.717e-4"
-    assert all(each in model for each in coefficients)
-    for path in (HERE / "page").iterdir():
-        if path.name != "model.js":
-            text = path.read_text(encoding="utf-8")
-            assert [each for each in coefficients if each in text] == [], path.name
-    told = {
-        int(number)
-        for number in re.findall(r"\b(\d+)\b", " ".join(re.findall(r"Eqs?\. [\d, and-]+", model)))
-    }
-    assert told >= {1, 2, 3, 4, 5, 6, 7, 8, 9, 10}

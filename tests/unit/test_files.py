@@ -33,14 +33,6 @@ def test_several_products_appear_together(tmp_path):
     assert listing(tmp_path) == ["a.csv", "b.json"]
 
 
-def test_products_of_one_stem_do_not_meet_while_written(tmp_path):
-    places = [tmp_path / f"figure{suffix}" for suffix in (".svg", ".pdf", ".png", ".csv")]
-    with atomic_write(*places) as parts:
-        for part in parts:
-            part.write_text(part.suffix)
-    assert [place.read_text() for place in places] == [place.suffix for place in places]
-
-
 def test_a_failure_leaves_nothing_where_nothing_was(tmp_path):
     with pytest.raises(RuntimeError), atomic_write(tmp_path / "a", tmp_path / "b") as (first, _):
         first.write_text("half")
@@ -66,14 +58,6 @@ def test_a_product_that_was_not_written_keeps_all_of_them_away(tmp_path):
         first.write_text("new")
     assert old.read_text() == "old"
     assert listing(tmp_path) == ["a"]
-
-
-def test_an_old_product_is_replaced(tmp_path):
-    place = tmp_path / "table.csv"
-    place.write_text("old")
-    with atomic_write(str(place)) as part:
-        part.write_text("new")
-    assert place.read_text() == "new"
 
 
 def test_a_reader_of_the_old_product_is_not_disturbed(tmp_path):

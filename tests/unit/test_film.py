@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.film import Film
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -44,110 +43,6 @@ def test_the_ranges_of_figure_11c_end_at_one_load(parameters):
     printed = np.array([1.15e-4, 1.63e-4])
     least, most = newtons(printed + rounded), newtons(printed - rounded)
     assert_allclose([least[0], most[1]], 30.0, rtol=0.02)  # N: where they meet but for rounding
-
-
-@pytest.mark.parametrize("kappa", [0.1, 1.0, 10.0])
-def test_film_thickness_is_eq_7(parameters, equations, kappa):
-    inputs = replace(parameters, ellipticity=kappa)
-    load = np.geomspace(1e-12, 1e-2, 20)
-    viscosity = np.geomspace(1e-3, 1e4, 20) * CENTISTOKES
-    model = model_attribute(inputs, np.array([ROUGHNESS]))
-    zero = np.zeros(20)
-    expected, _ = equations(model, 0, ROUGHNESS, zero, zero).film(load, viscosity)
-    log_parameter = np.log(load * inputs.apparent_area / inputs.ball_radius**2)
-    computed = thickness(inputs, log_parameter, viscosity)
-    # exponents of up to 20 times logarithms of up to 35, rounded
-    assert_allclose(computed, expected, rtol=1e-13)
-
-
-def test_the_slope_is_that_of_the_thickness(parameters):
-    log_parameter = np.linspace(-25.0, -5.0, 21)
-    step = 1e-5
-    for viscosity in (1.0 * CENTISTOKES, 90.0 * CENTISTOKES):
-        one = film(parameters, np.full(21, viscosity))
-        upper, lower = (one.thickness(log_parameter + k * step)[0] for k in (1.0, -1.0))
-        slope = (upper - lower) / (2.0 * step)
-        # rounding over the step
-        assert_allclose(one.thickness(log_parameter)[1], slope, rtol=1e-8)
-
-
-@pytest.mark.parametrize("kappa", [0.1, 1.0, 10.0])
-@pytest.mark.parametrize("roughness", [1e-9, 300e-9, 10e-6])
-def test_the_inverse_gives_the_load_of_the_thickness(parameters, kappa, roughness):
-    inputs = replace(parameters, ellipticity=kappa)
-    axes = np.linspace(-700.0, 0.0, 71), np.geomspace(1e-9, 1e-2, 8)
-    log_parameter, viscosity = (grid.ravel() for grid in np.meshgrid(*axes))
-    one = film(inputs, viscosity, roughness)
-    found = one.load_parameter(one.thickness(log_parameter)[0])
-    # rounding of ln H_c, near -10, over an exponent of -0.045
-    assert np.abs(found - log_parameter).max() < 1e-12
-
-
-def test_films_thin_under_load(parameters):
-    for viscosity in (0.01 * CENTISTOKES, 1.0 * CENTISTOKES, 100.0 * CENTISTOKES):
-        one = film(parameters, viscosity)
-        value, slope = one.thickness(np.linspace(-700.0, 0.0, 200))
-        assert (np.diff(value) < 0.0).all()
-        assert (slope < 0.0).all()
-
-
-@pytest.mark.parametrize("kappa", [0.3, 1.0, 5.0])
-@pytest.mark.parametrize("load_parameter", [1e-12, 8.86e-9, 1.77e-5])
-def test_the_formula_ends_where_the_thickness_is_least_over_viscosity(
-    parameters, kappa, load_parameter
-):
-    inputs = replace(parameters, ellipticity=kappa)
-    log_parameter = np.log(load_parameter)
-    viscosity = np.geomspace(1e-4, 1e4, 100001) * CENTISTOKES
-    meaningful = film(inputs, viscosity).is_meaningful(log_parameter)
-    least = np.argmin(thickness(inputs, log_parameter, viscosity))
-    first = np.argmax(meaningful)
-    assert 0 < first < viscosity.size - 1
-    assert meaningful[first:].all()
-    assert abs(first - least) <= 1
-
-
-def test_the_thickness_turns_exactly_where_the_flag_does(parameters):
-    log_parameter = np.log(1e-7)
-    low, high = 0.01 * CENTISTOKES, 100.0 * CENTISTOKES
-    for _ in range(60):
-        middle = np.sqrt(low * high)
-        inside = film(parameters, middle).is_meaningful(log_parameter)[0]
-        low, high = (low, middle) if inside else (middle, high)
-    step = 1e-3
-    values = thickness(parameters, log_parameter, high * np.exp(step * np.array([-1.0, 0.0, 1.0])))
-    slope = (values[2] - values[0]) / (2.0 * step * values[1])
-    curvature = (values[2] - 2.0 * values[1] + values[0]) / (step**2 * values[1])
-    # the slope vanishes there to within the third derivative of the step
-    assert curvature > 0.1
-    assert abs(slope) < 10.0 * step**2 * curvature
-
-
-def test_at_the_turning_point_the_roughness_term_is_three(parameters, equations):
-    zero = np.zeros(1)
-    model = model_attribute(parameters, np.array([ROUGHNESS]))
-    load = 1e-7 * parameters.ball_radius**2 / parameters.apparent_area
-    viscosity = np.geomspace(0.01, 100.0, 20001) * CENTISTOKES
-    meaningful = film(parameters, viscosity).is_meaningful(np.log(1e-7))
-    edge = viscosity[np.argmax(meaningful)]
-    _, rough = equations(model, 0, ROUGHNESS, zero, zero).film(load, edge)
-    # 0.663/(0.884 - 0.663) is 3; the term changes by 4e-4 from one viscosity to the next
-    assert rough == pytest.approx(3.0, rel=5e-4)
-
-
-def test_the_film_depends_on_viscosity_and_speed_through_their_product(parameters):
-    faster = replace(parameters, speed_per_viscosity=10.0 * parameters.speed_per_viscosity)
-    one = thickness(parameters, -15.0, 90.0 * CENTISTOKES)
-    other = thickness(faster, -15.0, 9.0 * CENTISTOKES)
-    assert_allclose(one, other, rtol=1e-13)
-
-
-def test_films_of_chosen_points_are_the_films_made_of_them(parameters):
-    viscosity = np.geomspace(1.0, 100.0, 6) * CENTISTOKES
-    chosen = np.array([4, 1])
-    taken = film(parameters, viscosity).take(chosen).thickness(-15.0)
-    made = film(parameters, viscosity[chosen]).thickness(-15.0)
-    assert np.array_equal(taken, made)
 
 
 def test_rounding_counts_every_logarithm_of_which_the_thickness_is_made(parameters):

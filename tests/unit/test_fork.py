@@ -6,16 +6,10 @@ import time
 import warnings
 
 import pytest
+from methods import POINT
 
 import thirdbody as tb
 
-POINT = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 500e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
 FORKS = 100
 PATIENCE = 20.0  # [s] for a child that takes some milliseconds
 
@@ -33,40 +27,28 @@ def ends_well(child):
     return False
 
 
-def forks_that_end_well(solved_by_a_thread, solved_by_a_child, forks):
-    """How many of so many children end well, forked while a thread solves again and again."""
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
+def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
     enough = threading.Event()
 
     def keep_solving():
         while not enough.is_set():
-            tb.solve(**solved_by_a_thread)
+            tb.solve(**POINT, parameters=parameters)
 
     thread = threading.Thread(target=keep_solving)
     thread.start()
     try:
-        for number in range(forks):
+        for _ in range(FORKS):
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)  # of forks among threads
                 child = os.fork()
             if child == 0:
                 try:
-                    for given in solved_by_a_child:
-                        tb.solve(**given)
+                    tb.solve(**POINT, parameters=parameters)
                     os._exit(0)
                 finally:
                     os._exit(1)
-            if not ends_well(child):
-                return number
+            assert ends_well(child)
     finally:
         enough.set()
         thread.join()
-    return forks
-
-
-FORK = pytest.mark.skipif(not hasattr(os, "fork"), reason="the system has no fork")
-
-
-@FORK
-def test_a_child_that_was_forked_while_a_thread_solved_can_solve(parameters):
-    given = POINT | {"parameters": parameters}
-    assert forks_that_end_well(given, [given], FORKS) == FORKS

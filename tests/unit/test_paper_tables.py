@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.paper_tables import RECOMPUTED, paper_table
+from thirdbody.data.paper_tables import paper_table
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 
@@ -25,11 +25,9 @@ def recomputed(row):
     return [row["recomputed_low"], row["recomputed_high"]]
 
 
-def test_printed_values_are_repeated_as_printed(tables):
+def test_the_load_parameter_follows_from_the_loads(tables):
     row = tables["table2"]["W"]
-    assert (row["printed_low"], row["printed_high"]) == (8.6e-4, 1.8)
-    row = tables["table1"]["E_ss"]
-    assert (row["printed_low"], row["printed_high"]) == (112, None)
+    assert_allclose(recomputed(row), [8.857e-4, 1.7715], rtol=1e-4)
 
 
 def test_the_printed_load_parameter_is_named_as_a_disagreement(tables):
@@ -57,11 +55,6 @@ def test_a_row_that_nothing_recomputes_is_an_input(tables):
     row = tables["table2"]["eta_a"]
     assert row["verdict"] == "input"
     assert recomputed(row) == [None, None]
-
-
-def test_every_formula_is_used_and_every_use_has_a_formula():
-    rows = [row for table in read_yaml(PRINTED).values() for row in table]
-    assert {row["recompute"] for row in rows if "recompute" in row} == set(RECOMPUTED)
 
 
 @pytest.mark.parametrize(

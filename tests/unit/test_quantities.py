@@ -6,25 +6,15 @@ from pathlib import Path
 
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import (
-    CONTRACT,
     FLAGS,
     NORMAL_LOAD,
-    QUANTITIES,
     STATUS_MEANINGS,
     VARIABLES,
 )
 from thirdbody.model.regimes import WITHOUT_VALUES
-from thirdbody.solver import solution
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = (DOCS / "nomenclature.md").read_text(encoding="utf-8")
-
-
-def test_every_variable_of_a_solution_is_described_and_no_other():
-    assert VARIABLES.keys() == set(solution.VARIABLES)
-    assert FLAGS.keys() == set(solution.FLAGS)
-    assert list(QUANTITIES) == list(solution.QUANTITIES)
-    assert set(VARIABLES) - set(CONTRACT) == {"separation_count"}
 
 
 def test_the_page_has_every_condition_and_variable_as_the_files_have_them():

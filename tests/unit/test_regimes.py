@@ -8,11 +8,8 @@ from thirdbody.model.regimes import (
     LUBRICATION_REGIMES,
     MILDEST_FIRST,
     SOLUTION_STATUSES,
-    WITHOUT_VALUES,
     contact_mode,
     gravest_status,
-    has_values,
-    is_as_asked,
     lubrication_regime,
 )
 
@@ -68,35 +65,9 @@ def test_flags_are_bytes_of_the_shape_of_the_points(shape):
         assert flags.shape == shape
 
 
-def test_names_stand_in_the_order_of_the_data_contract():
-    assert LUBRICATION_REGIMES[:3] == ("boundary", "mixed", "full_film")
-    assert CONTACT_MODES[:4] == ("two_body", "surface_surface", "hybrid", "particle_surface")
-    assert SOLUTION_STATUSES == (
-        "converged",
-        "outside_film_formula",
-        "coverage_exceeded",
-        "not_converged",
-        "several_separations",
-        "area_exceeded",
-        "load_exceeded",
-    )
-
-
 @pytest.mark.parametrize("place", range(len(MILDEST_FIRST)))
 def test_of_all_statuses_that_apply_the_gravest_is_stored(place):
     milder = {name: np.ones(2, bool) for name in MILDEST_FIRST[: place + 1]}
     status = gravest_status(**milder | {MILDEST_FIRST[place]: np.array([True, False])})
     expected = MILDEST_FIRST[place], ("converged", *MILDEST_FIRST)[place]
     assert tuple(SOLUTION_STATUSES[index] for index in status) == expected
-
-
-def test_every_status_but_converged_has_its_place_among_the_grave():
-    assert sorted(("converged", *MILDEST_FIRST)) == sorted(SOLUTION_STATUSES)
-
-
-def test_values_are_given_but_where_no_separation_means_anything():
-    every = np.arange(len(SOLUTION_STATUSES), dtype=np.int8)
-    without = {SOLUTION_STATUSES[index] for index in every[~has_values(every)]}
-    missed = {SOLUTION_STATUSES[index] for index in every[~is_as_asked(every)]}
-    assert without == set(WITHOUT_VALUES) == {"coverage_exceeded", "load_exceeded"}
-    assert missed == without | {"not_converged"}

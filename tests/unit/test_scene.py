@@ -42,11 +42,6 @@ def test_named_loads_are_on_the_axis_exactly():
     assert (np.diff(values) > 0.0).all()
 
 
-def test_a_named_load_that_is_on_the_axis_anyway_stands_there_once():
-    plain = load_values(AXIS, [], NEWTONS)
-    assert np.array_equal(load_values(AXIS, plain[[0, 100, -1]].tolist(), NEWTONS), plain)
-
-
 def test_a_named_load_beyond_the_ends_is_left_out():
     plain = load_values(AXIS, [], NEWTONS)
     assert np.array_equal(load_values(AXIS, [1e-12, 0.5], NEWTONS), plain)
@@ -57,13 +52,6 @@ def test_values_are_sorted_and_stand_once():
     (curves,) = Curves.of(group)
     assert curves.viscosity.tolist() == [0.0, 90e-6]
     assert curves.particle_diameter.tolist() == [0.0, 300e-9, 500e-9]
-
-
-def test_units_turn_into_si():
-    (curves,) = Curves.of(GROUP)
-    assert curves.viscosity[1] == 90e-6
-    assert curves.roughness[0] == 300e-9
-    assert curves.particle_density[0] == 1e11
 
 
 def test_a_diameter_relative_to_the_roughness_is_that_of_the_digits():
@@ -107,15 +95,6 @@ def test_a_group_is_placed_at_its_own_values():
         for name, index in zip(DIMENSIONS[1:], place[1:], strict=True):
             assert np.array_equal(both.axis(name)[index.ravel()], getattr(group, name))
         assert place[0].size == both.load.size
-
-
-def test_the_size_counts_shown_points():
-    both = scene(GROUP, GROUP | {"viscosity_cSt": [25]})
-    assert both.size == 240 * (2 * 3 + 3)
-
-
-def test_a_scene_without_named_loads_has_the_plain_axis():
-    assert np.array_equal(scene(GROUP).load, load_values(AXIS, [], NEWTONS))
 
 
 @pytest.mark.parametrize("figure", [f"fig{number:02d}" for number in range(3, 14)])

@@ -39,17 +39,6 @@ def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, 
             assert np.all(streamed[name].attrs[attribute] == expected.attrs[attribute])
 
 
-@pytest.mark.parametrize("shape", [(1,), (7, 2, 3), (5, 4, 3, 2, 6), (1, 1, 9)])
-@pytest.mark.parametrize("points", [1, 2, 7, 12, 1000])
-def test_blocks_cover_an_array_once_in_pieces_of_bounded_size(shape, points):
-    lengths = streaming.block_lengths(shape, points)
-    assert np.prod(lengths) <= points
-    seen = np.zeros(shape, dtype=int)
-    for block in streaming.blocks(shape, lengths):
-        seen[block] += 1
-    assert (seen == 1).all()
-
-
 def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
     calls = iter(range(3))
 

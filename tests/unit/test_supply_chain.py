@@ -61,31 +61,12 @@ def test_every_locked_package_has_one_version_and_its_hashes(lock):
     assert named_by(lock) <= locked
 
 
-def test_nothing_is_installed_without_hashes():
-    """The project itself has none, and then brings nothing else along.
-
-    `make lowest`, which tries versions that nobody locked, does so in an environment of its own.
-    """
-    files = ("Makefile", "Dockerfile", "workflow/envs/thirdbody.post-deploy.sh")
-    text = "".join((ROOT / file).read_text(encoding="utf-8") for file in files)
-    calls = re.findall(r"-m pip install (.*)", text)
-    assert len(calls) == 8
-    assert all("--require-hashes" in call or "--no-deps" in call for call in calls)
-    assert all("--no-build-isolation" in call for call in calls if "--require-hashes" not in call)
-
-
 def test_there_is_a_reason_for_every_direct_dependency():
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     table = text.partition("\n## Dependencies\n")[2].partition("\n## ")[0]
     rows = re.findall(r"(?m)^\| ([^|]+) \| [^|]+ \|$", table)
     named = {name.lower() for row in rows[1:] for name in row.strip().split(", ")}
     assert named == named_by(*EXTRAS)
-
-
-def test_a_run_of_the_paper_installs_nothing_that_only_tests_need():
-    text = (ROOT / "locks" / "workflow.txt").read_text(encoding="utf-8")
-    locked = {name_of(line) for line in re.findall(r"(?m)^\w.*", text)}
-    assert locked.isdisjoint(named_by("test") - named_by("workflow"))
 
 
 def test_importing_the_library_runs_nothing_and_writes_nothing(tmp_path, tell):

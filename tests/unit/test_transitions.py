@@ -71,46 +71,6 @@ def test_crossings_are_those_of_a_dense_grid(parameters, quantity, level):
     assert_allclose(load, [row[1] for row in rows], rtol=1e-4)
 
 
-@pytest.mark.parametrize(("quantity", "level"), LIMITS)
-def test_at_a_crossing_the_quantity_has_its_level(parameters, quantity, level):
-    curve, load, error, _ = crossings(quantity, level, parameters)
-    solution = tb.solve(
-        load=load, **Condition(*CONDITIONS[:, curve])._asdict(), parameters=parameters, rtol=1e-11
-    )
-    # its logarithm changes at most some ten times as fast as that of the load
-    assert_allclose(getattr(solution, quantity), level, rtol=1e-8)
-    assert (error < 1e-8 * load).all()
-
-
-def test_both_limits_of_both_quantities_are_looked_at():
-    assert set(LIMITS) == {
-        ("solid_load_fraction", 0.90),
-        ("solid_load_fraction", 0.03),
-        ("particle_contact_area_ratio", 0.95),
-        ("particle_contact_area_ratio", 0.05),
-    }
-
-
-@pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-6])
-@pytest.mark.parametrize(("quantity", "level"), LIMITS)
-def test_the_stated_error_bounds_the_error_made(parameters, quantity, level, rtol):
-    curve, load, error, _ = crossings(quantity, level, parameters, rtol)
-    best_curve, best, best_error, _ = crossings(quantity, level, parameters, 1e-11)
-    assert np.array_equal(curve, best_curve)
-    assert (np.abs(load - best) <= error + best_error).all()
-
-
-def test_a_curve_that_rises_and_falls_through_a_level_crosses_it_twice(parameters):
-    curve, _, _, rising = crossings("particle_contact_area_ratio", 0.95, parameters)
-    assert rising[curve == 6].tolist() == [True, False]
-
-
-@pytest.mark.parametrize(("quantity", "level"), LIMITS)
-def test_the_spacing_of_the_loads_does_not_matter(parameters, quantity, level):
-    coarse, fine = (crossings(quantity, level, parameters, count=count) for count in (60, 241))
-    assert_allclose(coarse[1], fine[1], rtol=1e-9)
-
-
 def test_a_level_that_is_never_reached_has_no_crossing(parameters):
     for column in crossings("particle_contact_area_ratio", 2.0, parameters):
         assert column.size == 0

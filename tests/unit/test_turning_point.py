@@ -64,17 +64,6 @@ def test_a_brute_scan_of_loads_finds_the_same_maximum(reading, loads, equal_size
     assert (highest.max(axis=0)[has_one] <= peak / (1.0 - peak) * (1.0 + 1e-9)).all()
 
 
-def test_a_curve_has_a_turning_point_where_a_brute_scan_has_a_maximum(reading, loads):
-    diameter = np.array([10.0, 50.0, 100.0, 150.0, 300.0, 600.0]) * NANOMETRE
-    conditions = curves(0.0, diameter, 100.0 * NANOMETRE)
-    found = found_on(loads, conditions, reading)
-    dense = np.geomspace(loads[0], loads[-1], 2001)
-    odds = odds_at(dense[:, None], conditions, reading)
-    visible = odds / (1.0 + odds) < 1.0
-    brute = (inner_maxima(odds) & visible[1:-1]).any(axis=0)
-    assert np.array_equal(np.isfinite(found.load), brute)
-
-
 @pytest.mark.parametrize("count", [40, 241])
 def test_how_far_a_maximum_stands_out_is_what_a_brute_scan_says(sizes, count):
     diameter = np.array([180.0, 250.0, 300.0, 350.0, 450.0]) * NANOMETRE
@@ -114,29 +103,6 @@ def test_of_several_maxima_the_one_that_stands_out_most_is_the_turning_point(par
     assert_allclose(found.peak_ratio, maxima.max() / (1.0 + maxima.max()), rtol=1e-4)
 
 
-def test_beside_the_turning_point_the_ratio_is_lower(reading, loads, equal_sizes):
-    found = found_on(loads, equal_sizes, reading)
-    known = np.isfinite(found.load)
-    aside = found.load[known] * np.array([[0.999], [1.0], [1.001]])
-    odds = odds_at(aside, [values[known] for values in equal_sizes], reading)
-    assert (odds[0] < odds[1]).all()
-    assert (odds[2] < odds[1]).all()
-    assert_allclose(odds[1] / (1.0 + odds[1]), found.peak_ratio[known], rtol=1e-10)
-
-
-def test_the_turning_point_lies_on_its_curve(reading, loads, equal_sizes):
-    found = found_on(loads, equal_sizes, reading)
-    known = np.isfinite(found.load)
-    conditions = [values[known] for values in equal_sizes]
-    solution = tb.solve(
-        load=found.load[known], **Condition(*conditions)._asdict(), parameters=reading
-    )
-    for name in ("separation", "solid_load_fraction"):
-        assert_allclose(getattr(found, name)[known], getattr(solution, name), rtol=2e-9)
-    ratio = solution.particle_contact_area_ratio
-    assert_allclose(found.peak_ratio[known], ratio, rtol=2e-9)
-
-
 def test_all_viscosities_turn_at_one_separation(sizes, loads, equal_sizes):
     # A_sa,t* depends on the separation alone
     found = found_on(loads, equal_sizes, sizes, rtol=1e-11)
@@ -146,24 +112,6 @@ def test_all_viscosities_turn_at_one_separation(sizes, loads, equal_sizes):
     assert_allclose(found.peak_ratio[known], found.peak_ratio[0], rtol=1e-11)
     assert (np.diff(found.load[known]) > 0.0).all()
     assert (np.diff(found.solid_load_fraction[known]) < 0.0).all()
-
-
-@pytest.mark.parametrize("count", [12, 40, 241])
-def test_the_spacing_of_the_loads_does_not_matter(parameters, loads, equal_sizes, count):
-    finest = np.geomspace(loads[0], loads[-1], 997)
-    coarse = np.geomspace(loads[0], loads[-1], count)
-    reference = found_on(finest, equal_sizes, parameters, rtol=1e-11)
-    found = found_on(coarse, equal_sizes, parameters)
-    assert_allclose(found.load, reference.load, rtol=1e-9)
-
-
-@pytest.mark.parametrize("rtol", [1e-2, 1e-4, 1e-6, 1e-9])
-def test_the_stated_error_bounds_the_error_made(parameters, loads, equal_sizes, rtol):
-    best = found_on(loads, equal_sizes, parameters, rtol=1e-11)
-    found = found_on(loads, equal_sizes, parameters, rtol=rtol)
-    error = np.abs(found.load - best.load)
-    assert (error <= found.load_error + best.load_error).all()
-    assert (error <= rtol * best.load).all()
 
 
 def test_the_total_load_in_the_film_turns_where_film_or_solids_bear_it(

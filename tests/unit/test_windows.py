@@ -45,19 +45,6 @@ def test_the_ends_of_a_window_are_those_of_a_brute_scan(parameters, loads, rough
     assert turning.tolist() == [False, True, True, False]
 
 
-@pytest.mark.parametrize("roughness", [100e-9, 300e-9, 500e-9])
-def test_more_separations_move_an_end_within_its_stated_error(parameters, loads, roughness):
-    ratios = np.linspace(0.3, 2.5, 56)
-    few, many = (
-        turning_point_windows(
-            [WindowSearch(ratios, count)], [roughness], DENSITY, (loads[0], loads[-1]), parameters
-        )[0]
-        for count in (60, 240)
-    )
-    assert abs(few.low - many.low) <= few.low_error + many.low_error
-    assert abs(few.high - many.high) <= few.high_error + many.high_error
-
-
 def test_a_sweep_that_starts_inside_the_window_says_that_its_end_is_unknown(parameters, loads):
     load_range = loads[0], loads[-1]
     whole, part = (

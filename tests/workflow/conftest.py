@@ -14,7 +14,7 @@ import yaml
 from workspace import MINIMAL, READINGS, Workspace
 
 BUDGET = {
-    **{"scattered": 8, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 4},
+    **{"scattered": 8, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 3},
 }
 KEPT = "kept.json"  # what there was of the atlas when its run was killed
 

@@ -11,12 +11,6 @@ FILES = [ROOT / "Snakefile", *sorted((ROOT / "workflow").rglob("*.*"))]
 CODE = [path for path in FILES if path.suffix in ("", ".smk", ".py", ".yaml")]
 
 
-def test_files_of_the_workflow_are_short():
-    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in CODE}
-    limits = {"": 100, ".smk": 120, ".py": 100, ".yaml": 60}
-    assert not {path.name: count for path, count in lines.items() if count >= limits[path.suffix]}
-
-
 @pytest.mark.parametrize("path", CODE, ids=lambda path: path.name)
 def test_no_private_name_of_snakemake_is_used(path):
     text = path.read_text(encoding="utf-8")

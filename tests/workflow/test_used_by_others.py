@@ -167,16 +167,12 @@ def test_the_installed_package_brings_the_workflow(installed, finished, tmp_path
     ]
 
 
-@pytest.mark.parametrize("of", ["repository", "package"])
-def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_path, of):
+def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_path):
     """Conda itself is not asked, and of the locked packages none is installed."""
     environment = tmp_path / "environment"
     venv.create(environment, with_pip=True)
     home = tmp_path / "packages/thirdbody"
-    if of == "repository":
-        home = sources.copied_to(tmp_path / "repository").root
-    else:
-        shutil.copytree(installed, home.parent)
+    shutil.copytree(installed, home.parent)
     (home / "locks/test.txt").write_text("")
     builder = Path(find_spec("hatchling").origin).parents[1]
     done = subprocess.run(

@@ -7,8 +7,10 @@ import shutil
 import subprocess
 import sys
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_context
 from pathlib import Path
 
 import yaml
@@ -156,6 +158,41 @@ def with_value(text: str, key: str, value) -> str:
     else:
         place[last] = value
     return yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
+
+
+CHEAP = "results/extracted/table1/all.csv"  # what a run makes that is not refused
+# what Snakemake says of its own settings before it reads the workflow
+ANNOUNCED = ("Using workflow specific profile", "Config file config/")
+
+
+def run_side_by_side(sources: Workspace, place: Path, cases) -> Iterator[tuple]:
+    """Run the workflow on each case: what prepares its copy of the repository, and more arguments.
+
+    Yields exit code, lines that were said, and whether every file that no run makes is as it was.
+    """
+    context = get_context("forkserver")
+    context.set_forkserver_preload(["snakemake.cli", "jsonschema", "yte"])
+    with ProcessPoolExecutor(2, context, max_tasks_per_child=1) as pool:
+        under_way = []
+        for number, (prepare, arguments) in enumerate(cases):
+            root, said = place / str(number), place / f"{number}.txt"
+            sources.copied_to(root)
+            prepare(root)
+            job = pool.submit(run_here, root, ("-c1", CHEAP, *arguments), said)
+            under_way.append((root, _contents(root), said, job))
+        for root, before, said, job in under_way:
+            code = job.result()
+            lines = said.read_text(encoding="utf-8", errors="replace").splitlines()
+            messages = [line for line in lines if line and not line.startswith(ANNOUNCED)]
+            made = () if code else ("logs", "extracted")
+            yield code, messages, _contents(root, made) == before
+
+
+def _contents(root: Path, made=()) -> dict[str, bytes]:
+    """Every file but those in which Snakemake keeps its books, and those in folders of ``made``."""
+    files = (path for path in root.rglob("*") if path.is_file())
+    skipped = {".snakemake", "__pycache__", *made}
+    return {str(path): path.read_bytes() for path in files if not skipped.intersection(path.parts)}
 
 
 def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:

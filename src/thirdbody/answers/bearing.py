@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.checks import check_parameters
+from thirdbody.conditions.checks import checked_parameters
 from thirdbody.conditions.usual import warn_outside
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import shown
@@ -150,7 +150,7 @@ def bearing(
         "viscosity_cSt": viscosity_cSt,
         "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
     }
-    check_parameters(parameters)
+    checked_parameters(parameters)
     given = {name: value for name, value in numbers.items() if value is not None}
     for name, value in given.items():
         check_number(name, value)
@@ -229,7 +229,7 @@ def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answe
     """Question 8 as an answer: the inputs that ``bearing`` has derived, each with its formula, and U for
     an oil of ``viscosity_cSt`` if it is given.
     """
-    check_parameters(parameters)
+    checked_parameters(parameters)
     rows = [
         Row(name, formula, getattr(parameters, name), unit)
         for name, (unit, formula) in FORMULAS.items()

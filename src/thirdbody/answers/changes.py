@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from thirdbody.answers.arguments import queries
 from thirdbody.answers.find import SWEEP, crossings, sweep_values
+from thirdbody.conditions.checks import checked_parameters
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -71,7 +72,7 @@ class Transition:
 def transitions(
     along: str = "load",
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
@@ -109,6 +110,7 @@ def transitions(
     >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
     [('boundary', 'mixed'), ('mixed', 'full_film')]
     """
+    parameters = checked_parameters(parameters)
     unit, swept = sweep_values(along, between, count, parameters)
     given = queries(conditions, parameters, unit.condition)
     columns = np.broadcast_arrays(*given.values())

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from thirdbody.conditions.checks import check_parameters
+from thirdbody.conditions.checks import checked_parameters
 from thirdbody.configuration.inputs import read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
@@ -37,7 +37,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     >>> {member.ball_radius for member in members}, len({member.summit_radius for member in members}) > 1
     ({0.01}, True)
     """
-    check_parameters(parameters)
+    checked_parameters(parameters)
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     content = read_calibrated(path)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.answers.arguments import check_count, check_ends, checked_levels, queries
-from thirdbody.conditions.checks import check_parameters, check_points, check_rtol
+from thirdbody.conditions.checks import check_points, check_rtol, checked_parameters
 from thirdbody.conditions.in_si import CONDITIONS
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.model.parameters import Parameters
@@ -94,7 +94,7 @@ def find(
     level: ArrayLike,
     along: str,
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     between: tuple[float, float] | None = None,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
@@ -113,8 +113,8 @@ def find(
         The axis, by its name in the unit that is wanted: ``load`` [1] or ``load_N``, ``viscosity``
         [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
         ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
-    parameters : Parameters
-        Inputs of the model.
+    parameters : Parameters, optional
+        Inputs of the model, by default the published ones.
     between : pair of float, optional
         Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
@@ -172,6 +172,7 @@ def find(
     >>> found.count, bool(found.first[0] < found.first[1])
     (array([1, 1]), True)
     """
+    parameters = checked_parameters(parameters)
     level = checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
@@ -189,7 +190,6 @@ def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and the values [SI] at which it is swept; arguments as of ``find``."""
-    check_parameters(parameters)
     unit = unit_of(along)
     newtons_per_load = parameters.newtons_per_load
     if between is None:

@@ -19,7 +19,7 @@ from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import NEVER_ZERO, check_names, check_parameters
+from thirdbody.conditions.checks import NEVER_ZERO, check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import OutOfRangeWarning
 from thirdbody.configuration.inputs import load_parameters
@@ -90,7 +90,7 @@ class Interface:
     parameters: Parameters = field(default_factory=load_parameters, repr=False)
 
     def __post_init__(self):
-        check_parameters(self.parameters)
+        checked_parameters(self.parameters)
         for name, key in ENGINEERING.items():
             if not has_unit(getattr(self, key)):
                 check_number(key, getattr(self, key), name in NEVER_ZERO)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.arguments import check_count, check_ends, queries
-from thirdbody.conditions.checks import check_parameters, check_rtol
+from thirdbody.conditions.checks import check_rtol, checked_parameters
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import Window, WindowSearch, turning_point_windows
 from thirdbody.data.paper_tables import LOADS
@@ -24,7 +24,7 @@ DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # in a window, of any diamet
 
 def turning_point(
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     between_N: tuple[float, float] = LOADS,
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
@@ -34,8 +34,8 @@ def turning_point(
 
     Parameters
     ----------
-    parameters : Parameters
-        Inputs of the model.
+    parameters : Parameters, optional
+        Inputs of the model, by default the published ones.
     between_N : pair of float
         First and last load of the curve [N], by default those of the paper (Table 2): the maximum
         has to stand out from the least values on both sides within them.
@@ -72,6 +72,7 @@ def turning_point(
     >>> found.exists
     array([False,  True])
     """
+    parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_count("count", count)
     loads = np.geomspace(*load_range(between_N, parameters), count)
@@ -89,7 +90,7 @@ def turning_point(
 
 def turning_window(
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     between_N: tuple[float, float] = LOADS,
     **conditions: float,
 ) -> Window:
@@ -97,8 +98,8 @@ def turning_window(
 
     Parameters
     ----------
-    parameters : Parameters
-        Inputs of the model.
+    parameters : Parameters, optional
+        Inputs of the model, by default the published ones.
     between_N : pair of float
         First and last load of the curves [N], by default those of the paper (Table 2).
     **conditions : float
@@ -128,6 +129,7 @@ def turning_window(
         if unit_of(key).condition in ("load", *DRY):
             told = "allowed: roughness and particle density"
             raise ValueError(f"{key} is no condition of a window of dry contact; {told}")
+    parameters = checked_parameters(parameters)
     given = queries(DRY | conditions, parameters, "load")
     for name, values in given.items():
         if values.ndim:
@@ -141,7 +143,6 @@ def turning_window(
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, from newtons."""
-    check_parameters(parameters)
     check_ends("between_N", between_N)
     first, last = UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist()
     return first, last

@@ -23,11 +23,16 @@ MOST = sys.float_info.max
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
-def check_parameters(parameters: Any) -> None:
-    """Raises ``ValueError`` unless ``parameters`` are what ``load_parameters`` gives."""
+def checked_parameters(parameters: Any) -> Parameters:
+    """``parameters``, by default the published ones; a ``ValueError`` unless they are ``Parameters``."""
+    if parameters is None:
+        from thirdbody.configuration.inputs import load_parameters
+
+        return load_parameters()
     if not isinstance(parameters, Parameters):
         kind = type(parameters).__name__
         raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
+    return parameters
 
 
 def check_variables(variables: Any, known: Collection[str]) -> None:

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_parameters, checked_axis
+from thirdbody.conditions.checks import checked_axis
 from thirdbody.conditions.usual import warn_unusual
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import ENGINEERING, UNITS, Unit, has_unit, unit_of
@@ -56,7 +56,6 @@ def in_si(
     >>> {name: float(value) for name, value in in_si(given, inputs, but="viscosity").items()}
     {'load': 1e-05, 'particle_diameter': 5e-07, 'roughness': 3e-07, 'particle_density': 100000000000.0}
     """
-    check_parameters(parameters)
     units = {}
     for key in given:
         unit = unit_of(key)

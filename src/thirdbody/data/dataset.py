@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_rtol, check_variables
+from thirdbody.conditions.checks import check_rtol, check_variables, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.data.attributes import (
     coordinate_attributes,
@@ -44,7 +44,7 @@ Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the 
 
 def grid(
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
     progress: bool = True,
@@ -54,8 +54,8 @@ def grid(
 
     Parameters
     ----------
-    parameters : Parameters
-        Inputs of the model.
+    parameters : Parameters, optional
+        Inputs of the model, by default the published ones.
     rtol : float, optional
         Relative error asked for in every variable [1].  From 1e-3 on large grids are interpolated
         over the separation, in a fifth of the time; with less every point is solved by itself.
@@ -106,6 +106,7 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
+    parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
     names = with_status(variables)

@@ -15,7 +15,7 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.conditions.checks import check_rtol
+from thirdbody.conditions.checks import check_rtol, checked_parameters
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import atomic_write
@@ -38,7 +38,7 @@ ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chu
 def stream(
     path: str | PathLike,
     *,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = CONTRACT,
     compression: int = 0,
@@ -93,6 +93,7 @@ def stream(
     """
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
+    parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
     names = with_status(variables)

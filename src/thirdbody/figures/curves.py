@@ -67,11 +67,6 @@ class CurveFigure:
     each_surface: bool = False
     two_body: bool = True
 
-    @property
-    def shows_windows(self) -> bool:
-        """Whether a panel shows the windows of the turning point."""
-        return any(content.x == "diameter_ratio" for content in self.contents)
-
     def plot(
         self,
         data: PlainDataset,

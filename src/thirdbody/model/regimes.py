@@ -82,12 +82,7 @@ def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
     >>> has_values([SOLUTION_STATUSES.index(name) for name in ("not_converged", "load_exceeded")])
     array([ True, False])
     """
-    return ~_is_any(solution_status, WITHOUT_VALUES)
-
-
-def is_as_asked(solution_status: ArrayLike) -> NDArray[np.bool_]:
-    """Whether points have values, and these the error asked for; takes what ``has_values`` takes."""
-    return ~_is_any(solution_status, (*WITHOUT_VALUES, "not_converged"))
+    return ~np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in WITHOUT_VALUES])
 
 
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
@@ -106,11 +101,6 @@ def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
         if name in applies:
             status[applies[name]] = SOLUTION_STATUSES.index(name)
     return status
-
-
-def _is_any(solution_status, names):
-    """Whether a status is one of those of ``names``."""
-    return np.isin(solution_status, [SOLUTION_STATUSES.index(name) for name in names])
 
 
 def _between(above, below, index):

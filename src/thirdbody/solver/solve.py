@@ -9,14 +9,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import (
     check_named_points,
-    check_parameters,
     check_points,
     check_rtol,
     check_variables,
-    checked_axis,
+    checked_parameters,
 )
+from thirdbody.conditions.in_si import CONDITIONS, in_si
 from thirdbody.conditions.labelled import broadcast_by_name, labelled_as, with_names
-from thirdbody.conditions.usual import warn_unusual
 from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.film import has_film
 from thirdbody.model.parameters import Parameters
@@ -26,50 +25,46 @@ from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.balance import bracket, enclose
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
-from thirdbody.units import is_labelled
+from thirdbody.units import is_labelled, unit_of
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
 TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
 CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
 QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
-CONDITIONS = "load", "viscosity", "particle_diameter", "roughness", "particle_density"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
 def solve(
     *,
-    load: ArrayLike,
-    viscosity: ArrayLike,
-    particle_diameter: ArrayLike,
-    roughness: ArrayLike,
-    particle_density: ArrayLike,
-    parameters: Parameters,
+    parameters: Parameters | None = None,
     rtol: float = DEFAULT_RTOL,
     variables: Collection[str] = VARIABLES,
     progress: bool = True,
+    **conditions: ArrayLike,
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
     The five conditions broadcast against each other, and are given by name: numbers in the unit that
-    is said here, or quantities of pint, astropy, unyt or quantities in any unit of the same dimension.
+    the name says, or quantities of pint, astropy, unyt or quantities in any unit of the same dimension.
     Arrays of xarray broadcast by the names of their dimensions; their attribute ``units`` counts.
 
     Parameters
     ----------
-    load : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive; as a quantity, a force F_t as well.
-    viscosity : array_like
-        Kinematic viscosity of the lubricant [m2/s]; 0 where the interface is dry.
-    particle_diameter : array_like
-        What the paper calls their mean diameter, x_a [m]; 0 where there are none (two-body contact).
-        With sizes ``uncentred`` it is larger than any particle.
-    roughness : array_like
-        Equivalent root mean square roughness sigma [m], from 1e-30 to 1e30.
-    particle_density : array_like
+    load, load_N : array_like
+        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive, or F_t [N]; one of both names, as of
+        each condition.
+    viscosity, viscosity_cSt : array_like
+        Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 where the interface is dry.
+    particle_diameter, particle_diameter_nm : array_like
+        What the paper calls their mean diameter, x_a [m] or [nm]; 0 where there are none (two-body
+        contact).  With sizes ``uncentred`` it is larger than any particle.
+    roughness, roughness_nm : array_like
+        Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m.
+    particle_density, particle_density_per_m2 : array_like
         Number eta_a of particles per area [m-2]; 0 where there are none (two-body contact).
-    parameters : Parameters
-        Materials, geometry and interpretations of the model.
+    parameters : Parameters, optional
+        Materials, geometry and interpretations of the model, by default the published ones.
     rtol : float
         Relative error asked for in every variable, from 1e-11 to 1e-2.
     variables : collection of str
@@ -105,9 +100,8 @@ def solve(
     Two rough surfaces with particles of 0.5 um, dry and in an oil of 120 mm2/s:
 
     >>> import thirdbody as tb
-    >>> given = dict(particle_diameter=0.5e-6, roughness=0.3e-6, particle_density=1e11)
-    >>> given["parameters"] = tb.load_parameters()
-    >>> found = tb.solve(load=1e-5, viscosity=[0.0, 120e-6], **given)
+    >>> given = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
+    >>> found = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **given)
     >>> found.solid_load_fraction.round(4)
     array([1.    , 0.7452])
     >>> found.separation.round(10)  # [m]
@@ -122,17 +116,14 @@ def solve(
     >>> found.solid_load_fraction.sel(oil="thick").round(4).values
     array([0.9983, 0.7452])
     """
-    check_parameters(parameters)
+    parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_variables(variables, VARIABLES)
     check_progress(progress)
-    given = load, viscosity, particle_diameter, roughness, particle_density
-    given = dict(zip(CONDITIONS, given, strict=True))
-    # copies, which the caller does not change later
-    arrays = {name: np.array(checked_axis(name, each, parameters)) for name, each in given.items()}
-    warn_unusual(arrays)
-    if not any(map(is_labelled, given.values())):
+    arrays = in_si(conditions, parameters)  # copies, which the caller does not change later
+    if not any(map(is_labelled, conditions.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
+    given = {unit_of(key).condition: each for key, each in conditions.items()}
     check_named_points({name: each for name, each in given.items() if is_labelled(each)})
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
