@@ -77,7 +77,7 @@ def readings_block() -> str:
 
 def fronts_block() -> str:
     """The least objective of all other statements where one holds, by reading."""
-    contents = calibrated_files()
+    contents = [content for content in calibrated_files() if content["fronts"]]
     table = []
     for statement in dict.fromkeys(name for content in contents for name in content["fronts"]):
         row = {"statement": f"`{statement}`"}

@@ -12,7 +12,7 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 ...     parameters=tb.load_parameters(),
 ... )
 >>> print(f"{point.solid_load_fraction:.3f} of the load is borne by solids")
-0.242 of the load is borne by solids
+0.251 of the load is borne by solids
 
 ``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
 ``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in

@@ -223,6 +223,10 @@ BAD_INPUTS = {
     "an entry without value": ("ball_radius: {unit: m}", "ball_radius"),
     "a misspelt entry": ("ball_radius: {valeu: 6.35e-3}", "ball_radius"),
     "an unknown entry": ("ball_radius: {value: 6.35e-3, colour: red}", "ball_radius"),
+    "a ball smaller than the interface": (
+        "{ball_radius: 5.0e-4, apparent_area: 4.0e-6}",
+        "apparent_area is 4e-06; allowed: at most 7.85e-07 m2, the cross-section of a ball",
+    ),
     "another unit": ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
     "a number for all inputs": (calibrated("5"), "inputs is 5; allowed: keys with values"),
     "a list for all inputs": (

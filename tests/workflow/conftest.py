@@ -14,8 +14,7 @@ import yaml
 from workspace import MINIMAL, READINGS, Workspace
 
 BUDGET = {
-    **{"scattered": 4, "population": 4, "evaluations": 10, "fold_evaluations": 8},
-    **{"elastic_radius": 5e-5, "walkers": 16, "steps": 3},
+    **{"scattered": 8, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 3},
 }
 KEPT = "kept.json"  # what there was of the atlas when its run was killed
 
@@ -95,6 +94,7 @@ def _calibrate(workspace):
     def smaller(text):
         settings = yaml.safe_load(text)
         settings["budget"], settings["seeds"] = BUDGET, [1, 2]
+        settings["shortlist"] = {"unknowns": 8, "within": 1000.0, "most": 2}
         settings["folds"] = [[3, 4, 5, 6, 7, 8], [9, 10, 11, 12, 13]]
         settings["headline"] = settings["headline"][:1]
         settings["readings"] = {name: settings["readings"][name] for name in READINGS}

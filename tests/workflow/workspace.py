@@ -18,7 +18,7 @@ import yaml
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
 READINGS = (
-    "uncentred_summit_wide_full_total",
+    "uncentred_summit_wide_full_natural",
     "uncentred_surface_wide_full",
 )  # calibrated in tests
 SNAKEMAKE = (str(Path(sys.executable).with_name("snakemake")), "-c2")

@@ -1,58 +1,5 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run. Each search is a job, and keeps its
-# evaluations, so that an interruption loses nothing. The result goes to config/calibrated/, which is kept in
-# git and read by the default run.
-
-CALIBRATION = settings["calibration"]
-SEEDS = CALIBRATION["seeds"]
-FOLDS = range(len(CALIBRATION["folds"]))
-SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
-
-
-wildcard_constraints:
-    seed="[0-9]+",
-    fold="[0-9]+",
-
-
-rule search_inputs:
-    input:
-        claims=f"{CONFIG}/claims.yaml",
-    output:
-        evaluations="<results>/calibration/{reading}/seed{seed}.csv",
-    log:
-        "<logs>/search_inputs/{reading}_{seed}.log",
-    benchmark:
-        "<logs>/search_inputs/{reading}_{seed}.tsv"
-    conda:
-        "../envs/thirdbody.yaml"
-    resources:
-        runtime=30,
-    params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
-        parameters=settings["uncalibrated"],
-        seed=lambda wildcards: int(wildcards.seed),
-        fold=None,
-        sources=sources_of("search_inputs.py"),
-    message:
-        "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
-    script:
-        "../scripts/search_inputs.py"
-
-
-use rule search_inputs as search_fold with:
-    output:
-        evaluations="<results>/calibration/{reading}/fold{fold}.csv",
-    log:
-        "<logs>/search_fold/{reading}_{fold}.log",
-    benchmark:
-        "<logs>/search_fold/{reading}_{fold}.tsv"
-    params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
-        parameters=settings["uncalibrated"],
-        seed=SEEDS[0],
-        fold=lambda wildcards: int(wildcards.fold),
-        sources=sources_of("search_inputs.py"),
-    message:
-        "Searching the inputs of {wildcards.reading} without the figures of fold {wildcards.fold}"
+# Calibration: `snakemake -c2 calibrate`, not part of the default run. What the searches find is sampled and
+# summed up. The result goes to config/calibrated/, which is kept in git and read by the default run.
 
 
 rule sample_inputs:
@@ -81,9 +28,9 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=expand(SEARCHED, seed=SEEDS),
-        samples=expand("<results>/calibration/{{reading}}/seed{seed}_samples.csv", seed=SEEDS),
-        folds=expand("<results>/calibration/{{reading}}/fold{fold}.csv", fold=FOLDS),
+        evaluations=searches_of,
+        samples=samples_of,
+        folds=folds_of,
         claims=f"{CONFIG}/claims.yaml",
     output:
         calibrated="<results>/calibration/{reading}.yaml",

@@ -42,11 +42,15 @@ def choose(calibrated, claims, settings, parameters, chosen):
     for name in missed:
         raised = Objective.of(statements, settings, base, name, settings["price_weight"])
         record = Path(chosen).with_name(f"price-{name}.record")
-        budget = settings["budget"] | {"evaluations": settings["budget"]["fold_evaluations"]}
-        rows = search(interpretation, raised, budget, settings["seeds"][0], record)
+        start = interpretation.positions(inputs)
+        rows = search(
+            interpretation, raised, start, settings["budget"], settings["seeds"][0], record
+        )
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
     fractions = {
-        name: _fractions(judge_all, predicted[name], contents[name]["folds"]) for name in contents
+        name: _fractions(judge_all, predicted[name], content["folds"])
+        for name, content in contents.items()
+        if content.get("folds")
     }
     members, labels = mixed_ensemble(
         [contents[name] for name in ranking], fractions, settings["ensemble"]

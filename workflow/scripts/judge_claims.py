@@ -28,11 +28,11 @@ def judge_claims(
         found[path] for path in calibrated if found[path]["reading"] in settings["readings"]
     ]
     judged = judge_everything(judge_all, main, compared, settings)
-    headline = settings["headline"]
+    headline, tolerances = settings["headline"], settings["headline_tolerances"]
     contents = (
-        claims_markdown(judged, headline, read_valid(earlier, "earlier_predictions")),
+        claims_markdown(judged, headline, tolerances, read_valid(earlier, "earlier_predictions")),
         claims_html(judged),
-        claims_json(judged, headline),
+        claims_json(judged, headline, tolerances),
     )
     with atomic_write(table, text, page, data) as (table_part, *parts):
         write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])

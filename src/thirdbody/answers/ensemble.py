@@ -34,7 +34,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     >>> import thirdbody
     >>> inputs = replace(thirdbody.load_parameters(), ball_radius=0.01)
     >>> members = calibrated_ensemble(inputs)
-    >>> {member.ball_radius for member in members}, len({member.apparent_area for member in members}) > 1
+    >>> {member.ball_radius for member in members}, len({member.summit_radius for member in members}) > 1
     ({0.01}, True)
     """
     parameters = checked_parameters(parameters)

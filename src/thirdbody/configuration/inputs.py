@@ -13,6 +13,7 @@ last that is given counts:
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from numbers import Real
 from pathlib import Path
@@ -140,12 +141,24 @@ def choose_inputs(
     content = read_yaml(given) if is_file else given
     if is_file and "inputs" in content:
         calibrated, content = given, {}
-    validate(content, _overlay_schema(entries), shown_file(given) if is_file else "inputs")
+    place = shown_file(given) if is_file else "inputs"
+    validate(content, _overlay_schema(entries), place)
     laid_over = _plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = uncalibrated(entries) | _plain_values(found["inputs"]) | laid_over
+    _check_ball(values, place)
     ensemble = [_plain_values(member) | laid_over for member in found["ensemble"]]
     return ChosenInputs(values, str(calibrated), found["reading"], ensemble, laid_over)
+
+
+def _check_ball(values: Values, place: str) -> None:
+    """Raises ``ValueError`` if the ball is smaller than the interface A_n, to which loads refer."""
+    section = math.pi * values["ball_radius"] ** 2
+    if values["apparent_area"] > section:
+        raise ValueError(
+            f"{place}: apparent_area is {values['apparent_area']:g}; allowed: at most {section:.3g} m2, "
+            f"the cross-section of a ball of ball_radius {values['ball_radius']:g} m"
+        )
 
 
 def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:

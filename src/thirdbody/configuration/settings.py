@@ -214,3 +214,9 @@ def with_one_reading(calibration: Mapping, name: str) -> dict:
     reading = dict(calibration["readings"][name])
     budget = calibration["budget"] | reading.pop("budget", {})
     return {**calibration, "budget": budget, "readings": {name: reading}}
+
+
+def number_of_unknowns(calibration: Mapping, name: str) -> int:
+    """How many inputs a reading searches."""
+    reading = calibration["readings"][name]
+    return len({*calibration["always"], *reading.get("unknowns", ())} - set(reading["fixed"]))

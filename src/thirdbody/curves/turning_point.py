@@ -109,7 +109,7 @@ def turning_points(
     >>> separation = thirdbody.solve(load=loads, **condition, parameters=inputs).separation
     >>> columns = [numpy.array([value]) for value in condition.values()]
     >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
-    array([8.273e-07])
+    array([1.2149e-06])
     """
     ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
     solids = particle_diameter, roughness, particle_density
@@ -169,8 +169,8 @@ def film_turning_points(
     ...     parameters=inputs,
     ... ).separation
     >>> film_turning_points(separation, films, *solids, inputs).load.round(10)
-    array([[3.27210e-06],
-           [1.48509e-05]])
+    array([[3.42530e-06],
+           [1.51368e-05]])
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places)

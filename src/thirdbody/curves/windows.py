@@ -92,7 +92,7 @@ def turning_point_windows(
     >>> sweep = WindowSearch(numpy.linspace(0.5, 2.0, 16), tolerance=1e-6)
     >>> (window,) = turning_point_windows([sweep], [0.3e-6], 1e11, (1e-7, 1e-4), inputs)
     >>> print(f"{window.low:.4f} to {window.high:.4f}")
-    0.8178 to 1.2856
+    0.7813 to 1.4181
     """
     if not searches:
         return []

@@ -78,7 +78,7 @@ class ParticleLayer:
         >>> diameter, density = np.array([500e-9]), np.array([1e11])
         >>> inputs = thirdbody.load_parameters()
         >>> layer = ParticleLayer.of(diameter, 300e-9, density, inputs)
-        >>> area, slope, coverage, coverage_slope = layer.contact(np.array([100e-9, 300e-9]))
+        >>> area, slope, coverage, coverage_slope = layer.contact(np.array([500e-9, 900e-9]))
         >>> bool(area[0] > area[1])
         True
         >>> bool(layer.contact(layer.reach)[0] < 1e-12 * area[1])

@@ -148,7 +148,7 @@ class Solution:
         ... )
         >>> table = points.to_dataframe()
         >>> table[["load", "lubrication_regime"]].to_dict("list")
-        {'load': [1e-06, 1e-05], 'lubrication_regime': ['boundary', 'boundary']}
+        {'load': [1e-06, 1e-05], 'lubrication_regime': ['boundary', 'mixed']}
         """
         from thirdbody.data.labels import labelled_dataset, labelled_frame
 

@@ -57,7 +57,8 @@ def solve(
     viscosity, viscosity_cSt : array_like
         Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 where the interface is dry.
     particle_diameter, particle_diameter_nm : array_like
-        Size x_a of the particles [m] or [nm]; 0 where there are none (two-body contact).
+        What the paper calls their mean diameter, x_a [m] or [nm]; 0 where there are none (two-body
+        contact).  With sizes ``uncentred`` it is larger than any particle.
     roughness, roughness_nm : array_like
         Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m.
     particle_density, particle_density_per_m2 : array_like
@@ -102,9 +103,9 @@ def solve(
     >>> given = dict(particle_diameter=0.5e-6, roughness_nm=300, particle_density=1e11)
     >>> found = tb.solve(load=1e-5, viscosity_cSt=[0, 120], **given)
     >>> found.solid_load_fraction.round(4)
-    array([1.    , 0.6547])
+    array([1.    , 0.7452])
     >>> found.separation.round(10)  # [m]
-    array([1.0397e-06, 1.1274e-06])
+    array([1.0852e-06, 1.2197e-06])
 
     Loads and viscosities with names make a table of both:
 
@@ -113,7 +114,7 @@ def solve(
     >>> oils = xr.DataArray([0.0, 120e-6], dims="oil", coords={"oil": ["none", "thick"]})
     >>> found = tb.solve(load=loads, viscosity=oils, **given)
     >>> found.solid_load_fraction.sel(oil="thick").round(4).values
-    array([1.    , 0.6547])
+    array([0.9983, 0.7452])
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)

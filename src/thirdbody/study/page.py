@@ -27,7 +27,12 @@ from thirdbody.study.verdicts import (
 )
 
 
-def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[str, Any]) -> str:
+def claims_markdown(
+    judged: Judged,
+    headline: Iterable[str],
+    tolerances: Mapping[str, float],
+    earlier: Mapping[str, Any],
+) -> str:
     """The page ``claims.md``: first what is understood in two minutes, then every statement.
 
     Parameters
@@ -36,10 +41,15 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
         All statements, judged under all sets of inputs.
     headline : iterable of str
         Ids of the paper's headline numbers.
+    tolerances : mapping
+        Deviation up to which a headline number counts as reached, by id, where its statement asks
+        for less.
     earlier : mapping
         Content of ``config/earlier_predictions.yaml``.
     """
     table = judged.table
+    numbers = headline_table(judged, headline, tolerances)
+    numbers["reached"] = numbers["reached"].map({True: "yes", False: "no"})
     failing = table[table["verdict"] == FAILS]
     failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
@@ -48,7 +58,8 @@ def claims_markdown(judged: Judged, headline: Iterable[str], earlier: Mapping[st
         .get_template("claims.md.j2")
         .render(
             score=score_sentence(judged, table),
-            headline=headline_table(judged, headline).drop(columns="id", errors="ignore"),
+            reached=(numbers["reached"] == "yes").sum(),
+            headline=numbers.drop(columns="id"),
             misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
             inputs=_inputs(judged.default),
             contradictions=_contradictions(judged, table),
@@ -70,7 +81,7 @@ def claims_html(judged: Judged) -> str:
     return _environment(escaped=True).get_template("claims.html.j2").render(score=score, rows=rows)
 
 
-def claims_json(judged: Judged, headline: Iterable[str]) -> str:
+def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str, float]) -> str:
     """The same for programs: a JSON object, with null for numbers that do not exist.
 
     A statement has the columns of the table ``claims``, with ``curves``, ``references``, ``loads``,
@@ -88,7 +99,7 @@ def claims_json(judged: Judged, headline: Iterable[str]) -> str:
         "reading": judged.default["reading"],
         "inputs": judged.default["inputs"],
         "identification": judged.default["identification"],
-        "headline": headline_table(judged, headline).to_dict("records"),
+        "headline": headline_table(judged, headline, tolerances).to_dict("records"),
         "readings": judged.comparison.to_dict("records"),
         "statements": [
             _statement(judged, index, row) for index, row in enumerate(table.to_dict("records"))

@@ -16,7 +16,7 @@ IDENTIFIED = 0.25  # an input is identified if its acceptable values span less o
 NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
 QUANTILES = 0.05, 0.5, 0.95  # of what each seed draws
 PROFILE_BINS = 12  # equal parts of an input's bounds
-COMPARED = 200  # acceptable sets, the best ones, among which the inputs are chosen
+COMPARED = 100  # acceptable sets, the best ones, among which the inputs are chosen
 PRICED = 100  # sets of a search for a price that are judged anew, the best ones
 
 
@@ -39,9 +39,10 @@ def summary(
     searches : sequence of array, shape (evaluations, unknowns + 1)
         Positions and objectives of the search of each seed, over all statements.
     samples : sequence of array, shape (samples, unknowns + 1)
-        What was drawn from each seed.
+        What was drawn from each seed; none of an interpretation that is not on the shortlist.
     folds : sequence of array, shape (evaluations, unknowns + 1)
-        Positions and objectives of the search of each fold.
+        Positions and objectives of the search of each fold; none of one that is not on the
+        shortlist.
     settings : mapping
         Content of ``config/calibration.yaml``.
 
@@ -53,11 +54,14 @@ def summary(
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
-    pooled = np.concatenate(samples)
-    drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1).round().astype(int)
+    pooled = np.concatenate(samples) if samples else good[:0]
+    drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
     chosen = _most_held(interpretation, judge_all, good[:COMPARED])
     inputs = inputs_of(interpretation, chosen)
-    members = [inputs, *(inputs_of(interpretation, row) for row in pooled[drawn])]
+    members = [
+        inputs,
+        *(inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]),
+    ]
     return {
         "reading": interpretation.name,
         "objective": _rounded(chosen[-1]),
@@ -76,7 +80,7 @@ def summary(
                     **inputs_of(interpretation, found[found[:, -1].argmin()]),
                 },
             }
-            for figures, found in zip(settings["folds"], folds, strict=True)
+            for figures, found in zip(settings["folds"] if folds else (), folds, strict=True)
         ],
         "ensemble": members,
         "ensemble_readings": [interpretation.name] * len(members),
@@ -91,6 +95,18 @@ def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
     return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
+
+
+def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]:
+    """The interpretations worth a long search, by their least objectives, best first.
+
+    Examples
+    --------
+    >>> shortlist({"a": 70.0, "b": 58.0, "c": 61.0, "d": 90.0}, within=20.0, most=2)
+    ['b', 'c']
+    """
+    ranking = sorted(least, key=least.__getitem__)
+    return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
 
 def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[str, float]:
@@ -164,7 +180,8 @@ def mixed_ensemble(
     contents : sequence of mapping
         Contents of calibrated files, that of the default first.
     fractions : mapping
-        By interpretation, the fraction of the statements that is predicted in each fold.
+        By interpretation that was cross-validated, the fraction of the statements that is predicted
+        in each fold.
     size : int
         Number of members.
 
@@ -180,7 +197,7 @@ def mixed_ensemble(
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["reading"]
     least = means[first] - float(np.std(fractions[first]))
-    taken = [each for each in contents if means[each["reading"]] >= least]
+    taken = [each for each in contents if means.get(each["reading"], -np.inf) >= least]
     weights = np.array([means[each["reading"]] for each in taken])
     ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)
     members, labels = [], []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +11,31 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
-from thirdbody.study.calibration import Interpretation, Unknown
+from thirdbody.study.calibration import Interpretation
 from thirdbody.study.record import Recorded
 
-FIRST_STEP = 0.2  # standard deviation of the first steps of a search, in the unit cube
+FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
-ELASTIC_STARTS = 3  # one in so many descents starts from elastic summits
+
+
+def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
+    """Places that fill the unit cube of the unknowns, shape (scattered, unknowns).
+
+    Every second one, from the first on, has summits of at least ``budget["elastic_radius"]``.
+    """
+    unknowns = interpretation.unknowns
+    places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
+    for column, unknown in enumerate(unknowns):
+        if unknown.name == "summit_radius":
+            least = unknown.position(budget["elastic_radius"])
+            places[::2, column] = least + (1.0 - least) * places[::2, column]
+    return places
 
 
 def search(
     interpretation: Interpretation,
     objective: Callable[[Interpretation, NDArray[np.float64]], float],
+    start: NDArray[np.float64],
     budget: Mapping[str, Any],
     seed: int,
     record: Path,
@@ -30,8 +43,7 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation for the least objective.
 
-    Descents follow each other until all evaluations are used.  Each begins at the best of some
-    scattered places, one in three among elastic summits only, and is a CMA evolution strategy.
+    From ``start`` a CMA evolution strategy descends, which saves evaluations by a quadratic surrogate.
 
     Parameters
     ----------
@@ -39,16 +51,16 @@ def search(
         Its unknowns are searched, two at least.
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
+    start : array, shape (unknowns,)
+        Where the descent starts.
     budget : mapping
-        ``scattered`` places before each descent, ``population`` of the descents, ``evaluations`` in
-        all, which the last generation may exceed, and ``elastic_radius``, the least summit radius
-        of elastic summits [m].
+        Number of ``evaluations`` for each unknown, which the last generation may exceed.
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
         File that keeps the evaluations while the search runs.
     report : callable
-        Is given a line of text from time to time.
+        Is given a line of text at the end.
 
     Returns
     -------
@@ -57,60 +69,40 @@ def search(
 
     References
     ----------
-    Hansen & Ostermeier (2001), doi:10.1162/106365601750190398.
+    Hansen (2019), doi:10.1145/3321707.3321842.
 
     Examples
     --------
     An objective that is least where the ratio is 1.5 and the mean 1:
 
     >>> import tempfile
+    >>> from thirdbody.study.calibration import Unknown
     >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
     >>> mean = Unknown("mean_ratio", (0.0, 2.0), (0.0, 2.0), logarithmic=False)
     >>> two = Interpretation("two", {}, (ratio, mean))
     >>> def valley(interpretation, positions):
     ...     values = interpretation.values(positions)
     ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
-    >>> budget = {"scattered": 20, "population": 8, "evaluations": 200, "elastic_radius": 5e-5}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
-    ...     rows = search(two, valley, budget, seed=1, record=record, report=lambda line: None)
+    ...     rows = search(two, valley, [0.1, 0.1], {"evaluations": 50}, 1, record, lambda line: None)
     >>> best = rows[rows[:, -1].argmin()]
     >>> round(two.values(best[:-1])["gap_ratio"], 1)
     1.5
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
-    rng = np.random.default_rng(seed)
-    for number in count():
-        left = budget["evaluations"] - len(function.rows)
-        if left <= 0:
-            return np.array(function.rows)
-        places = LatinHypercube(len(interpretation.unknowns), rng=rng).random(
-            min(budget["scattered"], left)
-        )
-        if number % ELASTIC_STARTS == 0:
-            places = _elastic(places, interpretation.unknowns, budget["elastic_radius"])
-        start = min(places, key=function)
-        options = {
-            "bounds": [0.0, 1.0],
-            "popsize": budget["population"],
-            "maxfevals": max(budget["evaluations"] - len(function.rows), 1),
-            "tolfun": SAME_HEIGHT,
-            "tolfunhist": SAME_HEIGHT,
-            "seed": int(rng.integers(1, 2**31)),
-            "verbose": -9,
-        }
-        cma.CMAEvolutionStrategy(start, FIRST_STEP, options).optimize(function)
-        best = min(function.rows, key=lambda row: row[-1])
-        report(
-            f"{interpretation.name} seed {seed}: descent {number + 1}, "
-            f"{len(function.rows)} evaluations, least objective {best[-1]:.3f}"
-        )
-
-
-def _elastic(places, unknowns: tuple[Unknown, ...], radius: float):
-    """The same places with the summit radius moved above ``radius`` [m]."""
-    for column, unknown in enumerate(unknowns):
-        if unknown.name == "summit_radius":
-            least = unknown.position(radius)
-            places[:, column] = least + (1.0 - least) * places[:, column]
-    return places
+    options = {
+        "bounds": [0.0, 1.0],
+        "maxfevals": budget["evaluations"] * len(interpretation.unknowns),
+        "tolfun": SAME_HEIGHT,
+        "tolfunhist": SAME_HEIGHT,
+        "seed": seed,
+        "verbose": -9,
+    }
+    cma.fmin_lq_surr(function, start, FIRST_STEP, options)
+    rows = np.array(function.rows)
+    report(
+        f"{interpretation.name} seed {seed}: "
+        f"{len(rows)} evaluations, least objective {rows[:, -1].min():.3f}"
+    )
+    return rows

@@ -303,10 +303,13 @@ def statements_table(judged: Judged) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def headline_table(judged: Judged, chosen: Iterable[str]) -> pd.DataFrame:
+def headline_table(
+    judged: Judged, chosen: Iterable[str], tolerances: Mapping[str, float]
+) -> pd.DataFrame:
     """Numbers of the paper, of the model and of the ensemble, for the statements ``chosen`` by id.
 
-    Where no numbers are compared, the range is how many members agree with the verdict.
+    Where no numbers are compared, the range is how many members agree with the verdict.  A number
+    counts as reached if its statement holds, or within its entry of ``tolerances``, by id.
     """
     rows = []
     for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
@@ -325,9 +328,14 @@ def headline_table(judged: Judged, chosen: Iterable[str]) -> pd.DataFrame:
                 "model": once(verdict.computed),
                 "ensemble, 90 %": once(within) if within else "no ensemble",
                 "verdict": outcome(claim, verdict),
+                "reached": bool(
+                    verdict.holds
+                    or (verdict.tested and abs(verdict.deviation) <= tolerances.get(claim.id, 0.0))
+                ),
             }
         )
-    return pd.DataFrame(rows)
+    names = ["statement", "id", "paper", "model", "ensemble, 90 %", "verdict", "reached"]
+    return pd.DataFrame(rows, columns=names)
 
 
 def number_ranges(judged: Judged, index: int) -> np.ndarray:

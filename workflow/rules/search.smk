@@ -1,0 +1,97 @@
+# The searches of the calibration: each is a job, and keeps its evaluations, so that an interruption loses
+# nothing.
+
+
+wildcard_constraints:
+    seed="[0-9]+",
+    fold="[0-9]+",
+
+
+rule scatter_inputs:
+    input:
+        claims=f"{CONFIG}/claims.yaml",
+    output:
+        scattered="<results>/calibration/{reading}/scattered.csv",
+    log:
+        "<logs>/scatter_inputs/{reading}.log",
+    benchmark:
+        "<logs>/scatter_inputs/{reading}.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        runtime=30,
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        sources=sources_of("scatter_inputs.py"),
+    message:
+        "Judging scattered inputs of {wildcards.reading}"
+    script:
+        "../scripts/scatter_inputs.py"
+
+
+rule search_inputs:
+    input:
+        claims=f"{CONFIG}/claims.yaml",
+        scattered="<results>/calibration/{reading}/scattered.csv",
+    output:
+        evaluations="<results>/calibration/{reading}/seed{seed}.csv",
+    log:
+        "<logs>/search_inputs/{reading}_{seed}.log",
+    benchmark:
+        "<logs>/search_inputs/{reading}_{seed}.tsv"
+    conda:
+        "../envs/thirdbody.yaml"
+    resources:
+        runtime=30,
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        seeds=lambda wildcards: [int(wildcards.seed)],
+        fold=None,
+        sources=sources_of("search_inputs.py"),
+    message:
+        "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
+    script:
+        "../scripts/search_inputs.py"
+
+
+use rule search_inputs as search_fold with:
+    output:
+        evaluations="<results>/calibration/{reading}/fold{fold}.csv",
+    log:
+        "<logs>/search_fold/{reading}_{fold}.log",
+    benchmark:
+        "<logs>/search_fold/{reading}_{fold}.tsv"
+    params:
+        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        parameters=settings["uncalibrated"],
+        seeds=SEEDS,
+        fold=lambda wildcards: int(wildcards.fold),
+        sources=sources_of("search_inputs.py"),
+    message:
+        "Searching the inputs of {wildcards.reading} without the figures of fold {wildcards.fold}"
+
+
+checkpoint shortlist:
+    input:
+        evaluations=expand(
+            "<results>/calibration/{reading}/seed{seed}.csv",
+            reading=FEW_UNKNOWNS,
+            seed=SEEDS[0],
+        ),
+    output:
+        chosen="<results>/calibration/shortlist.json",
+    log:
+        "<logs>/shortlist.log",
+    localrule: True
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        within=CALIBRATION["shortlist"]["within"],
+        most=CALIBRATION["shortlist"]["most"],
+        sources=sources_of("choose_shortlist.py"),
+    message:
+        "Choosing the interpretations that are searched from all seeds and cross-validated"
+    script:
+        "../scripts/choose_shortlist.py"

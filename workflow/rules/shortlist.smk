@@ -1,0 +1,34 @@
+# What the rules of the calibration share: which searches, samples and folds an interpretation has.
+import json
+
+CALIBRATION = settings["calibration"]
+SEEDS = CALIBRATION["seeds"]
+FOLDS = range(len(CALIBRATION["folds"]))
+FEW_UNKNOWNS = [
+    name
+    for name in CALIBRATION["readings"]
+    if number_of_unknowns(CALIBRATION, name) <= CALIBRATION["shortlist"]["unknowns"]
+]
+SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
+
+
+def searches_of(wildcards):
+    """The searches of an interpretation: of the shortlist from all seeds, else from the first."""
+    return expand(SEARCHED, seed=SEEDS if is_shortlisted(wildcards) else SEEDS[:1])
+
+
+def samples_of(wildcards):
+    """The samples of an interpretation of the shortlist."""
+    samples = "<results>/calibration/{{reading}}/seed{seed}_samples.csv"
+    return expand(samples, seed=SEEDS) if is_shortlisted(wildcards) else []
+
+
+def folds_of(wildcards):
+    """The cross-validation of an interpretation of the shortlist."""
+    folds = "<results>/calibration/{{reading}}/fold{fold}.csv"
+    return expand(folds, fold=FOLDS) if is_shortlisted(wildcards) else []
+
+
+def is_shortlisted(wildcards):
+    chosen = checkpoints.shortlist.get().output.chosen
+    return wildcards.reading in json.loads(Path(chosen).read_text(encoding="utf-8"))
