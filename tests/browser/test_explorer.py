@@ -139,7 +139,7 @@ def test_a_wrong_number_is_refused_and_named(explorer, wrong):
 def test_another_reading_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
-    explorer.choose("#input-film_load", "fluid")
+    explorer.choose("#input-film_load", "total")
     assert explorer.curve("ν = 90 cSt") != before
     explorer.choose("#reading", "uncentred_surface_wide_full")
     assert explorer.one("#input-particle_plane").get_attribute("value") == "surface"
@@ -170,7 +170,7 @@ def test_hovering_reads_the_library_s_values(explorer, defaults):
     explorer.open("figure=fig11")
     place = explorer.run(
         """const line = document.querySelector('.line[data-label="ν = 150 cSt"]');
-        const at = line.getPointAtLength(0.6 * line.getTotalLength());
+        const at = line.getPointAtLength(0.95 * line.getTotalLength());
         const box = line.ownerSVGElement.getBoundingClientRect();
         return [at.x - box.width / 2, at.y - box.height / 2]"""
     )

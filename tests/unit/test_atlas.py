@@ -18,7 +18,7 @@ from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 RTOL = 1e-3
 AXES = {
     "load_N": {"from": 0.04, "to": 80, "count": 12, "scale": "logarithmic", "also": []},
-    "viscosity_cSt": {"from": 5, "to": 150, "count": 12, "scale": "logarithmic", "also": [0]},
+    "viscosity_cSt": {"from": 5, "to": 150, "count": 18, "scale": "logarithmic", "also": [0]},
     "particle_diameter_nm": {
         **{"from": 50, "to": 1000, "count": 24, "scale": "logarithmic"},
         "also": [0],

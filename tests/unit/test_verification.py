@@ -346,7 +346,7 @@ IN_FIG04 = {
     "another k": inputs(k=1.0001),
     "another eta_s": inputs(eta_s=1.0001),
     "another sigma_s": inputs(sigma_s=1.0001),
-    "another interpretation": inputs(film_load="fluid"),
+    "another interpretation": inputs(film_load="total"),
     "unknown input": inputs(friction=0.1),
     "no inputs": lambda dataset: dataset.delncattr("model_parameters"),
     "empty inputs": attribute("", "model_parameters", "{}"),
@@ -462,7 +462,7 @@ IN_FOLDER = {
     "configured loads": edit_json(SCENE, lambda config: config["load_axis"].update(count=8)),
     "configured rtol": edit_json(SCENE, lambda config: config.update(rtol=1e-6)),
     "configured input": edit_json(
-        "configuration/parameters.json", lambda values: values.update(truncation=3.0)
+        "configuration/parameters.json", lambda values: values.update(truncation=3.5)
     ),
     "no configuration": lambda folder: (folder / "data" / SCENE).unlink(),
     "columns of a table": write("data/tables/tpca_windows.csv", "a,b\n1,2\n"),

@@ -8,6 +8,7 @@ import yaml
 from workspace import ROOT
 
 import thirdbody as tb
+from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.data.tables import TABLES, read_csv
 
 SETTINGS = yaml.safe_load((ROOT / "config" / "atlas_minimal.yaml").read_text(encoding="utf-8"))
@@ -62,7 +63,9 @@ def test_every_point_of_every_member_is_counted(charted):
     rows = read_csv(charted[0].root / "results" / "atlas" / "cost.csv", TABLES["atlas_cost"])
     assert [row["chunk"] for row in rows] == CHUNKS
     assert sum(row["conditions"] for row in rows) == 9 * 4 * 6 * 3 * 2
-    assert all(row["points"] == 16 * row["conditions"] for row in rows)
+    sets = len({tb.load_parameters(), *calibrated_ensemble(tb.load_parameters())})
+    assert sets > 10
+    assert all(row["points"] == sets * row["conditions"] for row in rows)
     assert all(row["resident_memory_MB"] < 1000 for row in rows)
 
 

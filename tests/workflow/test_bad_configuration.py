@@ -123,7 +123,7 @@ CASES = [
     ),
     changes(
         "inputs that a surface cannot have in the ensemble",
-        b"inputs: {summit_offset: true, summit_parameter_exponent: 1.6}\n",
+        b"inputs: {summit_offset: true, summit_parameter: 0.02906}\n",
         "inputs in member ",
         "of config/calibrated/",
         "summit_parameter is 0.0",

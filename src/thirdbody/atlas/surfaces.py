@@ -50,7 +50,7 @@ LIMITED = {  # axis of a limit, the variable that passes a level along it, the l
 LIMITS = tuple(LIMITED)
 TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
-PLACES = 600  # separations between which the diameter that a limit belongs to is interpolated
+PLACES = 900  # separations between which the diameter that a limit belongs to is interpolated
 
 
 @dataclass
