@@ -405,7 +405,15 @@ export function modelOf(inputs) {
         if (EPSILON * ofSolids * (1 - share) > RTOL * share) return true;
       }
       if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
-      return BOUNDED * EPSILON * (8 + (sought ? rounding() : 0)) * reach > RTOL * (reach - d);
+      const ofFilm = sought ? rounding() * partOfFilm(d, share) : 0;
+      return BOUNDED * EPSILON * (8 + ofFilm) * reach > RTOL * (reach - d);
+    }
+
+    // the part of a film of this share in |d ln F_t/d ln d|: where solids are stiffer, its rounding moves d less
+    function partOfFilm(d, share) {
+      const [here, there] = [d, d * (1 + SLOPE_STEP)].map((each) => film.loadParameter(each / inputs.ball_radius));
+      const ofFilm = (share * Math.abs(there - here)) / SLOPE_STEP;
+      return ofFilm / (ofFilm + (1 - share) * steepness(d));
     }
 
     // |d ln F_s/d ln d|
