@@ -8,7 +8,7 @@ export const logSpaced = (low, high, count) =>
 
 // The states along a curve, at `count` evenly spaced loads F_t* from `low` to `high`.  Each is sought
 // where the two before it lead to.
-export function curveOf(contact, low, high, count = 100) {
+export function curveOf(contact, low, high, count = 80) {
   const states = [];
   for (const load of logSpaced(low, high, count)) {
     const [before, last] = [states[states.length - 2], states[states.length - 1]];
