@@ -326,7 +326,7 @@ def _without_warnings() -> Iterator[None]:
 
 def _solved(conditions: Mapping[str, Any], parameters: Parameters) -> Solution:
     with _without_warnings():
-        return solve(**in_si(conditions, parameters), parameters=parameters)
+        return solve(**conditions, parameters=parameters)
 
 
 def _state(solution: Solution) -> dict[str, Value]:

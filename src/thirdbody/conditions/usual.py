@@ -62,7 +62,7 @@ def warn_unusual(
         F_t/F_t* [N].
     """
     ranges = {
-        f"{units[name].key}": (
+        units[name].key: (
             units[name].from_si(values, newtons_per_load),
             ends,
             units[name].text,

@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.curves.bracketing import bracketed_roots
-from thirdbody.curves.turning_point import particle_ratio
-from thirdbody.model.film import film_load
+from thirdbody.curves.turning_point import load_at, particle_ratio
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import has_particles
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
@@ -70,38 +69,32 @@ def transitions(
     limit, step, curve = np.nonzero(change)
     load, error = np.zeros((2, curve.size))
     quantity, level = (np.array(each)[limit] for each in zip(*limits, strict=True))
-    three_body = has_particles(*conditions[1::2, curve])
-    for some in (np.flatnonzero(three_body), np.flatnonzero(~three_body)):
-        if some.size:
-            ends = (separation[step[some] + after, curve[some]] for after in (0, 1))
-            is_ratio = quantity[some] == "particle_contact_area_ratio"
-            given = conditions[:, curve[some]], parameters, rtol
-            load[some], error[some] = _crossings(*ends, is_ratio, level[some], *given)
+    is_ratio = quantity == "particle_contact_area_ratio"
+    kinds = 2 * is_ratio + has_particles(*conditions[1::2, curve])
+    for kind in np.unique(kinds):
+        some = np.flatnonzero(kinds == kind)
+        ends = (separation[step[some] + after, curve[some]] for after in (0, 1))
+        given = conditions[:, curve[some]], parameters, rtol
+        load[some], error[some] = _crossings(*ends, is_ratio[some[0]], level[some], *given)
     return limit, curve, load, error, above[limit, step + 1, curve]
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def _crossings(first, last, is_ratio, level, conditions, parameters, rtol):
-    """F_t* [1] where A_sa,t* or L_s has its level between two separations [m], and bounds on errors."""
+def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
+    """F_t* [1] where A_sa,t*, or else L_s, has its level between two separations [m], and error bounds."""
     viscosity, diameter, roughness, density = conditions
     solids = make_contact(diameter, roughness, density, parameters, rtol)
 
-    def loads(d):
-        solid = solids.log_solid_load(d)
-        film, film_slope = film_load(d, viscosity, roughness, parameters)
-        total = parameters.interpretation.film_load.total_load(np.exp(solid.value), film)  # Eq. 1
-        return solid, total, np.maximum(np.abs(solid.slope), np.abs(film_slope))
-
     def excess(d):
-        solid, total, _ = loads(d)
-        return np.where(is_ratio, particle_ratio(solids, d), np.exp(solid.value) / total) - level
+        if of_ratio:
+            return particle_ratio(solids, d) - level
+        return load_at(solids, viscosity, roughness, d)[1] - level
 
     at_first, at_last = excess(first), excess(last)
-    outside = (at_first > 0.0) == (
-        at_last > 0.0
-    )  # within its error a point lies on the level itself
+    # within its error a point may lie on the level itself
+    outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))
     d, width = bracketed_roots(excess, *ends, 0.1 * rtol * last)
-    _, total, steepest = loads(d)
-    return total, total * (steepest * width + rtol)
+    load, _, steepest = load_at(solids, viscosity, roughness, d)
+    return load, load * (steepest * width + rtol)

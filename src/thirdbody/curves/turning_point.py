@@ -290,6 +290,18 @@ def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     return expit(np.log(state.area) - state.log_beside)
 
 
+def load_at(
+    solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
+) -> tuple[NDArray, NDArray, NDArray]:
+    """F_t* [1] that holds surfaces at ``separation`` d [m] (Eq. 1), L_s [1] there, and the steepest
+    |d ln F/dd| [m-1] of solids and film, for nu [m2/s] and sigma [m]: arrays of one shape."""
+    inputs, loads = solids.parameters, solids.log_solid_load(separation)
+    solid = np.exp(loads.value)
+    film, film_slope = film_load(separation, viscosity, roughness, inputs)
+    load = inputs.interpretation.film_load.total_load(solid, film)
+    return load, solid / load, np.maximum(np.abs(loads.slope), np.abs(film_slope))
+
+
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
     """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
 
@@ -309,16 +321,11 @@ def _greatest(curve, values):
 @np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) -> dict:
     """Fields of ``TurningPoints`` at maxima ``separation`` [m] known within ``width``."""
-    inputs = solids.parameters
-    loads = solids.log_solid_load(separation)
-    solid, steepest = np.exp(loads.value), np.abs(loads.slope)
-    fluid, film_slope = film_load(separation, viscosity, roughness, inputs)
-    steepest = np.maximum(steepest, np.abs(film_slope))
-    load = inputs.interpretation.film_load.total_load(solid, fluid)  # Eq. 1
+    load, fraction, steepest = load_at(solids, viscosity, roughness, separation)
     return {
         "load": load,
         "load_error": load * (steepest * width + rtol),
         "peak_ratio": particle_ratio(solids, separation),
-        "solid_load_fraction": solid / load,
+        "solid_load_fraction": fraction,
         "separation": separation,
     }
