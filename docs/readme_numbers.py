@@ -68,15 +68,17 @@ def calibrated_files() -> list[dict]:
     return sorted(map(read_yaml, paths), key=lambda content: content["objective"])
 
 
-def readings_block() -> str:
+def interpretations_block() -> str:
     """Every interpretation: statements predicted and fitted, penalty, unknowns, objective."""
-    rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))["readings"]
-    columns = ["reading", "predicted", "fitted", "penalty", "inputs", "objective"]
+    rows = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))[
+        "interpretations"
+    ]
+    columns = ["interpretation", "predicted", "fitted", "penalty", "inputs", "objective"]
     return pd.DataFrame(rows)[columns].to_markdown(index=False, disable_numparse=True)
 
 
 def fronts_block() -> str:
-    """The least objective of all other statements where one holds, by reading."""
+    """The least objective of all other statements where one holds, by interpretation."""
     contents = [content for content in calibrated_files() if content["fronts"]]
     table = []
     for statement in dict.fromkeys(name for content in contents for name in content["fronts"]):
@@ -84,7 +86,7 @@ def fronts_block() -> str:
         for content in contents:
             front = content["fronts"].get(statement, ())
             held = [others for score, others in front if score <= 1.0]
-            row[content["reading"]] = f"{min(held):.1f}" if held else ""
+            row[content["interpretation"]] = f"{min(held):.1f}" if held else ""
         table.append(row)
     return tabulate(table, headers="keys", tablefmt="github", disable_numparse=True)
 
@@ -100,12 +102,12 @@ def disagreement(unknown: Unknown, found: dict) -> float:
 
 
 def identified_block() -> str:
-    """Inputs of the default reading, what is acceptable, what each seed draws, and by how much seeds
+    """Inputs of the default interpretation, what is acceptable, what each seed draws, and by how much seeds
     differ."""
     content = read_yaml(ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"])
     settings = read_yaml(ROOT / "config" / "calibration.yaml")
     unknowns = {
-        each.name: each for each in Interpretation.of(content["reading"], settings).unknowns
+        each.name: each for each in Interpretation.of(content["interpretation"], settings).unknowns
     }
     table = [
         {
@@ -221,7 +223,7 @@ BLOCKS = {
     "variables": variables_block,
     "claims": claims_block,
     "windows": turning_points_block,
-    "readings": readings_block,
+    "interpretations": interpretations_block,
     "fronts": fronts_block,
     "identified": identified_block,
 }

@@ -41,7 +41,7 @@ INPUTS = {
     "coverage_limits": "printed",
     "film_load": "fluid",
 }
-READINGS = {
+INTERPRETATIONS = {
     "uncentred": {},
     "centred": {"size_distribution": "centred", "mean_ratio": 0.48, "spread_ratio": 1.42},
     "gap_convolved": {
@@ -97,16 +97,16 @@ def defaults():
     return thirdbody.load_parameters()
 
 
-@pytest.fixture(scope="session", params=list(READINGS))
-def reading(request, parameters):
-    """The inputs of each reading in turn."""
-    return replace(parameters, **READINGS[request.param])
+@pytest.fixture(scope="session", params=list(INTERPRETATIONS))
+def interpretation(request, parameters):
+    """The inputs of each interpretation in turn."""
+    return replace(parameters, **INTERPRETATIONS[request.param])
 
 
 @pytest.fixture(scope="session", params=["uncentred", "centred", "gap_convolved"])
 def sizes(request, parameters):
-    """The inputs of each reading of phi_a in turn."""
-    return replace(parameters, **READINGS[request.param])
+    """The inputs of each interpretation of phi_a in turn."""
+    return replace(parameters, **INTERPRETATIONS[request.param])
 
 
 @pytest.fixture(scope="session")

@@ -104,13 +104,13 @@ def log_of_sum(first, second):
 
 
 def surface_roughness(density, radius, deviation, offset):
-    """sigma [m] of a surface with such summits; in the reading without offset it is theirs."""
+    """sigma [m] of a surface with such summits; in the interpretation without offset it is theirs."""
     lost = 3.717e-4 / (density * radius) ** 2 if offset else 0.0
     return math.sqrt(deviation**2 + lost)
 
 
 def summit_plane(density, radius):
-    """y_s [m], the height of the summits' plane in the reading with offset."""
+    """y_s [m], the height of the summits' plane in the interpretation with offset."""
     return 0.045944 / (density * radius)
 
 
@@ -200,7 +200,7 @@ def log_summit_area(separation, model, point):
 
 
 def size_distribution(model, point):
-    """Mean m and spread S of the sizes [m] in the reading ``phi_a``."""
+    """Mean m and spread S of the sizes [m] in the interpretation ``phi_a``."""
     mean = model["mean_ratio"] * point.diameter
     spread = model["sigma_a_ratio"] * point.diameter
     if model["phi_a"] == "uncentred":
@@ -213,7 +213,7 @@ def size_distribution(model, point):
 def sizes(model, point):
     """x^2 phi_a (Eq. 6) as a function of x [m], and between which sizes it holds: X_min = 0, X_max.
 
-    In the reading `gap_convolved` x is a size less the deviation of the gap at its place, which has
+    In the interpretation `gap_convolved` x is a size less the deviation of the gap at its place, which has
     no least value, and a particle of any size may be there: x^2 is the mean square of all,
     x_a^2 (1 + c^2).
     """

@@ -136,12 +136,12 @@ def test_a_wrong_number_is_refused_and_named(explorer, wrong):
     assert explorer.curve("dry") != before
 
 
-def test_another_reading_is_another_model(explorer):
+def test_another_interpretation_is_another_model(explorer):
     explorer.open("figure=fig04")
     before = explorer.curve("ν = 90 cSt")
     explorer.choose("#input-film_load", "total")
     assert explorer.curve("ν = 90 cSt") != before
-    explorer.choose("#reading", "uncentred_surface_wide_full")
+    explorer.choose("#interpretation", "uncentred_surface_wide_full")
     assert explorer.one("#input-particle_plane").get_attribute("value") == "surface"
     explorer.one("#reset").click()
     explorer.settle()

@@ -37,7 +37,7 @@ return arguments[0].map(([inputs, condition, load]) => {
 
 
 def random_inputs(random, words, defaults):
-    """Inputs within the bounds of the search for them, with these words for the readings."""
+    """Inputs within the bounds of the search for them, with these words for the interpretations."""
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
     ends = {name: unknown["bounds"] for name, unknown in unknowns.items()}
     drawn = {
@@ -70,13 +70,15 @@ def has_summits(inputs, roughness):
 
 @pytest.fixture(scope="module")
 def points():
-    """Inputs, conditions and loads, every combination of readings in turn."""
+    """Inputs, conditions and loads, every combination of interpretations in turn."""
     random = np.random.default_rng(20240507)
     defaults = load_parameters()
-    readings = itertools.cycle(itertools.product(*(list(kind.known) for kind in KINDS.values())))
+    interpretations = itertools.cycle(
+        itertools.product(*(list(kind.known) for kind in KINDS.values()))
+    )
     found = []
     while len(found) < POINTS:
-        words = dict(zip(KINDS, next(readings), strict=True))
+        words = dict(zip(KINDS, next(interpretations), strict=True))
         inputs = random_inputs(random, words, defaults)
         conditions = random_conditions(random)
         load = float(np.exp(random.uniform(*np.log(NEWTONS)))) / inputs.newtons_per_load
@@ -200,7 +202,7 @@ def test_turning_points_are_the_librarys(explorer, page, defaults):
 
 
 def test_verdicts_are_the_librarys(explorer, results_of_claims):
-    """On every statement under the default inputs, on some under those of another reading."""
+    """On every statement under the default inputs, on some under those of another interpretation."""
     words, inputs = results_of_claims
     explorer.open()
     for name, expected in words.items():
@@ -213,7 +215,7 @@ def test_verdicts_are_the_librarys(explorer, results_of_claims):
 
 @pytest.fixture(scope="module")
 def results_of_claims(page, defaults):
-    """Words of the library for each statement, and the inputs, by the name of a reading."""
+    """Words of the library for each statement, and the inputs, by the name of an interpretation."""
     written = json.loads((page.parents[1] / "claims" / "claims.json").read_text(encoding="utf-8"))
     claims = load_claims(config_directory() / "claims.yaml")
     other = read_yaml(config_directory() / "calibrated" / "uncentred_summit_wide_full.yaml")[

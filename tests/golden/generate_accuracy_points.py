@@ -31,7 +31,7 @@ PRODUCT = Path(__file__).with_name("accuracy_points.csv")
 CLASS = ("medium", "bodies", "span")
 COLUMNS = (
     *CLASS,
-    *model.READINGS,
+    *model.INTERPRETATIONS,
     *model.COORDINATES,
     *model.PARAMETERS,
     *model.OUTPUTS,
@@ -101,7 +101,7 @@ def logarithmic(rng, ends):
 
 
 def inputs_of(phi_a, roughness, changes):
-    """All numbers and readings of a surface, without the conditions of a point."""
+    """All numbers and interpretations of a surface, without the conditions of a point."""
     row = (
         PUBLISHED
         | AS_PRINTED

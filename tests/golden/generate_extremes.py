@@ -21,7 +21,7 @@ from tests.golden.generate_solutions import text
 PRODUCT = Path(__file__).with_name("extremes.csv")
 DIGITS = 40
 LEADING = ("item", "case", "origin", "status", "gap_conditioning")
-COLUMNS = (*LEADING, *model.READINGS, *model.COORDINATES, *model.PARAMETERS, *model.OUTPUTS)
+COLUMNS = (*LEADING, *model.INTERPRETATIONS, *model.COORDINATES, *model.PARAMETERS, *model.OUTPUTS)
 WET, DRY = 90e-6, 0.0
 POINT = dict(load=1e-5, viscosity=WET, particle_diameter=500e-9, particle_density=1e11)
 TWO_BODY = dict(particle_diameter=0.0)

@@ -2,7 +2,7 @@
 
 Every row is one contact: the numbers it depends on (float64, printed by `repr`) and its solution (25 significant
 digits), computed by `solved.py`. The points are spread at random, from a fixed seed, over the published
-ranges of load, viscosity, particle diameter, roughness and particle density, and over all readings of the equations.
+ranges of load, viscosity, particle diameter, roughness and particle density, and over all interpretations of the equations.
 
     python -m tests.golden.generate_solutions             # writes solutions.csv
 
@@ -29,7 +29,7 @@ from tests.golden import solved as model
 PRODUCT = Path(__file__).with_name("solutions.csv")
 COLUMNS = (
     "group",
-    *model.READINGS,
+    *model.INTERPRETATIONS,
     *model.COORDINATES,
     *model.PARAMETERS,
     *model.OUTPUTS,
@@ -38,7 +38,7 @@ COLUMNS = (
 SEED = 20240
 DIGITS = 36  # working precision: 25 printed digits, and what steep tails and tiny film loads cost
 
-# Choices for each of model.READINGS
+# Choices for each of model.INTERPRETATIONS
 CHOICES = (
     ("uncentred", "centred", "gap_convolved"),
     (0, 1),
@@ -112,46 +112,51 @@ def draw(slot, rng):
 
 
 def combinations(step=1, start=0):
-    """Every combination of readings, or every `step`-th, endlessly."""
-    combined = [dict(zip(model.READINGS, choice)) for choice in itertools.product(*CHOICES)]
+    """Every combination of interpretations, or every `step`-th, endlessly."""
+    combined = [dict(zip(model.INTERPRETATIONS, choice)) for choice in itertools.product(*CHOICES)]
     for index in itertools.count(start, step):
         yield combined[index % len(combined)]
 
 
 def lubricated_slots():
-    """Each combination of readings at four ranges of viscosity, where a film forms, and where loads or areas mix."""
+    """Each combination of interpretations at four ranges of viscosity, where a film forms, and where loads or areas mix."""
     rng = random.Random(f"{SEED} lubricated")
     conditions = [*(("lubricated", {"viscosity": band}) for band in VISCOSITIES), ("film", FILM)]
-    for reading in itertools.islice(combinations(), 48):
+    for interpretation in itertools.islice(combinations(), 48):
         for group, condition in conditions:
             yield {
                 "group": group,
                 **{name: rng.uniform(*band) for name, band in condition.items()},
-                **reading,
+                **interpretation,
             }
         for group in ("mixed", "hybrid"):
-            yield {"group": group, "viscosity": rng.uniform(20e-6, 150e-6), **reading}
+            yield {"group": group, "viscosity": rng.uniform(20e-6, 150e-6), **interpretation}
 
 
 def limit_slots():
     """Dry contacts with particles; two-body contacts, wet and dry."""
-    for reading in itertools.islice(combinations(step=2), 24):
-        yield {"group": "dry", "viscosity": 0.0, **reading}
+    for interpretation in itertools.islice(combinations(step=2), 24):
+        yield {"group": "dry", "viscosity": 0.0, **interpretation}
     no_size, no_number = {"particle_diameter": 0.0}, {"particle_density": 0.0}
     absent = (no_size, no_number, no_size | no_number)
     viscosities = (1e-6, 20e-6, 0.0, 60e-6, 90e-6, 0.0, 120e-6, 150e-6)
-    for index, reading in enumerate(itertools.islice(combinations(step=5), 24)):
+    for index, interpretation in enumerate(itertools.islice(combinations(step=5), 24)):
         viscosity = viscosities[index % 8]
         group = "two_body" if viscosity else "two_body_dry"
-        yield {"group": group, "viscosity": viscosity, **absent[index % 3], **reading}
+        yield {"group": group, "viscosity": viscosity, **absent[index % 3], **interpretation}
 
 
 def corner_slots():
     """Corners of the published ranges, with few enough participating particles to cover the surface in part only."""
     names = ("normal_load", "viscosity", "particle_diameter", "roughness", "particle_density")
     ends = ((0.04, 80.0), (2e-6, 150e-6), (100e-9, 1000e-9), (100e-9, 500e-9), (1e10, 5e12))
-    for corner, reading in zip(itertools.product(*ends), combinations(step=7)):
-        yield {"group": "corner", "participation": 0.02, **dict(zip(names, corner)), **reading}
+    for corner, interpretation in zip(itertools.product(*ends), combinations(step=7)):
+        yield {
+            "group": "corner",
+            "participation": 0.02,
+            **dict(zip(names, corner)),
+            **interpretation,
+        }
 
 
 def material_slots():
@@ -162,10 +167,10 @@ def material_slots():
         omega_ratio=(40.0, 110.0), R_x=(4e-3, 12e-3), G=(1500.0, 5000.0), V=(0.01, 0.1), kappa=(0.6, 4.0),
         U_per_viscosity=(3e-6, 8e-6),
     )  # fmt: skip
-    for index, reading in enumerate(itertools.islice(combinations(step=5, start=1), 24)):
+    for index, interpretation in enumerate(itertools.islice(combinations(step=5, start=1), 24)):
         viscosity = 0.0 if index % 8 == 7 else rng.uniform(2e-6, 150e-6)
         materials = {name: rng.uniform(*ends) for name, ends in ranges.items()}
-        yield {"group": "materials", "viscosity": viscosity, **materials, **reading}
+        yield {"group": "materials", "viscosity": viscosity, **materials, **interpretation}
 
 
 def smooth_slots():
@@ -175,11 +180,11 @@ def smooth_slots():
         roughness=(5e-9, 20e-9), viscosity=(3e-6, 20e-6), particle_diameter=(500e-9, 1000e-9), normal_load=(0.04, 1.0),
         participation=(0.01, 0.05), particle_density=(1e12, 5e12),
     )  # fmt: skip
-    for reading in itertools.islice(combinations(step=10), 12):
+    for interpretation in itertools.islice(combinations(step=10), 12):
         yield {
             "group": "smooth",
             **{name: rng.uniform(*ends) for name, ends in ranges.items()},
-            **reading,
+            **interpretation,
         }
 
 

@@ -15,7 +15,7 @@ from tests.oracle.extended import CONDITIONS, NUMBERS, Oracle
 from tests.oracle.extended import QUANTITIES as FOUND
 from tests.oracle.in_mpmath import Interface
 
-READINGS = ("phi_a", "surface_offset", "elastic_limits", "coverage_limits", "film_load")
+INTERPRETATIONS = ("phi_a", "surface_offset", "elastic_limits", "coverage_limits", "film_load")
 COORDINATES = CONDITIONS
 PARAMETERS = (
     *("E_ss", "E_sa", "H_s1", "H_s2", "k", "omega_ratio"),
@@ -43,7 +43,7 @@ def oracle():
 
 def given(row):
     """What the oracle and `Interface` take of a row."""
-    words = {name: row[name] for name in READINGS if name != "surface_offset"}
+    words = {name: row[name] for name in INTERPRETATIONS if name != "surface_offset"}
     return words | {name: row[name] for name in NUMBERS} | {"particle_plane": "surface"}
 
 

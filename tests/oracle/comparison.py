@@ -10,13 +10,13 @@ from typing import NamedTuple
 import numpy as np
 
 import thirdbody as tb
-from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, Oracle, Solved
+from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, Oracle, Solved
 from tests.oracle.points import draw_for_library, move_to_kinks
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
 # as many surfaces as there are interpretations, times as many as there are values of rtol
-ROUND = np.prod([len(words) for words in READINGS.values()]).item() * len(RTOLS)
+ROUND = np.prod([len(words) for words in INTERPRETATIONS.values()]).item() * len(RTOLS)
 PLACES = "anywhere", "next to kinks"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 SMALLEST = np.finfo(float).tiny  # below which numbers lose their digits

@@ -77,7 +77,7 @@ typedef struct {
     int physical;   /* elastic_limits */
     int contacting; /* coverage_limits */
     int total;      /* film_load */
-} Readings;
+} Interpretations;
 
 typedef struct {
     real separation, solid_fraction, fluid_fraction, area, particle_ratio, summit_ratio, film;
@@ -85,7 +85,7 @@ typedef struct {
 
 typedef struct {
     Numbers in;
-    Readings how;
+    Interpretations how;
     int two_body, dry;
     real hardness, first, last, log_ratio; /* of summits; omega_1, omega_2 over sigma_s */
     real mean, spread, x_min, x_max, h_e; /* of sizes */
@@ -665,9 +665,9 @@ static int all_roots(const Point *p, real low, const real *edges, int count, Gap
 
 /* --- One point, and many --- */
 
-static Point set_point(const double *numbers, const int *readings)
+static Point set_point(const double *numbers, const int *interpretations)
 {
-    Point p = {.in = *(const Numbers *)numbers, .how = *(const Readings *)readings};
+    Point p = {.in = *(const Numbers *)numbers, .how = *(const Interpretations *)interpretations};
     const Numbers *n = &p.in;
     p.dry = n->viscosity == 0;
     p.two_body = n->diameter == 0 || n->density == 0;
@@ -713,12 +713,12 @@ static Root set_root(const Point *p, Gap gap)
     return r;
 }
 
-/* numbers[count][27], readings[count][5]; roots[count][MOST_ROOTS], the largest separation first;
+/* numbers[count][27], interpretations[count][5]; roots[count][MOST_ROOTS], the largest separation first;
  * found[count]: how many, -1 where particles would cover more than all of the surface. */
-void solve(long count, const double *numbers, const int *readings, Root *roots, int *found)
+void solve(long count, const double *numbers, const int *interpretations, Root *roots, int *found)
 {
     for (long i = 0; i < count; i++) {
-        Point p = set_point(numbers + 27 * i, readings + 5 * i);
+        Point p = set_point(numbers + 27 * i, interpretations + 5 * i);
         real edges[EDGES], low;
         Gap gaps[MOST_ROOTS];
         int count_of_edges = edges_of(&p, edges);
@@ -734,10 +734,10 @@ void solve(long count, const double *numbers, const int *readings, Root *roots, 
 }
 
 /* F_s*, A_ss*, A_sa* and F_f* at given separations, whether or not they balance a load. */
-void evaluate(long count, const double *numbers, const int *readings, const real *h, real *forces)
+void evaluate(long count, const double *numbers, const int *interpretations, const real *h, real *forces)
 {
     for (long i = 0; i < count; i++) {
-        Point p = set_point(numbers + 27 * i, readings + 5 * i);
+        Point p = set_point(numbers + 27 * i, interpretations + 5 * i);
         forces[4 * i] = solids(&p, at(h[i]));
         forces[4 * i + 1] = summits(&p, at(h[i]), AREA);
         forces[4 * i + 2] = particles(&p, at(h[i]));

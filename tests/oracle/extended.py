@@ -27,7 +27,7 @@ NUMBERS = (  # in the order of ``Numbers`` in contact.c
     *("R_x", "G", "V", "kappa", "U_per_viscosity", "A_n"),
     *("mean_ratio", "sigma_a_ratio", "gap_ratio", "truncation", "participation", "h_e_ratio"),
 )
-READINGS = {  # in the order of ``Readings`` in contact.c, the first name is 0
+INTERPRETATIONS = {  # in the order of ``Interpretations`` in contact.c, the first name is 0
     "phi_a": ("uncentred", "centred", "gap_convolved"),
     "particle_plane": ("surface", "summit"),
     "elastic_limits": ("printed", "physical"),
@@ -87,7 +87,7 @@ class Oracle:
         Parameters
         ----------
         model : mapping
-            Keys of the attribute ``model_parameters``; numbers and readings may be arrays of n.
+            Keys of the attribute ``model_parameters``; numbers and interpretations may be arrays of n.
         load, viscosity, particle_diameter, roughness, particle_density : array_like
             F_t* [1], the rest in SI units; all broadcast, also against the numbers of ``model``.
 
@@ -95,7 +95,7 @@ class Oracle:
         -------
         Solved
         """
-        numbers, readings = arrays_of({**model, **conditions})
+        numbers, interpretations = arrays_of({**model, **conditions})
         n = len(numbers)
         roots = np.full((n, MOST_ROOTS, len(QUANTITIES)), np.nan, np.longdouble)
         count = np.zeros(n, np.int32)
@@ -105,7 +105,7 @@ class Oracle:
             self._library.solve(
                 ctypes.c_long(len(count[here])),
                 address(numbers[here]),
-                address(readings[here]),
+                address(interpretations[here]),
                 address(roots[here]),
                 address(count[here]),
             )
@@ -116,26 +116,29 @@ class Oracle:
 
     def evaluate(self, model, separation, **conditions):
         """F_s*, A_ss* (were there no particles), A_sa* and F_f* at given separations h [m]."""
-        numbers, readings = arrays_of({**model, **conditions, "load": 1.0}, np.size(separation))
+        numbers, interpretations = arrays_of(
+            {**model, **conditions, "load": 1.0}, np.size(separation)
+        )
         separation = np.broadcast_to(np.longdouble(separation), len(numbers)).copy()
         forces = np.empty((len(numbers), 4), np.longdouble)
         self._library.evaluate(
-            ctypes.c_long(len(numbers)), *map(address, (numbers, readings, separation, forces))
+            ctypes.c_long(len(numbers)),
+            *map(address, (numbers, interpretations, separation, forces)),
         )
         return forces.T
 
 
 def arrays_of(given, at_least=1):
-    """Numbers (n, 27) and readings (n, 5) in the order that ``contact.c`` wants."""
+    """Numbers (n, 27) and interpretations (n, 5) in the order that ``contact.c`` wants."""
     given = {"particle_plane": "surface", **given}
     columns = np.broadcast_arrays(
         *(np.ravel(np.asarray(given[name], np.float64)) for name in NUMBERS),
-        *(np.ravel(indices(given[name], names)) for name, names in READINGS.items()),
+        *(np.ravel(indices(given[name], names)) for name, names in INTERPRETATIONS.items()),
         np.empty(at_least),
     )
     numbers = np.stack(columns[: len(NUMBERS)], axis=1)
-    readings = np.stack(columns[len(NUMBERS) : -1], axis=1).astype(np.int32)
-    return np.ascontiguousarray(numbers), np.ascontiguousarray(readings)
+    interpretations = np.stack(columns[len(NUMBERS) : -1], axis=1).astype(np.int32)
+    return np.ascontiguousarray(numbers), np.ascontiguousarray(interpretations)
 
 
 def indices(given, names):

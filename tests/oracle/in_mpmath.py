@@ -10,7 +10,7 @@ FIRST_GUESS = mpf("1e-17")  # how far off the separation that is started from ma
 
 
 class Interface:
-    """One point: ``given`` has the conditions, the numbers and the readings of its model."""
+    """One point: ``given`` has the conditions, the numbers and the interpretations of its model."""
 
     def __init__(self, given):
         self.given = {k: v if isinstance(v, str) else mpf(v) for k, v in given.items()}

@@ -1,4 +1,4 @@
-"""Random points over the whole domain of the model and all its readings, for tests."""
+"""Random points over the whole domain of the model and all its interpretations, for tests."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import itertools
 
 import numpy as np
 
-from tests.oracle.extended import READINGS, SURFACE
+from tests.oracle.extended import INTERPRETATIONS, SURFACE
 from thirdbody.data.model_attribute import parameters_on_one_surface
 
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
@@ -15,12 +15,12 @@ PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not prin
     **{"A_n": 2e-6, "mean_ratio": 0.9, "sigma_a_ratio": 1.0, "gap_ratio": 1.0, "truncation": 3.0},
     **{"participation": 0.02, "h_e_ratio": 0.33},
     **{"eta_s": 0.04 / (2e-5 * 3e-7), "R": 2e-5, "sigma_s": 3e-7, "y_s": 0.0},
-    **{name: names[0] for name, names in READINGS.items()},
+    **{name: names[0] for name, names in INTERPRETATIONS.items()},
 }
 
 
 def draw(n, seed):
-    """A model whose numbers and readings are arrays of n, and conditions to go with them.
+    """A model whose numbers and interpretations are arrays of n, and conditions to go with them.
 
     Conditions reach from one decade below Table 2 to one above, and loads to 1e-300; a quarter of
     the materials is soft, where several separations are possible; a part of the surfaces and sizes
@@ -34,7 +34,7 @@ def draw(n, seed):
     def mostly(share, usual, other):
         return np.where(rng.random(n) < share, usual, other)
 
-    model = {name: rng.choice(names, n) for name, names in READINGS.items()}
+    model = {name: rng.choice(names, n) for name, names in INTERPRETATIONS.items()}
     model["E_ss"] = mostly(0.75, 112e9, logarithmic(1e8, 2e10))
     model["E_sa"] = mostly(0.5, model["E_ss"], logarithmic(1e9, 1e12))
     model["H_s1"] = mostly(0.5, 5e9, logarithmic(1e8, 2e10))
@@ -77,15 +77,15 @@ def covered_by_one(diameter, model):
 
 def draw_for_library(surfaces, points, seed):
     """What ``draw`` gives, with ``points`` points in turn on each of so many surfaces that the
-    library knows, of which any 48 in turn have all readings; and the surfaces' ``Parameters``.
+    library knows, of which any 48 in turn have all interpretations; and the surfaces' ``Parameters``.
     """
     drawn, conditions = draw(surfaces * points, seed)
     shared = np.repeat(np.arange(surfaces) * points, points)
     model = {name: values[shared] for name, values in drawn.items()}
-    every = itertools.cycle(itertools.product(*READINGS.values()))
+    every = itertools.cycle(itertools.product(*INTERPRETATIONS.values()))
     for index, words in zip(range(surfaces), every):
         here = slice(index * points, (index + 1) * points)
-        for name, word in zip(READINGS, words, strict=True):
+        for name, word in zip(INTERPRETATIONS, words, strict=True):
             model[name][here] = word
     roughness = conditions["roughness"][shared]
     diameter = conditions["particle_diameter"] * roughness / conditions["roughness"]
@@ -117,7 +117,7 @@ def surface_of_library(first, points, model, roughness):
 
 
 def one(index, model, conditions):
-    """The numbers and readings of one point, of those that ``draw`` gives."""
+    """The numbers and interpretations of one point, of those that ``draw`` gives."""
     return {name: values[index].item() for name, values in {**model, **conditions}.items()}
 
 

@@ -1,4 +1,4 @@
-"""``verification/plain_model.py`` against the extended-precision oracle, in all readings."""
+"""``verification/plain_model.py`` against the extended-precision oracle, in all interpretations."""
 
 import itertools
 from pathlib import Path
@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from benchmarks.baselines import load_plain_model
-from tests.oracle.extended import CONDITIONS, QUANTITIES, READINGS, SURFACE, Oracle, why_not
+from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, SURFACE, Oracle, why_not
 from tests.oracle.points import PUBLISHED, draw, one
 
 pytestmark = [
@@ -16,7 +16,7 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:Extremely bad integrand:scipy.integrate.IntegrationWarning"),
 ]
 
-COMBINATIONS = list(itertools.product(*READINGS.values()))
+COMBINATIONS = list(itertools.product(*INTERPRETATIONS.values()))
 RTOL = 1e-8
 BALANCE = 1e-12  # of the loads: where F_s is about to turn, they tell separations less well apart
 TINIEST = 1e-290  # what is smaller has fewer digits in float64
@@ -30,15 +30,15 @@ def oracle(tmp_path_factory):
 
 
 def drawn(of_each, seed):
-    """``of_each`` points of each combination of readings."""
+    """``of_each`` points of each combination of interpretations."""
     model, conditions = draw(of_each * len(COMBINATIONS), seed)
-    for name, words in zip(READINGS, zip(*COMBINATIONS)):
+    for name, words in zip(INTERPRETATIONS, zip(*COMBINATIONS)):
         model[name] = np.tile(words, of_each)
     return model, conditions
 
 
 def each_of(model, conditions):
-    """The mapping of all numbers and readings, and the ``Point``, of each of the points."""
+    """The mapping of all numbers and interpretations, and the ``Point``, of each of the points."""
     for index in range(len(conditions["load"])):
         given = one(index, model, conditions)
         yield given, plain.Point(*(given[name] for name in (*CONDITIONS, *SURFACE)))
@@ -83,7 +83,9 @@ def test_it_agrees_with_the_oracle_in_every_quantity(oracle, tell):
             assert (error < RTOL + errors(found, there)).all(), index
         else:
             worst = max(worst, error.max())
-    tell(f"plain model: within {worst:.0e} of the oracle at {len(sound)} points, in all readings")
+    tell(
+        f"plain model: within {worst:.0e} of the oracle at {len(sound)} points, in all interpretations"
+    )
 
 
 def test_it_finds_all_separations_that_the_oracle_finds(oracle, tell):

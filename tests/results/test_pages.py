@@ -20,12 +20,12 @@ def test_the_pages_say_what_the_results_say(capsys):
     assert status == 0, capsys.readouterr().out
 
 
-def test_the_default_is_the_reading_that_the_rule_ranks_first():
+def test_the_default_is_the_interpretation_that_the_rule_ranks_first():
     content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
-    ranked = [row["reading"] for row in content["readings"]]
-    if content["readings"][0]["predicted_fraction"] is None:
+    ranked = [row["interpretation"] for row in content["interpretations"]]
+    if content["interpretations"][0]["predicted_fraction"] is None:
         pytest.skip("no cross-validation has been run")
-    assert content["reading"] == ranked[0]
+    assert content["interpretation"] == ranked[0]
     assert (ROOT / read_yaml(ROOT / "config" / "config.yaml")["calibrated"]).stem == ranked[0]
 
 

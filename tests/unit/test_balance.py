@@ -89,9 +89,9 @@ def test_the_film_of_the_total_load_carries_what_the_solids_leave(parameters, lo
         assert np.array_equal(solution.solid_load_fraction == 1.0, film <= dry)
 
 
-def test_the_dry_gap_closes_at_the_load_of_touching_mean_planes(reading, zero_load):
-    greatest = zero_load(reading)
-    solution = solve(greatest * np.array([0.5, 1.0 - 1e-6]), 0.0, reading)
+def test_the_dry_gap_closes_at_the_load_of_touching_mean_planes(interpretation, zero_load):
+    greatest = zero_load(interpretation)
+    solution = solve(greatest * np.array([0.5, 1.0 - 1e-6]), 0.0, interpretation)
     # the gap is the difference of two loads of which it is a millionth
     assert solution.solution_status.tolist() == [CONVERGED, FAILED]
     assert 1e-9 < solution.error_bound[1] < 1e-7
@@ -109,12 +109,12 @@ def test_a_dry_load_beyond_zero_separation_is_not_solved(parameters, zero_load, 
     assert np.isnan(solution.separation[1])
 
 
-def test_a_film_bears_any_load_but_not_all_within_its_formula(reading, zero_load):
-    load = zero_load(reading) * np.array([0.9, 1.1, 10.0, 1e4])
-    solution = solve(load, 90e-6, reading)
-    in_film = load * (solution.fluid_load_fraction if reading.film_load == "fluid" else 1.0)
-    hardness = min(reading.hardness_surface_1, reading.hardness_surface_2)
-    beyond = in_film > hardness / reading.elastic_modulus_surfaces
+def test_a_film_bears_any_load_but_not_all_within_its_formula(interpretation, zero_load):
+    load = zero_load(interpretation) * np.array([0.9, 1.1, 10.0, 1e4])
+    solution = solve(load, 90e-6, interpretation)
+    in_film = load * (solution.fluid_load_fraction if interpretation.film_load == "fluid" else 1.0)
+    hardness = min(interpretation.hardness_surface_1, interpretation.hardness_surface_2)
+    beyond = in_film > hardness / interpretation.elastic_modulus_surfaces
     assert beyond[-1] and not beyond[0]
     assert (solution.solution_status == np.where(beyond, OUTSIDE, CONVERGED)).all()
     assert (np.diff(solution.separation) < 0.0).all()

@@ -114,7 +114,7 @@ def test_inputs_without_a_surface_miss_every_statement(parameters):
 
 
 def test_an_interpretation_searches_what_it_does_not_fix():
-    for name in SETTINGS["readings"]:
+    for name in SETTINGS["interpretations"]:
         interpretation = Interpretation.of(name, SETTINGS)
         assert not {unknown.name for unknown in interpretation.unknowns} & set(interpretation.fixed)
     natural = Interpretation.of("uncentred_summit_wide_full_natural", SETTINGS)
@@ -246,7 +246,7 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     assert found["identification"]["gap_ratio"]["identified"]
     assert not found["identification"]["summit_radius"]["identified"]
     assert [fold["figures"] for fold in found["folds"]] == SETTINGS["folds"]
-    assert len(found["ensemble"]) == len(found["ensemble_readings"]) == 4
+    assert len(found["ensemble"]) == len(found["ensemble_interpretations"]) == 4
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
     assert read_calibrated(path, read_entries()) == found
@@ -274,7 +274,11 @@ def test_the_price_of_a_number_is_a_front_that_falls(parameters):
 
 def test_an_ensemble_over_interpretations_takes_those_that_predict_as_much():
     contents = [
-        {"reading": name, "inputs": {"film_load": name}, "ensemble": [{"truncation": 3.0}] * 4}
+        {
+            "interpretation": name,
+            "inputs": {"film_load": name},
+            "ensemble": [{"truncation": 3.0}] * 4,
+        }
         for name in ("best", "near", "far")
     ]
     shares = {"best": [0.9, 0.7], "near": [0.75, 0.75], "far": [0.5, 0.5]}

@@ -195,7 +195,7 @@ def test_a_file_of_all_inputs_leaves_nothing_of_the_calibrated_ones():
 def calibrated(inputs, member="{truncation: 2.0}"):
     """Text of a calibrated file."""
     return (
-        "reading: some\nobjective: 70.5\npenalty: 0.5\nidentification: {}\n"
+        "interpretation: some\nobjective: 70.5\npenalty: 0.5\nidentification: {}\n"
         f"inputs: {inputs}\nensemble: [{member}]\n"
     )
 
@@ -214,8 +214,14 @@ BAD_INPUTS = {
     "nothing": ("truncation:", "truncation is None; allowed: a number"),
     "a date": ("truncation: 2024-01-01", "truncation is"),
     "500 digits": ("truncation: " + "9" * 500, "truncation is 999"),
-    "an unknown reading": ("film_load: solid", "film_load is 'solid'; allowed: fluid, total"),
-    "a reading in a list": ("film_load: [fluid]", "film_load is ['fluid']; allowed: fluid, total"),
+    "an unknown interpretation": (
+        "film_load: solid",
+        "film_load is 'solid'; allowed: fluid, total",
+    ),
+    "an interpretation in a list": (
+        "film_load: [fluid]",
+        "film_load is ['fluid']; allowed: fluid, total",
+    ),
     "a number for a truth value": (
         "summit_offset: 1",
         "summit_offset is 1; allowed: True, as_rough, False",
@@ -245,7 +251,7 @@ BAD_INPUTS = {
         calibrated("{truncation: 2.0}", "{participation: 1.5}"),
         "ensemble[0].participation is 1.5; allowed: a number from 1e-06 to 1",
     ),
-    "inputs of no reading": ("inputs: {truncation: 2.0}", "key 'reading' is missing"),
+    "inputs of no interpretation": ("inputs: {truncation: 2.0}", "key 'interpretation' is missing"),
 }
 
 
@@ -260,7 +266,7 @@ def test_a_bad_input_is_refused_with_file_and_key(write, case):
 
 @pytest.mark.parametrize("path", sorted((CONFIG / "calibrated").iterdir()), ids=lambda p: p.stem)
 def test_each_shipped_calibrated_file_is_valid(path):
-    assert read_calibrated(path)["reading"] == path.stem
+    assert read_calibrated(path)["interpretation"] == path.stem
 
 
 def test_a_calibrated_file_replaces_its_inputs_alone(write):

@@ -155,10 +155,10 @@ def best_along(parameters, name, viscosity):
 @pytest.mark.parametrize("rtol", RTOLS)
 @pytest.mark.parametrize("name", list(SWEEPS))
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
-def test_no_jump_along_a_sweep(reading, name, viscosity, rtol):
+def test_no_jump_along_a_sweep(interpretation, name, viscosity, rtol):
     """Tables, loose tolerances and branches leave the best solution by no more than ``rtol``."""
     given = {"viscosity": viscosity} | {name.split()[-1]: SWEEPS[name]}
-    asked, best = solve(reading, rtol, **given), best_along(reading, name, viscosity)
+    asked, best = solve(interpretation, rtol, **given), best_along(interpretation, name, viscosity)
     solved = has_values(asked.solution_status)
     assert np.array_equal(solved, has_values(best.solution_status))
     allowed = (asked.error_bound + best.error_bound)[solved]
@@ -214,10 +214,10 @@ def test_no_jump_where_the_tables_get_finer(sizes, edge, viscosity):
 
 
 @pytest.mark.parametrize("rtol", RTOLS)
-def test_no_jump_where_points_become_enough_for_a_table(reading, rtol):
+def test_no_jump_where_points_become_enough_for_a_table(interpretation, rtol):
     load = np.geomspace(1e-9, 1e-3, 500)
-    few = solve(reading, rtol, load=load[:-1])
-    enough = solve(reading, rtol, load=load)
+    few = solve(interpretation, rtol, load=load[:-1])
+    enough = solve(interpretation, rtol, load=load)
     for name in VARIABLES:
         error = relative_error(getattr(enough, name)[:-1], getattr(few, name))
         assert error.max() <= 10.0 * rtol, name

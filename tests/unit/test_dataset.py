@@ -224,7 +224,7 @@ def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
         assert (unread == FILL_FLAG if name in FLAGS else np.isnan(unread)).all()
 
 
-def test_reading_closes_the_file(on_disk):
+def test_read_data_closes_the_file(on_disk):
     again = read_dataset(on_disk)
     on_disk.unlink()
     assert np.isfinite(again["load"].values).all()

@@ -165,8 +165,8 @@ def test_no_point_harms_another(parameters, rtol, method):
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-11])
-def test_a_number_or_a_status_over_the_whole_domain(reading, rtol):
-    solution = solve(reading, rtol, **extreme_points(1000, seed=2))
+def test_a_number_or_a_status_over_the_whole_domain(interpretation, rtol):
+    solution = solve(interpretation, rtol, **extreme_points(1000, seed=2))
     solved = has_values(solution.solution_status)
     missed = solution.solution_status == SOLUTION_STATUSES.index("not_converged")
     assert np.array_equal(solution.error_bound <= rtol, solved & ~missed)

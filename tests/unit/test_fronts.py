@@ -9,12 +9,12 @@ from thirdbody.figures.fronts import plot
 
 
 def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
-    readings = [
-        {"reading": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
-        {"reading": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
+    interpretations = [
+        {"interpretation": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
+        {"interpretation": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
     ]
     with matplotlib.style.context(STYLE, after_reset=True):
-        drawing = plot(readings)
+        drawing = plot(interpretations)
     assert [panel.title for panel in drawing.panels] == ["a", "b"]
     one, two = drawing.panels[0].series
     assert (one.name, two.name) == ("one", "two")

@@ -113,10 +113,10 @@ def test_whole_numbers_and_those_of_numpy_are_numbers(parameters):
         assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
 
 
-def test_lists_run_along_the_roughness(reading):
-    model = attribute(reading)
+def test_lists_run_along_the_roughness(interpretation):
+    model = attribute(interpretation)
     for index, roughness in enumerate((1e-7, 3e-7, 5e-7)):
-        surface = reading.surface(roughness)
+        surface = interpretation.surface(roughness)
         assert model["eta_s"][index] == surface.summit_density
         assert model["R"][index] == surface.summit_radius
         assert model["sigma_s"][index] == surface.summit_deviation
@@ -136,9 +136,9 @@ def test_each_number_of_the_attribute_is_its_own_input(parameters):
 
 
 @pytest.mark.parametrize("index", [0, 1, 2])
-def test_the_attribute_is_read_back_as_it_was_written(reading, index):
+def test_the_attribute_is_read_back_as_it_was_written(interpretation, index):
     roughness = [1e-7, 3e-7, 5e-7]
-    text = model_attribute(reading, roughness)
+    text = model_attribute(interpretation, roughness)
     again = parameters_of_attribute(text, roughness[index], index)
     model, found = (
         json.loads(text),

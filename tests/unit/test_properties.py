@@ -1,4 +1,4 @@
-"""Random points over the physical domain and all readings: the equations hold at every one."""
+"""Random points over the physical domain and all interpretations: the equations hold at every one."""
 
 from dataclasses import replace
 
@@ -40,7 +40,7 @@ def between(low, high):
     return st.floats(np.log(low), np.log(high)).map(lambda x: float(np.clip(np.exp(x), low, high)))
 
 
-READINGS = st.fixed_dictionaries(
+INTERPRETATIONS = st.fixed_dictionaries(
     {
         "size_distribution": st.sampled_from(["uncentred", "centred", "gap_convolved"]),
         "particle_plane": st.sampled_from(["surface", "summit"]),
@@ -130,7 +130,7 @@ def solved(parameters, equations):
     return lambda *given: Solved(parameters, equations, *given)
 
 
-DOMAIN = {"changes": READINGS, "roughness": between(1e-9, 1e-5), "unit": RANDOM_POINTS}
+DOMAIN = {"changes": INTERPRETATIONS, "roughness": between(1e-9, 1e-5), "unit": RANDOM_POINTS}
 
 
 @given(**DOMAIN)

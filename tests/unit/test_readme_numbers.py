@@ -78,7 +78,7 @@ def test_the_page_has_five_choices_with_time_and_error(tool, tmp_path):
     assert header.count("|") == 7 and empty == ""
 
 
-def test_the_page_tells_how_many_points_of_all_readings_are_wrong(tool, tmp_path):
+def test_the_page_tells_how_many_points_of_all_interpretations_are_wrong(tool, tmp_path):
     tool["ACCURACY"] = tmp_path
     assert not tool["is_compared"]()
     row = {"place": "anywhere", "rtol": 1e-9, "points": 1000}

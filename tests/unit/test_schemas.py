@@ -45,7 +45,11 @@ BOUNDED = {
 @every_schema
 def test_each_value_is_bounded(kind):
     for place, node in schema_nodes(read_schema(kind)):
-        if ".if" in place or place.endswith(".allowed.items") or ".reading.properties" in place:
+        if (
+            ".if" in place
+            or place.endswith(".allowed.items")
+            or ".interpretation.properties" in place
+        ):
             continue  # words that inputs.yaml itself lists
         types = node.get("type", [])
         for name in [types] if isinstance(types, str) else types:
@@ -87,8 +91,8 @@ BROKEN = {
         "range[0].contradicts[0] is 'b'; allowed: a statement that stands aside, or this one does",
     ),
     "unknowns_are_listed": (
-        {"unknowns": {"a": 1}, "always": ["a"], "readings": {"r": {"unknowns": ["b"]}}},
-        "range.readings.r.unknowns[0] is 'b'; allowed: a",
+        {"unknowns": {"a": 1}, "always": ["a"], "interpretations": {"r": {"unknowns": ["b"]}}},
+        "range.interpretations.r.unknowns[0] is 'b'; allowed: a",
     ),
     "axis_goes_up": (
         AXIS | {"also": [0, 5, 10]},

@@ -57,10 +57,10 @@ def mixture():
 # ---- shapes and types
 
 
-def test_an_array_is_solved_as_its_points_are_one_by_one(reading, mixture):
-    together = solve(reading, **mixture)
+def test_an_array_is_solved_as_its_points_are_one_by_one(interpretation, mixture):
+    together = solve(interpretation, **mixture)
     for index in range(len(mixture["load"])):
-        alone = solve(reading, **{name: values[index] for name, values in mixture.items()})
+        alone = solve(interpretation, **{name: values[index] for name, values in mixture.items()})
         for name in VARIABLES:
             values = getattr(together, name)[index], getattr(alone, name)
             # sums over the nodes of the quadrature may take another order: a few roundings
@@ -213,9 +213,9 @@ def test_a_masked_value_is_not_taken_for_a_number(parameters):
 
 
 @pytest.mark.parametrize("viscosity", [0.0, 90e-6])
-def test_zero_diameter_and_zero_density_are_both_two_body_contact(reading, viscosity):
+def test_zero_diameter_and_zero_density_are_both_two_body_contact(interpretation, viscosity):
     without = [{"particle_diameter": 0.0}, {"particle_density": 0.0}]
-    one, other = (solve(reading, viscosity=viscosity, **given) for given in without)
+    one, other = (solve(interpretation, viscosity=viscosity, **given) for given in without)
     assert_same(one, other)
     assert one.particle_contact_area_ratio == 0.0
     assert one.surface_contact_area_ratio == 1.0
@@ -242,7 +242,9 @@ def test_particles_that_cover_the_interface_are_not_solved(
     assert (solution.solution_status == expected).all()
 
 
-def test_coverage_counts_only_touching_particles_where_the_reading_says_so(parameters, equations):
+def test_coverage_counts_only_touching_particles_where_the_interpretation_says_so(
+    parameters, equations
+):
     inputs = replace(parameters, coverage_limits="contacting")
     density = 1.5 / coverage_of_one_particle(inputs, equations, POINT["particle_diameter"])
     solution = solve(inputs, load=1e-5, viscosity=[90e-6, 1e-2], particle_density=density)
@@ -442,11 +444,11 @@ def test_the_same_call_gives_the_same_bits_whatever_was_called_before(parameters
 
 
 @pytest.mark.parametrize("rtol", [1e-2, 1e-6, 1e-9, 1e-11])
-def test_a_point_alone_is_within_both_bounds_of_what_it_is_among_many(reading, rtol):
+def test_a_point_alone_is_within_both_bounds_of_what_it_is_among_many(interpretation, rtol):
     load = np.geomspace(1e-8, 1e-3, 2000)
-    many = solve(reading, rtol, load=load, viscosity=60e-6)
+    many = solve(interpretation, rtol, load=load, viscosity=60e-6)
     for index in range(0, load.size, 61):
-        alone = solve(reading, rtol, load=load[index], viscosity=60e-6)
+        alone = solve(interpretation, rtol, load=load[index], viscosity=60e-6)
         bounds = many.error_bound[index] + alone.error_bound
         for name in QUANTITIES:
             together, value = getattr(many, name)[index], getattr(alone, name)

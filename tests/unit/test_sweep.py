@@ -43,9 +43,9 @@ def compared(axes, parameters, rtol):
 
 @pytest.mark.parametrize("film_load", ["fluid", "total"])
 @pytest.mark.parametrize("axes", [ORDINARY, EXTREME], ids=["ordinary", "extreme"])
-def test_a_sweep_keeps_the_error_asked_for(reading, axes, film_load):
+def test_a_sweep_keeps_the_error_asked_for(interpretation, axes, film_load):
     rtol = 1e-3
-    inputs = replace(reading, film_load=film_load)
+    inputs = replace(interpretation, film_load=film_load)
     found, points, both = compared(axes, inputs, rtol)
     assert np.array_equal(found.solution_status[both], points.solution_status[both])
     for quantity in QUANTITIES:

@@ -49,10 +49,10 @@ def equal_sizes():
     return curves(VISCOSITIES, 300.0 * NANOMETRE)
 
 
-def test_a_brute_scan_of_loads_finds_the_same_maximum(reading, loads, equal_sizes):
-    found = found_on(loads, equal_sizes, reading)
+def test_a_brute_scan_of_loads_finds_the_same_maximum(interpretation, loads, equal_sizes):
+    found = found_on(loads, equal_sizes, interpretation)
     dense = np.geomspace(loads[0], loads[-1], 2001)
-    odds = odds_at(dense[:, None], equal_sizes, reading)
+    odds = odds_at(dense[:, None], equal_sizes, interpretation)
     highest = np.where(inner_maxima(odds), odds[1:-1], 0.0)
     has_one = (highest > 0.0).any(axis=0)
     assert has_one.any()
@@ -174,7 +174,7 @@ def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
 # ---- windows
 
 
-def test_films_together_have_the_turning_points_that_their_curves_have(reading, loads):
+def test_films_together_have_the_turning_points_that_their_curves_have(interpretation, loads):
     diameters = np.append(np.geomspace(60.0, 1200.0, 25), 0.0) * NANOMETRE
     solids = curves(0.0, diameters)[1:]
     separation = tb.solve(
@@ -183,15 +183,15 @@ def test_films_together_have_the_turning_points_that_their_curves_have(reading, 
         particle_diameter=diameters,
         roughness=300e-9,
         particle_density=DENSITY,
-        parameters=reading,
+        parameters=interpretation,
         rtol=1e-6,
         variables=["separation"],
     ).separation
-    together = film_turning_points(separation, VISCOSITIES, *solids, reading, 1e-6)
+    together = film_turning_points(separation, VISCOSITIES, *solids, interpretation, 1e-6)
     assert together.exists.any() and not together.exists[:, -1].any()
     for film, viscosity in enumerate(VISCOSITIES):
         conditions = curves(viscosity, diameters)
-        alone = turning_points(separation[:, film], *conditions, reading, 1e-6)
+        alone = turning_points(separation[:, film], *conditions, interpretation, 1e-6)
         there = together.exists[film]
         assert np.array_equal(there, alone.exists)
         for name in ("load", "peak_ratio", "solid_load_fraction", "separation", "prominence"):

@@ -51,7 +51,7 @@ TAKEN = claim(
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
 DEFAULT = {
-    "reading": "some",
+    "interpretation": "some",
     "inputs": {"truncation": 2.0},
     "identification": {"truncation": {"range_of_each_seed": [[1.5, 2.5], [1.6, 2.4]]}},
 }
@@ -159,18 +159,20 @@ def test_a_headline_number_may_have_a_tolerance_of_its_own():
 
 def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     """Most predicted, then the least penalty, then the fewest unknowns."""
-    names = list(SETTINGS["readings"])[:4]
-    settings = SETTINGS | {"readings": {name: SETTINGS["readings"][name] for name in names}}
+    names = list(SETTINGS["interpretations"])[:4]
+    settings = SETTINGS | {
+        "interpretations": {name: SETTINGS["interpretations"][name] for name in names}
+    }
     unusual = {"summit_parameter": 0.2}
     inputs = {n: u["usual"][0] for n, u in SETTINGS["unknowns"].items()}
     contents = [
-        {"reading": name, "inputs": inputs | (unusual if name == names[2] else {})}
+        {"interpretation": name, "inputs": inputs | (unusual if name == names[2] else {})}
         for name in names
     ]
     held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
     judge_all = Judge([TAKEN], parameters, SETTINGS["newtons"])
     table = compare(judge_all, contents, dict.fromkeys(names, (HELD,)), held, settings)
-    ranking = table["reading"].tolist()
+    ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
     assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
     assert table["predicted"].tolist()[-1] == "0/1"
@@ -217,7 +219,7 @@ def test_everything_is_judged_by_the_real_model(parameters):
     judge_all = Judge(claims, parameters, SETTINGS["newtons"])
     found = judge_everything(judge_all, content, [content], SETTINGS)
     assert [verdict.holds for verdict in found.verdicts] == [True, True]
-    predicted = found.predicted[content["reading"]]
+    predicted = found.predicted[content["interpretation"]]
     assert predicted["fig09a-no-turning-point-outside"].holds
     assert not predicted["fig11a-turning-point-load-dry"].holds
     assert len(found.changed) == 2 * found.comparison["inputs"].iloc[0]
@@ -235,7 +237,7 @@ def test_an_input_is_changed_only_where_a_surface_can_have_it(parameters):
     judge_all.claims, judge_all.base = (), parameters
     name = "uncentred_summit_wide_full_natural"
     inputs = parameters.as_dict() | {"summit_parameter": 0.1}
-    content = {"reading": name, "inputs": inputs, "ensemble": []}
+    content = {"interpretation": name, "inputs": inputs, "ensemble": []}
     found = judge_everything(judge_all, content, [], SETTINGS)
     assert "higher summit parameter" in found.changed
     assert "lower summit parameter" not in found.changed

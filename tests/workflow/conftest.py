@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 import yaml
-from workspace import MINIMAL, READINGS, Workspace
+from workspace import INTERPRETATIONS, MINIMAL, Workspace
 
 BUDGET = {
     **{"scattered": 8, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 3},
@@ -86,7 +86,7 @@ def _make_atlas(workspace):
 
 @pytest.fixture(scope="session")
 def calibrated(made_once):
-    """The repository after the calibration of two readings."""
+    """The repository after the calibration of two interpretations."""
     return made_once("calibrated", _calibrate)
 
 
@@ -97,9 +97,11 @@ def _calibrate(workspace):
         settings["shortlist"] = {"unknowns": 8, "within": 1000.0, "most": 2}
         settings["folds"] = [[3, 4, 5, 6, 7, 8], [9, 10, 11, 12, 13]]
         settings["headline"] = settings["headline"][:1]
-        settings["readings"] = {name: settings["readings"][name] for name in READINGS}
-        for reading in settings["readings"].values():
-            reading.pop("budget", None)
+        settings["interpretations"] = {
+            name: settings["interpretations"][name] for name in INTERPRETATIONS
+        }
+        for interpretation in settings["interpretations"].values():
+            interpretation.pop("budget", None)
         return yaml.safe_dump(settings)
 
     workspace.rewrite("config/calibration.yaml", smaller)

@@ -3,7 +3,7 @@
 import json
 
 import yaml
-from workspace import READINGS, Workspace
+from workspace import INTERPRETATIONS, Workspace
 
 
 def files(workspace: Workspace, pattern):
@@ -12,14 +12,14 @@ def files(workspace: Workspace, pattern):
 
 def test_what_is_found_is_adopted_for_the_default_run(calibrated):
     found = files(calibrated, "results/calibration")
-    assert set(found) == {f"{name}.yaml" for name in READINGS}
+    assert set(found) == {f"{name}.yaml" for name in INTERPRETATIONS}
     adopted = files(calibrated, "config/calibrated")
     chosen = json.loads((calibrated.root / "results/calibration/chosen.json").read_text())
     for name, content in found.items():
         expected = yaml.safe_load(content)
-        expected |= chosen if expected["reading"] == chosen["reading"] else {}
+        expected |= chosen if expected["interpretation"] == chosen["interpretation"] else {}
         assert yaml.safe_load(adopted[name]) == expected
-    assert len(chosen["ensemble"]) == len(chosen["ensemble_readings"])
+    assert len(chosen["ensemble"]) == len(chosen["ensemble_interpretations"])
 
 
 def test_an_interruption_loses_no_finished_search(calibrated, tmp_path):

@@ -13,7 +13,7 @@ def test_importing_the_package_loads_nothing_heavy_and_writes_nothing(finished):
     assert files == {path: path.stat().st_mtime_ns for path in finished.root.rglob("*")}
 
 
-def test_reading_the_workflow_loads_nothing_heavy(sources, tmp_path):
+def test_interpretation_the_workflow_loads_nothing_heavy(sources, tmp_path):
     """Snakemake's own YAML reader takes numpy where there is one: it gets none here."""
     told = sources.copied_to(tmp_path / "thirdbody").python(
         "import sys; sys.modules['numpy'] = None\n"

@@ -17,7 +17,7 @@ import yaml
 
 ROOT = Path(__file__).resolve().parents[2]
 MINIMAL = ("--configfile", "config/minimal.yaml")
-READINGS = (
+INTERPRETATIONS = (
     "uncentred_summit_wide_full_natural",
     "uncentred_surface_wide_full",
 )  # calibrated in tests

@@ -3,7 +3,10 @@
 
 rule choose_default:
     input:
-        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        calibrated=expand(
+            "<results>/calibration/{interpretation}.yaml",
+            interpretation=CALIBRATION["interpretations"],
+        ),
         claims=f"{CONFIG}/claims.yaml",
     output:
         chosen="<results>/calibration/chosen.json",
@@ -23,7 +26,10 @@ rule choose_default:
 
 rule calibrate:
     input:
-        calibrated=expand("<results>/calibration/{reading}.yaml", reading=CALIBRATION["readings"]),
+        calibrated=expand(
+            "<results>/calibration/{interpretation}.yaml",
+            interpretation=CALIBRATION["interpretations"],
+        ),
         chosen="<results>/calibration/chosen.json",
     output:
         adopted="<results>/calibration/adopted.txt",

@@ -7,21 +7,21 @@ rule sample_inputs:
         evaluations=expand(SEARCHED, seed=SEEDS),
         claims=f"{CONFIG}/claims.yaml",
     output:
-        samples="<results>/calibration/{reading}/seed{seed}_samples.csv",
+        samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
-        "<logs>/sample_inputs/{reading}_{seed}.log",
+        "<logs>/sample_inputs/{interpretation}_{seed}.log",
     benchmark:
-        "<logs>/sample_inputs/{reading}_{seed}.tsv"
+        "<logs>/sample_inputs/{interpretation}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
         parameters=settings["uncalibrated"],
         sources=sources_of("sample_inputs.py"),
     message:
-        "Sampling the inputs of {wildcards.reading} from seed {wildcards.seed}"
+        "Sampling the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
         "../scripts/sample_inputs.py"
 
@@ -33,16 +33,16 @@ rule summarise_inputs:
         folds=folds_of,
         claims=f"{CONFIG}/claims.yaml",
     output:
-        calibrated="<results>/calibration/{reading}.yaml",
+        calibrated="<results>/calibration/{interpretation}.yaml",
     log:
-        "<logs>/summarise_inputs/{reading}.log",
+        "<logs>/summarise_inputs/{interpretation}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
         parameters=settings["uncalibrated"],
         sources=sources_of("summarise_inputs.py"),
     message:
-        "Summarising the calibration of {wildcards.reading}"
+        "Summarising the calibration of {wildcards.interpretation}"
     script:
         "../scripts/summarise_inputs.py"

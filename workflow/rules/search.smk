@@ -11,21 +11,21 @@ rule scatter_inputs:
     input:
         claims=f"{CONFIG}/claims.yaml",
     output:
-        scattered="<results>/calibration/{reading}/scattered.csv",
+        scattered="<results>/calibration/{interpretation}/scattered.csv",
     log:
-        "<logs>/scatter_inputs/{reading}.log",
+        "<logs>/scatter_inputs/{interpretation}.log",
     benchmark:
-        "<logs>/scatter_inputs/{reading}.tsv"
+        "<logs>/scatter_inputs/{interpretation}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
         parameters=settings["uncalibrated"],
         sources=sources_of("scatter_inputs.py"),
     message:
-        "Judging scattered inputs of {wildcards.reading}"
+        "Judging scattered inputs of {wildcards.interpretation}"
     script:
         "../scripts/scatter_inputs.py"
 
@@ -33,51 +33,51 @@ rule scatter_inputs:
 rule search_inputs:
     input:
         claims=f"{CONFIG}/claims.yaml",
-        scattered="<results>/calibration/{reading}/scattered.csv",
+        scattered="<results>/calibration/{interpretation}/scattered.csv",
     output:
-        evaluations="<results>/calibration/{reading}/seed{seed}.csv",
+        evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
-        "<logs>/search_inputs/{reading}_{seed}.log",
+        "<logs>/search_inputs/{interpretation}_{seed}.log",
     benchmark:
-        "<logs>/search_inputs/{reading}_{seed}.tsv"
+        "<logs>/search_inputs/{interpretation}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
         sources=sources_of("search_inputs.py"),
     message:
-        "Searching the inputs of {wildcards.reading} from seed {wildcards.seed}"
+        "Searching the inputs of {wildcards.interpretation} from seed {wildcards.seed}"
     script:
         "../scripts/search_inputs.py"
 
 
 use rule search_inputs as search_fold with:
     output:
-        evaluations="<results>/calibration/{reading}/fold{fold}.csv",
+        evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
     log:
-        "<logs>/search_fold/{reading}_{fold}.log",
+        "<logs>/search_fold/{interpretation}_{fold}.log",
     benchmark:
-        "<logs>/search_fold/{reading}_{fold}.tsv"
+        "<logs>/search_fold/{interpretation}_{fold}.tsv"
     params:
-        settings=lambda wildcards: with_one_reading(CALIBRATION, wildcards.reading),
+        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
         parameters=settings["uncalibrated"],
         seeds=SEEDS,
         fold=lambda wildcards: int(wildcards.fold),
         sources=sources_of("search_inputs.py"),
     message:
-        "Searching the inputs of {wildcards.reading} without the figures of fold {wildcards.fold}"
+        "Searching the inputs of {wildcards.interpretation} without the figures of fold {wildcards.fold}"
 
 
 checkpoint shortlist:
     input:
         evaluations=expand(
-            "<results>/calibration/{reading}/seed{seed}.csv",
-            reading=FEW_UNKNOWNS,
+            "<results>/calibration/{interpretation}/seed{seed}.csv",
+            interpretation=FEW_UNKNOWNS,
             seed=SEEDS[0],
         ),
     output:

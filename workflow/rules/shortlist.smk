@@ -6,10 +6,10 @@ SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
 FEW_UNKNOWNS = [
     name
-    for name in CALIBRATION["readings"]
+    for name in CALIBRATION["interpretations"]
     if number_of_unknowns(CALIBRATION, name) <= CALIBRATION["shortlist"]["unknowns"]
 ]
-SEARCHED = "<results>/calibration/{{reading}}/seed{seed}.csv"
+SEARCHED = "<results>/calibration/{{interpretation}}/seed{seed}.csv"
 
 
 def searches_of(wildcards):
@@ -19,16 +19,16 @@ def searches_of(wildcards):
 
 def samples_of(wildcards):
     """The samples of an interpretation of the shortlist."""
-    samples = "<results>/calibration/{{reading}}/seed{seed}_samples.csv"
+    samples = "<results>/calibration/{{interpretation}}/seed{seed}_samples.csv"
     return expand(samples, seed=SEEDS) if is_shortlisted(wildcards) else []
 
 
 def folds_of(wildcards):
     """The cross-validation of an interpretation of the shortlist."""
-    folds = "<results>/calibration/{{reading}}/fold{fold}.csv"
+    folds = "<results>/calibration/{{interpretation}}/fold{fold}.csv"
     return expand(folds, fold=FOLDS) if is_shortlisted(wildcards) else []
 
 
 def is_shortlisted(wildcards):
     chosen = checkpoints.shortlist.get().output.chosen
-    return wildcards.reading in json.loads(Path(chosen).read_text(encoding="utf-8"))
+    return wildcards.interpretation in json.loads(Path(chosen).read_text(encoding="utf-8"))

@@ -20,12 +20,12 @@ def adopt(calibrated, chosen, adopted):
     default = json.loads(Path(chosen).read_text(encoding="utf-8"))
     for source in map(Path, calibrated):
         content = read_yaml(source)
-        if content["reading"] == default["reading"]:
+        if content["interpretation"] == default["interpretation"]:
             content |= default
         with atomic_write(PLACE / source.name) as part, open(part, "w", encoding="utf-8") as stream:
             stream.write(HEADER)
             yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
-    line = f"{PLACE / default['reading']}.yaml is the default by the rule"
+    line = f"{PLACE / default['interpretation']}.yaml is the default by the rule"
     with atomic_write(adopted) as part:
         part.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")

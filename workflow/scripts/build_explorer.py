@@ -20,7 +20,7 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
     ``calibration`` are the settings of the search for inputs, ``tables`` the paper's as printed.
     """
     entries = read_entries()
-    readings = [read_yaml(path) for path in calibrated]
+    interpretations = [read_yaml(path) for path in calibrated]
     inputs = {
         name: entry | calibration["unknowns"].get(name, {}) | {"value": parameters[name]}
         for name, entry in entries.items()
@@ -30,7 +30,7 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
         [asdict(claim) for claim in load_claims(claims)],
         json.loads(Path(verdicts).read_text(encoding="utf-8")),
         inputs,
-        {each["reading"]: each["inputs"] for each in readings},
+        {each["interpretation"]: each["inputs"] for each in interpretations},
         {row["symbol"]: row["printed"] for row in read_yaml(tables)["table2"]},
     )
     with atomic_write(page) as part:

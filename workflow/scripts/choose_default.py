@@ -20,12 +20,14 @@ def choose(calibrated, claims, settings, parameters, chosen):
     """Write the name of the default, its fronts, and its ensemble over interpretations."""
     statements, base = load_claims(claims), Parameters(**parameters)
     judge_all = Judge(statements, base, settings["newtons"])
-    contents = {content["reading"]: content for content in map(read_yaml, calibrated)}
+    contents = {content["interpretation"]: content for content in map(read_yaml, calibrated)}
     verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
     predicted = {name: predict(judge_all, content) for name, content in contents.items()}
     table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
-    print(table[["reading", "predicted", "fitted", "penalty", "inputs"]].to_string(index=False))
-    ranking = table["reading"].tolist()
+    print(
+        table[["interpretation", "predicted", "fitted", "penalty", "inputs"]].to_string(index=False)
+    )
+    ranking = table["interpretation"].tolist()
     default = ranking[0]
     interpretation = Interpretation.of(default, settings)
     plain = Objective.of(statements, settings, base)
@@ -56,10 +58,10 @@ def choose(calibrated, claims, settings, parameters, chosen):
         [contents[name] for name in ranking], fractions, settings["ensemble"]
     )
     content = {
-        "reading": default,
+        "interpretation": default,
         "fronts": fronts,
         "ensemble": members,
-        "ensemble_readings": labels,
+        "ensemble_interpretations": labels,
     }
     with atomic_write(chosen) as part:
         part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")

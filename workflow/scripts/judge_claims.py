@@ -25,7 +25,9 @@ def judge_claims(
         "ensemble": [member | laid_over for member in main["ensemble"]],
     }
     compared = [
-        found[path] for path in calibrated if found[path]["reading"] in settings["readings"]
+        found[path]
+        for path in calibrated
+        if found[path]["interpretation"] in settings["interpretations"]
     ]
     judged = judge_everything(judge_all, main, compared, settings)
     headline, tolerances = settings["headline"], settings["headline_tolerances"]

@@ -12,13 +12,13 @@ from thirdbody.job_log import logged
 
 
 def render(default, calibrated, style, stem):
-    """Draw the fronts of all ``calibrated`` readings, that of the file whose stem is ``default`` first."""
+    """Draw the fronts of all ``calibrated`` interpretations, that of the file whose stem is ``default`` first."""
     files = sorted(calibrated, key=lambda path: Path(path).stem != default)
     contents = [read_yaml(path) for path in files]
-    readings = [content for content in contents if content["fronts"]]
+    interpretations = [content for content in contents if content["fronts"]]
     with matplotlib.style.context(style, after_reset=True):
-        save(plot(readings), stem, caption("fronts"))
-    print(f"{len(readings)} readings drawn")
+        save(plot(interpretations), stem, caption("fronts"))
+    print(f"{len(interpretations)} interpretations drawn")
 
 
 if __name__ == "__main__":

@@ -26,7 +26,7 @@ def sample(name, seed, evaluations, claims, settings, parameters, samples):
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         sample(
-            snakemake.wildcards.reading,
+            snakemake.wildcards.interpretation,
             int(snakemake.wildcards.seed),
             snakemake.input.evaluations,
             snakemake.input.claims,

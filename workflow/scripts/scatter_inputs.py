@@ -22,7 +22,7 @@ def judge_scattered(name, claims, settings, parameters, scattered):
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         judge_scattered(
-            snakemake.wildcards.reading,
+            snakemake.wildcards.interpretation,
             snakemake.input.claims,
             snakemake.params.settings,
             snakemake.params.parameters,

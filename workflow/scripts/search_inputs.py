@@ -52,7 +52,7 @@ def _with_objective(interpretation, objective, every, rows):
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         run(
-            snakemake.wildcards.reading,
+            snakemake.wildcards.interpretation,
             snakemake.params.seeds,
             snakemake.params.fold,
             snakemake.input.claims,

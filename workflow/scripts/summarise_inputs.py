@@ -29,7 +29,7 @@ def summarise(name, evaluations, samples, folds, claims, settings, parameters, c
 if __name__ == "__main__":
     with logged(snakemake.log[0]):
         summarise(
-            snakemake.wildcards.reading,
+            snakemake.wildcards.interpretation,
             snakemake.input.evaluations,
             snakemake.input.samples,
             snakemake.input.folds,

@@ -99,8 +99,8 @@ class ChosenInputs(NamedTuple):
         A value of each input, SI, numbers as ``float``.
     calibrated : str
         Path of the calibrated file.
-    reading : str
-        The reading that it is of.
+    interpretation : str
+        The interpretation that it is of.
     ensemble : list of dict
         The members of its ensemble, each with what is laid over it.
     laid_over : dict
@@ -109,7 +109,7 @@ class ChosenInputs(NamedTuple):
 
     values: Values
     calibrated: str
-    reading: str
+    interpretation: str
     ensemble: list[Values]
     laid_over: Values
 
@@ -148,7 +148,7 @@ def choose_inputs(
     values = uncalibrated(entries) | _plain_values(found["inputs"]) | laid_over
     _check_ball(values, place)
     ensemble = [_plain_values(member) | laid_over for member in found["ensemble"]]
-    return ChosenInputs(values, str(calibrated), found["reading"], ensemble, laid_over)
+    return ChosenInputs(values, str(calibrated), found["interpretation"], ensemble, laid_over)
 
 
 def _check_ball(values: Values, place: str) -> None:
@@ -162,7 +162,7 @@ def _check_ball(values: Values, place: str) -> None:
 
 
 def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
-    """Read a file that ``snakemake calibrate`` writes: a reading, its best inputs, their ensemble.
+    """Read a file that ``snakemake calibrate`` writes: an interpretation, its best inputs, their ensemble.
 
     Parameters
     ----------

@@ -98,16 +98,16 @@ def contradictions_are_settled(statements: list) -> Iterator[Breach]:
 
 
 def unknowns_are_listed(calibration: dict) -> Iterator[Breach]:
-    """What a reading searches has its bounds and scale under ``unknowns``."""
+    """What an interpretation searches has its bounds and scale under ``unknowns``."""
     unknowns = calibration["unknowns"]
     allowed = ", ".join(unknowns)
     for index, name in enumerate(calibration["always"]):
         if name not in unknowns:
             yield Breach(allowed, ("always", index))
-    for reading, settings in calibration["readings"].items():
+    for interpretation, settings in calibration["interpretations"].items():
         for index, name in enumerate(settings.get("unknowns", [])):
             if name not in unknowns:
-                yield Breach(allowed, ("readings", reading, "unknowns", index))
+                yield Breach(allowed, ("interpretations", interpretation, "unknowns", index))
 
 
 def axis_goes_up(axis: dict) -> Iterator[Breach]:

@@ -139,10 +139,10 @@ def workflow_settings(config: Mapping, folder: str | Path | None = None) -> dict
     laid_over = _found(given, directory) if isinstance(given, str) else given
     chosen = choose_inputs(entries, _found(config["calibrated"], directory), laid_over)
     calibration = read_valid(directory / "calibration.yaml", "calibration", input_values=values)
-    if chosen.reading not in calibration["readings"]:
-        allowed = ", ".join(calibration["readings"])
+    if chosen.interpretation not in calibration["interpretations"]:
+        allowed = ", ".join(calibration["interpretations"])
         raise ValueError(
-            f"{chosen.calibrated}: reading is {shown(chosen.reading)}; allowed: {allowed}"
+            f"{chosen.calibrated}: interpretation is {shown(chosen.interpretation)}; allowed: {allowed}"
         )
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
@@ -209,14 +209,16 @@ def _roughnesses(settings: Mapping) -> Iterator[float]:
             yield panel["roughness_nm"]
 
 
-def with_one_reading(calibration: Mapping, name: str) -> dict:
-    """The settings of the calibration for one reading, which depends on nothing of the others."""
-    reading = dict(calibration["readings"][name])
-    budget = calibration["budget"] | reading.pop("budget", {})
-    return {**calibration, "budget": budget, "readings": {name: reading}}
+def with_one_interpretation(calibration: Mapping, name: str) -> dict:
+    """The settings of the calibration for one interpretation, which depends on nothing of the others."""
+    interpretation = dict(calibration["interpretations"][name])
+    budget = calibration["budget"] | interpretation.pop("budget", {})
+    return {**calibration, "budget": budget, "interpretations": {name: interpretation}}
 
 
 def number_of_unknowns(calibration: Mapping, name: str) -> int:
-    """How many inputs a reading searches."""
-    reading = calibration["readings"][name]
-    return len({*calibration["always"], *reading.get("unknowns", ())} - set(reading["fixed"]))
+    """How many inputs an interpretation searches."""
+    interpretation = calibration["interpretations"][name]
+    return len(
+        {*calibration["always"], *interpretation.get("unknowns", ())} - set(interpretation["fixed"])
+    )

@@ -50,7 +50,7 @@ def page_content(
     claims: Iterable[Mapping[str, Any]],
     verdicts: Mapping[str, Any],
     inputs: Mapping[str, Any],
-    readings: Mapping[str, Mapping[str, Any]],
+    interpretations: Mapping[str, Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
 ) -> dict[str, Any]:
     """Gather what the page tells.
@@ -67,8 +67,8 @@ def page_content(
         Of each input of the model its ``symbol``, ``unit``, ``source``, ``value`` as the run has it,
         and either ``allowed`` words or, of a number that is not printed, perhaps ``bounds`` and
         ``scale`` of the search for it.
-    readings : Mapping
-        Inputs by the name of each calibrated reading.
+    interpretations : Mapping
+        Inputs by the name of each calibrated interpretation.
     ranges : Mapping
         First and last value of each condition in the paper, by its symbol, in engineering units.
 
@@ -86,7 +86,7 @@ def page_content(
     --------
     >>> ranges = {"F_t": [0.04, 80], "nu": [0, 150], "x_a": [0, 1000], "sigma": [100, 500]}
     >>> ranges["eta_a"] = [1e10, 5e12]
-    >>> content = page_content([], [], {"reading": "mine", "statements": []}, {}, {}, ranges)
+    >>> content = page_content([], [], {"interpretation": "mine", "statements": []}, {}, {}, ranges)
     >>> content["axes"][0]["key"], content["axes"][0]["range"]
     ('load_N', [0.04, 80.0])
     """
@@ -96,8 +96,8 @@ def page_content(
         "quantities": {name: _quantity(name) for name in QUANTITIES},
         "statuses": dict(STATUS_MEANINGS),
         "inputs": {name: _input(name, entry) for name, entry in inputs.items()},
-        "reading": verdicts["reading"],
-        "readings": dict(readings),
+        "interpretation": verdicts["interpretation"],
+        "interpretations": dict(interpretations),
         "figures": [figure_content(*paths) for paths in figures],
         "claims": [
             {key: claim[key] for key in STATED}

@@ -23,16 +23,16 @@ ABOVE = 25.0  # the objective is drawn up to so much above the least
 DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
 
 
-def plot(readings: Sequence[Mapping]) -> Drawing:
+def plot(interpretations: Sequence[Mapping]) -> Drawing:
     """The front of each headline statement against all others, a line an interpretation.
 
-    ``readings`` are contents of the calibrated files; the first one is drawn above the others.
+    ``interpretations`` are contents of the calibrated files; the first one is drawn above the others.
     """
-    statements = list(dict.fromkeys(name for each in readings for name in each["fronts"]))
+    statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
     figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
     panels = []
     for letter, axes, statement in zip(ascii_uppercase, figure.axes, statements, strict=False):
-        series = tuple(_front(each, statement) for each in readings)
+        series = tuple(_front(each, statement) for each in interpretations)
         title = "\n".join(textwrap.wrap(statement, LETTERS))
         panels.append(Panel(letter, title, "score", "objective_without_it", series))
         for place, front in enumerate(series):
@@ -47,7 +47,8 @@ def plot(readings: Sequence[Mapping]) -> Drawing:
     figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
     figure.supylabel("objective of all other statements", x=0.008, **style)
     entries = [
-        Line2D([], [], label=each["reading"], **_look(place)) for place, each in enumerate(readings)
+        Line2D([], [], label=each["interpretation"], **_look(place))
+        for place, each in enumerate(interpretations)
     ]
     figure.legend(handles=entries, loc="lower center", ncols=2)
     return Drawing(figure, tuple(panels))
@@ -61,9 +62,9 @@ def _look(place) -> dict:
     return look | {"color": colours[colour], "linestyle": DASHES[turn % 2]}
 
 
-def _front(reading, statement) -> Series:
+def _front(interpretation, statement) -> Series:
     """The front of one statement; what was found this near the statement is good for all farther."""
-    front = np.array(reading["fronts"].get(statement, ())).reshape(-1, 2)
+    front = np.array(interpretation["fronts"].get(statement, ())).reshape(-1, 2)
     if front.size:
         front = np.vstack([front, [score_of(DISTANCES[-1]), front[-1, 1]]])
-    return Series(CURVE, reading["reading"], *front.T)
+    return Series(CURVE, interpretation["interpretation"], *front.T)

@@ -108,7 +108,7 @@ class Interpretation:
         KeyError
             If there is none of this name.
         """
-        entry = settings["readings"][name]
+        entry = settings["interpretations"][name]
         names = (*settings["always"], *entry.get("unknowns", ()))
         unknowns = (
             Unknown(

@@ -96,11 +96,11 @@ def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str
         "judged": of,
         "predicted": predicted,
         "predicted_of": tested,
-        "reading": judged.default["reading"],
+        "interpretation": judged.default["interpretation"],
         "inputs": judged.default["inputs"],
         "identification": judged.default["identification"],
         "headline": headline_table(judged, headline, tolerances).to_dict("records"),
-        "readings": judged.comparison.to_dict("records"),
+        "interpretations": judged.comparison.to_dict("records"),
         "statements": [
             _statement(judged, index, row) for index, row in enumerate(table.to_dict("records"))
         ],
@@ -197,7 +197,7 @@ def _statements(table: pd.DataFrame) -> pd.DataFrame:
             "verdict": table["verdict"],
             "figure left out": table["predicted"],
             "ensemble agrees": _fraction(table, "ensemble"),
-            "interpretations agree": _fraction(table, "readings"),
+            "interpretations agree": _fraction(table, "interpretations"),
         }
     )
 

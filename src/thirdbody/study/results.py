@@ -63,7 +63,7 @@ def summary(
         *(inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]),
     ]
     return {
-        "reading": interpretation.name,
+        "interpretation": interpretation.name,
         "objective": _rounded(chosen[-1]),
         "least_objective": _rounded(good[0, -1]),
         "penalty": _rounded(interpretation.penalty(inputs)),
@@ -83,7 +83,7 @@ def summary(
             for figures, found in zip(settings["folds"] if folds else (), folds, strict=True)
         ],
         "ensemble": members,
-        "ensemble_readings": [interpretation.name] * len(members),
+        "ensemble_interpretations": [interpretation.name] * len(members),
         "identification": _identification(interpretation, rows, good, samples),
         "correlations": _correlations(interpretation, pooled),
         "fronts": {},
@@ -195,17 +195,17 @@ def mixed_ensemble(
         The interpretation of each member.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
-    first = contents[0]["reading"]
+    first = contents[0]["interpretation"]
     least = means[first] - float(np.std(fractions[first]))
-    taken = [each for each in contents if means.get(each["reading"], -np.inf) >= least]
-    weights = np.array([means[each["reading"]] for each in taken])
+    taken = [each for each in contents if means.get(each["interpretation"], -np.inf) >= least]
+    weights = np.array([means[each["interpretation"]] for each in taken])
     ends = np.round(np.cumsum(weights) / weights.sum() * size).astype(int)
     members, labels = [], []
     for content, count in zip(taken, np.diff(ends, prepend=0), strict=True):
         sets = content["ensemble"]
         places = np.linspace(0, len(sets) - 1, count).round().astype(int)
         members += [{**content["inputs"], **sets[place]} for place in places]
-        labels += [content["reading"]] * int(count)
+        labels += [content["interpretation"]] * int(count)
     return members, labels
 
 

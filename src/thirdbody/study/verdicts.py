@@ -144,11 +144,11 @@ def judge_everything(
     """
     inputs = judge_all.base.as_dict() | default["inputs"]
     changed = {}
-    for name, some in _changes(Interpretation.of(default["reading"], settings), inputs):
+    for name, some in _changes(Interpretation.of(default["interpretation"], settings), inputs):
         with suppress(ValueError):  # no surface has these inputs
             changed[name] = judge_all(some)
-    interpretations = {each["reading"]: judge_all(each["inputs"]) for each in contents}
-    predicted = {each["reading"]: predict(judge_all, each) for each in contents}
+    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
+    predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
         default,
@@ -210,7 +210,7 @@ def compare(
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
     for content in contents:
-        name = content["reading"]
+        name = content["interpretation"]
         interpretation = Interpretation.of(name, settings)
         by_id = dict(
             zip((claim.id for claim in judge_all.claims), interpretations[name], strict=True)
@@ -225,7 +225,7 @@ def compare(
         held, judged = count_once(zip(judge_all.claims, interpretations[name], strict=True))
         rows.append(
             {
-                "reading": name,
+                "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
                 "fitted": f"{held}/{judged}",
@@ -268,7 +268,7 @@ def statements_table(judged: Judged) -> pd.DataFrame:
 
     Columns are those of ``thirdbody.data.tables.TABLES["claims"]``.
     """
-    predicted = judged.predicted.get(judged.default["reading"], {})
+    predicted = judged.predicted.get(judged.default["interpretation"], {})
     rows = []
     for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
         low, high = number_ranges(judged, index)[verdict.worst] if verdict.numbers else NO_RANGE
@@ -294,8 +294,8 @@ def statements_table(judged: Judged) -> pd.DataFrame:
                 "predicted": "" if left_out is None else outcome(claim, left_out),
                 "ensemble_agree": _agreeing(judged.members, index, verdict),
                 "ensemble_size": len(judged.members),
-                "readings_agree": _agreeing(judged.interpretations.values(), index, verdict),
-                "readings_size": len(judged.interpretations),
+                "interpretations_agree": _agreeing(judged.interpretations.values(), index, verdict),
+                "interpretations_size": len(judged.interpretations),
                 "cluster": claim.cluster,
                 "contradicts": " ".join(claim.contradicts),
             }

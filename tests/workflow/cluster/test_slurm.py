@@ -7,7 +7,7 @@ import subprocess
 
 import pytest
 from single_node import ACCOUNT, PARTITION, PLUGIN, wait_until
-from workspace import MADE_BY_RUNS, MINIMAL, READINGS, SNAKEMAKE, ended
+from workspace import INTERPRETATIONS, MADE_BY_RUNS, MINIMAL, SNAKEMAKE, ended
 
 PROFILE = ("--profile", "workflow/profiles/slurm")
 QUICK = ("--slurm-init-seconds-before-status-checks", "1", "--max-status-checks-per-second", "1")
@@ -97,7 +97,7 @@ def test_the_bytes_are_those_of_one_machine(cluster, fresh, finished):
 
 
 @long
-def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
+def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_interpretation_and_seed(
     cluster, charted, calibrated, sources, tmp_path
 ):
     there = calibrated.copied_to(tmp_path / "thirdbody")
@@ -105,7 +105,7 @@ def test_the_atlas_goes_out_by_chunk_and_the_calibration_by_reading_and_seed(
         shutil.rmtree(there.root / name)
     shutil.copytree(sources.root / "config/calibrated", there.root / "config/calibrated")
     before = cluster.jobs("all")
-    adopted = f"results/calibration/{READINGS[0]}.yaml"
+    adopted = f"results/calibration/{INTERPRETATIONS[0]}.yaml"
     complete(submit(there, "results/atlas/catalogue.json", adopted))
     # two searches and two chains of samples
     wanted = {"solve_chunk": 3, "search_inputs": 2, "search_fold": 2}

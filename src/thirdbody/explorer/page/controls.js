@@ -28,10 +28,10 @@ export function makeControls(form) {
   form.addEventListener("submit", (event) => event.preventDefault());
   const conditions = group(form, "Conditions");
   axes.forEach((axis) => conditions.append(conditionControl(axis)));
-  const readings = group(form, "Interpretation of the paper");
-  readings.append(presetControl());
+  const interpretations = group(form, "Interpretation of the paper");
+  interpretations.append(presetControl());
   const named = Object.entries(content.inputs);
-  for (const [name, { allowed }] of named) if (allowed) readings.append(wordControl(name));
+  for (const [name, { allowed }] of named) if (allowed) interpretations.append(wordControl(name));
   const unprinted = group(form, "Inputs that the paper does not print", true);
   const printed = group(form, "Materials, film and ball");
   printed.parentNode.open = false;
@@ -190,18 +190,18 @@ const isChosen = (values) =>
 
 // All inputs of a calibrated interpretation at once.
 function presetControl() {
-  const { readings, reading } = content;
-  const chosen = () => Object.keys(readings).find((name) => isChosen(readings[name])) ?? "";
+  const { interpretations, interpretation } = content;
+  const chosen = () => Object.keys(interpretations).find((name) => isChosen(interpretations[name])) ?? "";
   return choiceControl({
-    id: "reading",
+    id: "interpretation",
     label: "Calibrated inputs",
     hint: "All unprinted inputs as calibrated under one interpretation",
-    options: [["", "my own"], ...Object.keys(readings).map((name) => [name, name.replaceAll("_", " ")])],
+    options: [["", "my own"], ...Object.keys(interpretations).map((name) => [name, name.replaceAll("_", " ")])],
     value: chosen,
-    changed: () => chosen() !== reading && Object.keys(state.inputs).length > 0,
+    changed: () => chosen() !== interpretation && Object.keys(state.inputs).length > 0,
     set(name) {
       const cleared = Object.fromEntries(Object.keys(state.inputs).map((each) => [each, undefined]));
-      setInputs({ ...cleared, ...(name === undefined ? {} : (readings[name] ?? {})) });
+      setInputs({ ...cleared, ...(name === undefined ? {} : (interpretations[name] ?? {})) });
     },
   });
 }

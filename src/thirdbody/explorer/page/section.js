@@ -42,7 +42,7 @@ function riseAt(place, drawn, d, roughness, length) {
   return (i) => 0.5 * missing * Math.exp(-0.5 * (((i - place) * step) / length) ** 2);
 }
 
-// Sizes of particles, from the reading of their distribution: a draw between X_min and X_max.
+// Sizes of particles, from the interpretation of their distribution: a draw between X_min and X_max.
 function sizeOf(inputs, diameter, normal) {
   const mean = inputs.size_distribution === "uncentred" ? 0 : inputs.mean_ratio;
   for (let trial = 0; trial < 500; trial++) {

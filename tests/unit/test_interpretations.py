@@ -1,4 +1,4 @@
-"""Readings of the paper: objects that are found by the configuration's words, and nowhere else."""
+"""Interpretations of the paper: objects that are found by the configuration's words, and nowhere else."""
 
 from dataclasses import replace
 
