@@ -42,7 +42,7 @@ LACKING = {
     "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.Interface": ("xarray, netCDF4, yaml, jsonschema", "data"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
-    "import thirdbody.study.sobol": ("SALib, cma, emcee, jinja2, pandas, tabulate", "study"),
+    "import thirdbody.study.sobol": ("cma, emcee, jinja2, pandas, tabulate", "study"),
 }
 
 

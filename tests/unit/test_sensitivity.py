@@ -26,12 +26,7 @@ from thirdbody.study.sensitivity import (
     sensitivity_rows,
     varied_inputs,
 )
-from thirdbody.study.sobol import (
-    ResponseSurface,
-    Sampling,
-    default_indices,
-    quadratic_terms,
-)
+from thirdbody.study.sobol import default_indices, total_indices
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
@@ -121,15 +116,14 @@ def test_what_cannot_respond_does_not(subject, parameters):
     assert_allclose(found.error, 0.0, atol=1e-3)
 
 
-def test_response_surface_tells_what_it_misses():
-    rng = np.random.default_rng(2)
-    positions = rng.uniform(-1.0, 1.0, (400, 3))
-    explained, missed = positions[:, 0], 0.5 * np.sign(positions[:, 1] * positions[:, 2] - 0.3)
-    surface = ResponseSurface(quadratic_terms(positions), np.exp(explained + missed))
-    fresh = rng.uniform(-1.0, 1.0, (4000, 3))
-    wanted = fresh[:, 0] + 0.5 * np.sign(fresh[:, 1] * fresh[:, 2] - 0.3)
-    residual = wanted - np.log(surface(quadratic_terms(fresh)))
-    assert_allclose(surface.unexplained, residual.var() / wanted.var(), rtol=0.25)
+def test_what_the_response_surface_misses_is_known():
+    positions = np.random.default_rng(2).uniform(-1.0, 1.0, (400, 3))
+    missed = 0.5 * np.sign(positions[:, 1] * positions[:, 2] - 0.3)
+    indices, unexplained = total_indices(positions, np.exp(positions[:, 0] + missed))
+    # the product of two inputs explains a part of the step that both take part in
+    step = np.var(missed) / (np.var(missed) + 1.0 / 3.0)
+    assert 0.25 * step < unexplained < step
+    assert_allclose(indices[0], 1.0 - indices[1], atol=0.1)
 
 
 def test_an_input_at_its_bound_is_varied_within_it(parameters):
@@ -139,7 +133,7 @@ def test_an_input_at_its_bound_is_varied_within_it(parameters):
     subject = SimpleNamespace(outputs=["product"], values=values)
     at_bound = replace(parameters, participation=1.0)
     inputs = varied_inputs(at_bound, ["participation", "apparent_area"])
-    settings = {"spread": 0.05, "solved": 12, "base_samples": 256, "seed": 1}
+    settings = {"spread": 0.05, "solved": 12, "seed": 1}
     _, found = default_indices(subject, at_bound, inputs, settings)
     assert found.occurs == [1.0]
     # half the range of one, twice as steep: as much variance as of the other
@@ -147,15 +141,16 @@ def test_an_input_at_its_bound_is_varied_within_it(parameters):
 
 
 def test_total_indices_of_known_variances():
-    samples = Sampling(["a", "b", "c"], 1024, 1)
-    a, b, c = samples.positions.T
+    positions = np.random.default_rng(1).uniform(-1.0, 1.0, (40, 3))
     slopes = np.array([3.0, 2.0, 1.0])
-    found, half_width = samples.total_indices(samples.positions @ slopes)
-    assert (np.abs(found - slopes**2 / 14.0) < half_width).all()
-    # a product belongs to both of its inputs
-    found, half_width = samples.total_indices(a * b)
-    assert (np.abs(found - [1.0, 1.0, 0.0]) <= half_width).all()
-    assert (half_width < 0.12).all() and c.size == 1024 * 5
+    found, unexplained = total_indices(positions, np.exp(positions @ slopes))
+    assert_allclose(found, slopes**2 / 14.0, rtol=1e-9)
+    assert unexplained < 1e-12
+    # a product belongs to both of its inputs; x and x**2 have variances 1/3 and 4/45
+    a, b, _ = positions.T
+    assert_allclose(total_indices(positions, np.exp(a * b))[0], [1.0, 1.0, 0.0], atol=1e-9)
+    found, _ = total_indices(positions, np.exp(a + b**2))
+    assert_allclose(found, [15.0 / 19.0, 4.0 / 19.0, 0.0], atol=1e-9)
 
 
 def found_of(subject, inputs):

@@ -85,7 +85,7 @@ CAPTIONS = {
         "Sensitivity of results to the inputs that the paper does not print",
         "Each column is a result, each row an input. An elasticity is the change of the result in "
         "per cent for one per cent of the input. A total Sobol index is the fraction of the variance "
-        "of the result in which the input takes part.",
+        "of the result's logarithm in which the input takes part.",
         "Two heat maps, one above the other, with a number in each cell that is not negligible.",
     ),
     "largest_particle": Caption(

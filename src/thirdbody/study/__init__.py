@@ -8,4 +8,4 @@ and ``sobol`` compute how results depend on the inputs.  Begin with ``claims``, 
 
 from thirdbody.extras import require
 
-require("study", "SALib", "cma", "emcee", "jinja2", "pandas", "tabulate")
+require("study", "cma", "emcee", "jinja2", "pandas", "tabulate")
