@@ -14,7 +14,7 @@ from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import shown_combinations
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.model.interpretations import KINDS
+from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import QUANTITIES
 from thirdbody.solver.solve import DEFAULT_RTOL
@@ -73,12 +73,10 @@ def points():
     """Inputs, conditions and loads, every combination of interpretations in turn."""
     random = np.random.default_rng(20240507)
     defaults = load_parameters()
-    interpretations = itertools.cycle(
-        itertools.product(*(list(kind.known) for kind in KINDS.values()))
-    )
+    interpretations = itertools.cycle(itertools.product(*map(list, INTERPRETATIONS.values())))
     found = []
     while len(found) < POINTS:
-        words = dict(zip(KINDS, next(interpretations), strict=True))
+        words = dict(zip(INTERPRETATIONS, next(interpretations), strict=True))
         inputs = random_inputs(random, words, defaults)
         conditions = random_conditions(random)
         load = float(np.exp(random.uniform(*np.log(NEWTONS)))) / inputs.newtons_per_load

@@ -9,19 +9,19 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.figures.sections import size_quantiles
-from thirdbody.model.interpretations import KINDS
+from thirdbody.model.interpretations import INTERPRETATIONS
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", INTERPRETATIONS)
 def test_the_configuration_allows_the_words_that_are_known(name):
     entry = read_yaml(config_directory() / "inputs.yaml")[name]
-    assert entry["allowed"] == list(KINDS[name].known)
+    assert entry["allowed"] == list(INTERPRETATIONS[name])
 
 
-@pytest.mark.parametrize("name", KINDS)
+@pytest.mark.parametrize("name", INTERPRETATIONS)
 @pytest.mark.parametrize("word", ["solid", None, ["fluid"], 0.5])
 def test_an_unknown_word_is_refused_by_name(parameters, name, word):
-    allowed = ", ".join(map(str, KINDS[name].known))
+    allowed = ", ".join(map(str, INTERPRETATIONS[name]))
     with pytest.raises(ValueError) as refusal:
         replace(parameters, **{name: word})
     assert str(refusal.value) == f"{name} is {word!r}; allowed: {allowed}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Collection, Iterable, Mapping
+from functools import lru_cache
 from itertools import zip_longest
 from math import prod
 from numbers import Real
@@ -26,13 +27,19 @@ MOST_POINTS = 10**9  # in memory: 8 GB a variable
 def checked_parameters(parameters: Any) -> Parameters:
     """``parameters``, by default the published ones; a ``ValueError`` unless they are ``Parameters``."""
     if parameters is None:
-        from thirdbody.configuration.inputs import load_parameters
-
-        return load_parameters()
+        return _published_parameters()
     if not isinstance(parameters, Parameters):
         kind = type(parameters).__name__
         raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
     return parameters
+
+
+@lru_cache
+def _published_parameters():
+    """Read once: a call for one point takes less time than the files."""
+    from thirdbody.configuration.inputs import load_parameters
+
+    return load_parameters()
 
 
 def check_variables(variables: Any, known: Collection[str]) -> None:

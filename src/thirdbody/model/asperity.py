@@ -91,18 +91,13 @@ class SummitPopulation:
     def log_load(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
         """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative by ``t``, the separation
         (d - y_s)/sigma_s [1]."""
-        above, v, area, pressure = self._summits(t, with_load=True)
+        above, v, area, pressure = self._summits(t)
         return self._logarithm(above, v, area * pressure, self.hardness_ratio)[:2]
-
-    def log_area(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
-        """ln(A_ss/A_n) of all summits [1], and its derivative by ``t``."""
-        above, v, area, _ = self._summits(t, with_load=False)
-        return self._logarithm(above, v, area, 1.0)[:2]
 
     def log_load_and_area(self, t: ArrayLike) -> NDArray:
         """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives by ``t``: an array of the
         shape (2, 3, ...)."""
-        above, v, area, pressure = self._summits(t, with_load=True)
+        above, v, area, pressure = self._summits(t)
         load = self._logarithm(above, v, area * pressure, self.hardness_ratio)
         return np.stack([load, self._logarithm(above, v, area, 1.0)])
 
@@ -111,7 +106,7 @@ class SummitPopulation:
         yielding = pressure_fraction(ratio, self.yield_ratio, self.plastic_ratio)
         return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)
 
-    def _summits(self, t, with_load):
+    def _summits(self, t):
         """max(t, 0), and at the nodes of a quadrature, in arrays of shape (..., 3, nodes): v = w + min(t, 0);
         A/(pi R sigma_s) times the weights of the summit and of the node; and F/(A H).
 
@@ -135,8 +130,6 @@ class SummitPopulation:
         ratio = w[..., 1, :] / np.asarray(w_1)[..., None]
         area[..., 1, :] *= area_growth(ratio, self.plastic_ratio)
         area[..., 2, :] *= 2.0
-        if not with_load:
-            return above, v, area, None
         pressure = np.ones_like(w)
         elastic = self.yield_ratio / np.sqrt(np.asarray(w_1))[..., None]
         pressure[..., 0, :] = elastic * root[..., 0, :]

@@ -74,14 +74,10 @@ class Contact:
         particles = self.particles and self.particles.take(chosen)
         return replace(self, summits=self.summits.take(chosen), particles=particles)
 
-    def summit_separation(self, separation: NDArray) -> NDArray:
-        """Separation t [1] from the plane of the summits, in their standard deviations."""
-        t = (separation - self.summits.offset) / self.summits.deviation
-        return np.minimum(t, FARTHEST)
-
     def log_solid_load(self, separation: NDArray, with_areas: bool = False) -> SolidLoad:
         """Loads of summits and particles (Eqs. 2 and 4), and their areas (Eq. 5) if asked for."""
-        t = self.summit_separation(separation)
+        t = (separation - self.summits.offset) / self.summits.deviation
+        t = np.minimum(t, FARTHEST)
         log_area = area_fall = None
         if with_areas:
             (log_summits, slope), (log_area, area_fall) = self.summits.log_load_and_area(t)

@@ -107,7 +107,7 @@ class Film:
         >>> thickness, slope = film.thickness(np.log(1e-6))
         >>> f"{thickness[0]:.3e}"
         '1.783e-04'
-        >>> film.load_parameter(thickness)
+        >>> film.load_parameter_and_slope(thickness)[0]
         array([-13.81551056])
         """
         kappa = parameters.ellipticity
@@ -155,12 +155,9 @@ class Film:
         size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
-    def load_parameter(self, thickness: ArrayLike) -> NDArray:
-        """ln W [1] under which the film has a ``thickness`` H_c [1], positive: the inverse of Eq. 7."""
-        return self.load_parameter_and_slope(thickness)[0]
-
     def load_parameter_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
-        """What ``load_parameter`` returns, and d ln W/d ln H_c [1] there.
+        """ln W [1] under which the film has a ``thickness`` H_c [1], positive: the inverse of Eq. 7; and
+        d ln W/d ln H_c [1] there.
 
         Seen from where both terms of Eq. 7 are equal, all films of one ellipticity are the same
         curve: it is read off a table.

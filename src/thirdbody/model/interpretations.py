@@ -1,20 +1,19 @@
 """The interpretations: what the paper leaves open, each one as an object.
 
-Six places of the paper can be interpreted in several ways.  Each place is a class here, a *kind* of
-interpretation, and each interpretation is a subclass, which knows the word that the configuration has for
-it and whatever the equations need to know of it.  This module alone knows these words: all others
-ask the objects that ``Parameters.interpretation`` holds.
+Six places of the paper can be interpreted in several ways.  ``INTERPRETATIONS`` has them by the words
+that the configuration has for them.  This module alone knows these words: all others ask the objects
+that ``Parameters.interpretation`` holds.
 
-A new interpretation of a place is one subclass here, one word more in ``config/inputs.yaml``, and the same
-interpretation in the independent implementations: ``verification/plain_model.py``,
-``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
+A new interpretation of a place is one object more in ``INTERPRETATIONS``, one word more in
+``config/inputs.yaml``, and the same interpretation in the independent implementations:
+``verification/plain_model.py``, ``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, ClassVar, get_type_hints
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -29,28 +28,11 @@ SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4
 
 
-class Interpretation:
-    """An interpretation of one place of the paper.
-
-    A direct subclass is a kind of interpretation, and ``known`` are its interpretations by their words.  A subclass
-    of a kind states its ``word``; the one object that there is of it has no state of its own.
-    """
-
-    known: ClassVar[dict[str | bool, Interpretation]]
-
-    def __init_subclass__(cls, word: str | bool | None = None):
-        super().__init_subclass__()
-        if word is None:
-            cls.known = {}
-        else:
-            cls.known[word] = cls()
-
-
 # --- the summits of a rough surface ---
 
 
-class SummitOffset(Interpretation):
-    """Where the summits' mean plane lies, and how widely summits scatter about it."""
+class SummitsAtTheMeanPlane:
+    """Summits scatter about the mean plane as widely as the surface itself."""
 
     def deviation_and_offset(
         self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
@@ -59,10 +41,17 @@ class SummitOffset(Interpretation):
 
         Raises ``ValueError`` if this leaves no variance to such summits.
         """
-        raise NotImplementedError
+        return roughness, 0.0 * roughness
 
 
-class SummitsAboveTheMeanPlane(SummitOffset, word=True):
+class SummitsAboveTheMeanPlaneAsRough(SummitsAtTheMeanPlane):
+    """Summits lie above the mean plane and scatter as widely as the surface: one sigma for both."""
+
+    def deviation_and_offset(self, roughness, density, radius):
+        return roughness, SUMMIT_PLANE / (density * radius)
+
+
+class SummitsAboveTheMeanPlane(SummitsAtTheMeanPlane):
     """Summits lie above the mean plane and scatter less than the surface (McCool 1986)."""
 
     def deviation_and_offset(self, roughness, density, radius):
@@ -77,20 +66,6 @@ class SummitsAboveTheMeanPlane(SummitOffset, word=True):
                 "keep a variance"
             )
         return np.sqrt(variance), SUMMIT_PLANE * curvature_length
-
-
-class SummitsAboveTheMeanPlaneAsRough(SummitOffset, word="as_rough"):
-    """Summits lie above the mean plane and scatter as widely as the surface: one sigma for both."""
-
-    def deviation_and_offset(self, roughness, density, radius):
-        return roughness, SUMMIT_PLANE / (density * radius)
-
-
-class SummitsAtTheMeanPlane(SummitOffset, word=False):
-    """Summits scatter about the mean plane as widely as the surface itself."""
-
-    def deviation_and_offset(self, roughness, density, radius):
-        return roughness, 0.0 * roughness
 
 
 # --- third particles ---
@@ -111,37 +86,28 @@ class SizeLaw:
     smallest: float
 
 
-class SizeDistribution(Interpretation):
-    """How the sizes of particles are distributed: phi_a of Eqs. 4-6."""
+class Uncentred:
+    """How the sizes of particles are distributed, phi_a of Eqs. 4-6.  Eq. 6 as printed: m = 0,
+    S = sigma_a; sizes from X_min = 0."""
 
     def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
         """Which sizes count in the integrals of Eqs. 4 and 5, and with what weight.
 
         For x_a [m] and sigma [m], a scalar or of its shape; fields of the law have that of x_a.
         """
-        raise NotImplementedError
+        spread = parameters.spread_ratio * diameter
+        return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
+
+    def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
+        """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
+        return 0.0, parameters.spread_ratio * diameter
 
     def can_be_equal(self, parameters: Parameters) -> bool:
         """Whether particles may all have one size, as something else spreads the gaps they meet."""
         return False
 
-    def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
-        """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
-        return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
 
-
-class Uncentred(SizeDistribution, word="uncentred"):
-    """Eq. 6 as printed: m = 0, S = sigma_a; sizes from X_min = 0."""
-
-    def law(self, diameter, roughness, parameters):
-        spread = parameters.spread_ratio * diameter
-        return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
-
-    def sizes(self, diameter, parameters):
-        return 0.0, parameters.spread_ratio * diameter
-
-
-class Centred(SizeDistribution, word="centred"):
+class Centred(Uncentred):
     """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
 
     def law(self, diameter, roughness, parameters):
@@ -156,8 +122,11 @@ class Centred(SizeDistribution, word="centred"):
             -mean / spread,
         )
 
+    def sizes(self, diameter, parameters):
+        return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
 
-class GapConvolved(SizeDistribution, word="gap_convolved"):
+
+class GapConvolved(Centred):
     """Particles of all sizes meet the local gap: its spread joins that of the sizes."""
 
     def law(self, diameter, roughness, parameters):
@@ -170,33 +139,29 @@ class GapConvolved(SizeDistribution, word="gap_convolved"):
         return parameters.gap_ratio >= LEAST_SPREAD
 
 
-class ParticlePlane(Interpretation):
-    """From which plane the separation is measured that particles meet."""
+@dataclass(frozen=True)
+class ParticlePlane:
+    """From which plane the separation is measured that particles meet: that of the summits,
+    d = h - y_s, as the paper writes one d in the integrals over both; or the mean plane, h = R_x H_c."""
+
+    is_that_of_summits: bool
 
     def height(self, roughness: ArrayLike, parameters: Parameters) -> ArrayLike:
         """Height of that plane above the mean plane [m], of the shape of ``roughness`` sigma [m]."""
-        raise NotImplementedError
-
-
-class ParticlesBetweenMeanPlanes(ParticlePlane, word="surface"):
-    """The mean plane of the surface: particles meet the separation h = R_x H_c of the film."""
-
-    def height(self, roughness, parameters):
+        if self.is_that_of_summits:
+            return parameters.surface(roughness).summit_offset
         return 0.0 * roughness
 
 
-class ParticlesBetweenSummitPlanes(ParticlePlane, word="summit"):
-    """The plane of the summits: particles meet the separation d = h - y_s that summits do, as the
-    paper writes one d in the integrals over both."""
+@dataclass(frozen=True)
+class ElasticLimits:
+    """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e.
 
-    def height(self, roughness, parameters):
-        return parameters.surface(roughness).summit_offset
+    -1 as the integral is printed; 1 for particles that are pressed by less than h_e.  Larger
+    particles are plastic.
+    """
 
-
-class ElasticLimits(Interpretation):
-    """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e."""
-
-    side: ClassVar[float]
+    side: float
 
     @property
     def beyond(self) -> float:
@@ -206,123 +171,85 @@ class ElasticLimits(Interpretation):
     def weights(self, elastic_factor: float) -> tuple[float, float]:
         """How much sizes above d count in A_sa, and those above d + ``side`` h_e, for an elastic factor
         [1]: see the head of ``thirdbody.model.particles``."""
-        raise NotImplementedError
+        weights = elastic_factor, 1.0 - elastic_factor
+        return weights if self.side > 0.0 else weights[::-1]
 
 
-class ElasticBelowTheSeparation(ElasticLimits, word="printed"):
-    """From d - h_e to d, as the integral is printed; plastic from d on."""
-
-    side = -1.0
-
-    def weights(self, elastic_factor):
-        return 1.0 - elastic_factor, elastic_factor
-
-
-class ElasticAboveTheSeparation(ElasticLimits, word="physical"):
-    """From d to d + h_e: particles that are pressed by less than h_e; plastic from there on."""
-
-    side = 1.0
-
-    def weights(self, elastic_factor):
-        return elastic_factor, 1.0 - elastic_factor
-
-
-class CoverageLimits(Interpretation):
+@dataclass(frozen=True)
+class CoverageLimits:
     """Which particles take room from the summits' load in Eq. 4: if ``contacting``, those that touch at
-    the separation d, as in Eq. 5; if not, the same at every separation."""
+    the separation d, as in Eq. 5; if not, all from X_min to X_max, as the integral is printed."""
 
-    contacting: ClassVar[bool]
-
-
-class CoverageOfAllSizes(CoverageLimits, word="printed"):
-    """All particles from X_min to X_max, as the integral is printed."""
-
-    contacting = False
-
-
-class CoverageOfContacting(CoverageLimits, word="contacting"):
-    """Those larger than d, as in Eq. 5."""
-
-    contacting = True
+    contacting: bool
 
 
 # --- film ---
 
 
-class FilmLoad(Interpretation):
+@dataclass(frozen=True)
+class FilmLoad:
     """Which load F stands in the film's load parameter W = F/(E_ss R_x^2) (Eq. 8).
 
-    ``depends_on_shares`` says whether W is known only when L_f is.
+    If W ``depends_on_shares`` it is the load that the fluid carries, F_f: solids and film share the
+    load.  Else it is F_t, as Eq. 8 is printed: the film's thickness is known beforehand, and the
+    solids carry everything where it is below their dry separation.
     """
 
-    depends_on_shares: ClassVar[bool]
+    depends_on_shares: bool
 
     def log_fraction(self, log_fluid_fraction: ArrayLike) -> ArrayLike:
         """ln(F/F_t) [1] of the load F in W, where ln L_f [1] is ``log_fluid_fraction``."""
-        raise NotImplementedError
+        return log_fluid_fraction if self.depends_on_shares else 0.0
 
     def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
         """F_t* [1] that holds the surfaces at a separation where solids carry ``solid_load`` [1] and
         ``film_load`` is the load F* [1] in W under which the film is as thick."""
-        raise NotImplementedError
-
-
-class LoadOfTheFluid(FilmLoad, word="fluid"):
-    """The load that the fluid carries, F_f: solids and film share the load."""
-
-    depends_on_shares = True
-
-    def log_fraction(self, log_fluid_fraction):
-        return log_fluid_fraction
-
-    def total_load(self, solid_load, film_load):
-        return np.add(solid_load, film_load)
-
-
-class TotalLoad(FilmLoad, word="total"):
-    """The total load F_t, as Eq. 8 is printed: the film's thickness is known beforehand, and the
-    solids carry everything where it is below their dry separation."""
-
-    depends_on_shares = False
-
-    def log_fraction(self, log_fluid_fraction):
-        return 0.0
-
-    def total_load(self, solid_load, film_load):
-        return np.maximum(solid_load, film_load)
+        joined = np.add if self.depends_on_shares else np.maximum
+        return joined(solid_load, film_load)
 
 
 # --- all of them ---
 
+INTERPRETATIONS = {
+    "summit_offset": {
+        True: SummitsAboveTheMeanPlane(),
+        "as_rough": SummitsAboveTheMeanPlaneAsRough(),
+        False: SummitsAtTheMeanPlane(),
+    },
+    "size_distribution": {
+        "uncentred": Uncentred(),
+        "centred": Centred(),
+        "gap_convolved": GapConvolved(),
+    },
+    "particle_plane": {"surface": ParticlePlane(False), "summit": ParticlePlane(True)},
+    "elastic_limits": {"printed": ElasticLimits(-1.0), "physical": ElasticLimits(1.0)},
+    "coverage_limits": {"printed": CoverageLimits(False), "contacting": CoverageLimits(True)},
+    "film_load": {"fluid": FilmLoad(True), "total": FilmLoad(False)},
+}
+
 
 @dataclass(frozen=True)
-class Interpretations:
+class ChosenInterpretations:
     """The interpretation chosen at each place; fields are named as those of ``Parameters`` that choose."""
 
-    summit_offset: SummitOffset
-    size_distribution: SizeDistribution
+    summit_offset: SummitsAtTheMeanPlane
+    size_distribution: Uncentred
     particle_plane: ParticlePlane
     elastic_limits: ElasticLimits
     coverage_limits: CoverageLimits
     film_load: FilmLoad
 
     @classmethod
-    def of(cls, parameters: Parameters) -> Interpretations:
+    def of(cls, parameters: Parameters) -> ChosenInterpretations:
         """The interpretations that the words in ``parameters`` mean.
 
         Raises ``ValueError`` that names the field, its word and the words that it may have.
         """
-        return cls(**{name: _named(name, getattr(parameters, name)) for name in KINDS})
-
-
-def _named(name, word):
-    known = KINDS[name].known
-    if word not in list(known):  # which a word that cannot be hashed is not either
-        allowed = ", ".join(map(str, known))
-        raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
-    return known[word]
-
-
-KINDS: dict[str, type[Interpretation]] = {
-    field.name: get_type_hints(Interpretations)[field.name] for field in fields(Interpretations)
-}
+        chosen = {}
+        for name, known in INTERPRETATIONS.items():
+            word = getattr(parameters, name)
+            if word not in list(known):  # which a word that cannot be hashed is not either
+                allowed = ", ".join(map(str, known))
+                raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
+            chosen[name] = known[word]
+        return cls(**chosen)

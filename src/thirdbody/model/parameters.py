@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.interpretations import Interpretations
+from thirdbody.model.interpretations import ChosenInterpretations
 from thirdbody.model.load_unit import newtons_per_load
 
 # sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
@@ -108,7 +108,7 @@ class Parameters:
 
     def __post_init__(self):
         # the objects that words choose
-        object.__setattr__(self, "interpretation", Interpretations.of(self))
+        object.__setattr__(self, "interpretation", ChosenInterpretations.of(self))
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.interpretation.size_distribution
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):

@@ -83,7 +83,7 @@ class RoughSurfaces:
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
-        return self._read(t, 0)
+        return self.population.log_load(t) if self.table is None else self._read(t, 0)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
@@ -92,9 +92,7 @@ class RoughSurfaces:
         return self._read(t, 0), self._read(t, 1)
 
     def _read(self, t, function):
-        """ln F_ss* or ln A_ss* and its slope, as ``function`` is 0 or 1."""
-        if self.table is None:
-            return _integrated(self.population, t, function)
+        """ln F_ss* or ln A_ss* and its slope off the table, as ``function`` is 0 or 1."""
         inside = self.table.covers(t)
         if inside.all():
             return self.table(t, 2 * self.which + function)
@@ -103,7 +101,8 @@ class RoughSurfaces:
         if np.ndim(self.surface.roughness):
             points = np.broadcast_to(np.arange(self.surface.roughness.size), t.shape)
             population = population.take(points[~inside])
-        value[~inside], slope[~inside] = _integrated(population, t[~inside], function)
+        outside = population.log_load_and_area(t[~inside])
+        value[~inside], slope[~inside] = outside[function, :2]
         return value, slope
 
     def first_separation(self, log_load: NDArray) -> NDArray:
@@ -118,10 +117,6 @@ class RoughSurfaces:
             softer = np.log(0.5 * growth * summits.pressure(ratio))
             found = np.interp(wanted - softer, loads, t)
         return found
-
-
-def _integrated(population, t, function):
-    return population.log_load(t) if function == 0 else population.log_area(t)
 
 
 @lru_cache(maxsize=128)

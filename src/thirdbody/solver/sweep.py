@@ -266,7 +266,7 @@ class _Surface:
     def _log_film(self, low, high):
         """ln F_f* of films over the separation [m], with an error that Newton's method removes."""
         places = np.geomspace(max(low, 0.5 * self.alone.min()), high, GUESSES)
-        log_film = self.film.load_parameter(places / self.parameters.ball_radius)
+        log_film, _ = self.film.load_parameter_and_slope(places / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
         return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
 
