@@ -136,13 +136,9 @@ def greatest_single_load(parameters: Parameters) -> float:
     u (H_s2/E_ss) c, where u is the weight of the sizes above d, so that F_s cannot rise unless
     F_ss* > u H_s2/E_ss, and is itself above that there.
     """
-    limits, coverage = (
-        parameters.interpretation.elastic_limits,
-        parameters.interpretation.coverage_limits,
-    )
-    weight, _ = limits.weights(parameters.elastic_factor)
+    weight, _ = parameters.elastic_weights
     if not 0.0 <= weight <= 1.0:
         return 0.0
-    if not coverage.contacting:
+    if not parameters.interpretation.coverage_limits.contacting:
         return np.inf
     return weight * parameters.hardness_surface_2 / parameters.elastic_modulus_surfaces

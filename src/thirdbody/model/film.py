@@ -39,12 +39,6 @@ def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
     return log_load + math.log(parameters.apparent_area / parameters.ball_radius**2)
 
 
-def greatest_film_load(parameters: Parameters) -> float:
-    """F_f* [1] under which a film presses on all of the interface as hard as the softer surface is:
-    the bodies of Eq. 7 are elastic."""
-    return parameters.softer_hardness / parameters.elastic_modulus_surfaces
-
-
 def has_film(viscosity: ArrayLike) -> NDArray:
     """Whether there is a film where the kinematic ``viscosity`` is so much [m2/s]."""
     return viscosity > 0.0
@@ -84,7 +78,8 @@ class Film:
     are s and r, of the shape of the points, ``smooth_size`` the sum of the sizes of all logarithms in
     s and ``rough_size`` of those that r adds, with which rounding grows; ``exponents`` are a and b.
     ``turning_ratio`` is that of the second term to the first where H_c is least over the speed U, and
-    ``greatest`` is ln W under ``greatest_film_load``.  All are dimensionless.
+    ``greatest`` is ln W of a film that presses on all of the interface as hard as the softer surface
+    is: the bodies of Eq. 7 are elastic.  All are dimensionless.
     """
 
     smooth: NDArray
@@ -122,17 +117,13 @@ class Film:
         rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
         rough = rough - 0.884 * ln_U - 0.977 * ln_G
         size_U = abs(ln_speed) + np.abs(ln_viscosity)
+        smooth_size = of_U * size_U + of_G * abs(ln_G)
         rough_size = 0.884 * size_U + 1.248 * np.abs(ln_sigma) + 0.119 * abs(ln_V)
-        greatest = log_load_parameter(math.log(greatest_film_load(parameters)), parameters)
-        return cls(
-            smooth,
-            smooth + rough,
-            of_U * size_U + of_G * abs(ln_G),
-            rough_size + 0.977 * abs(ln_G),
-            (a, a - 0.133),
-            of_U / (0.884 - of_U),
-            greatest,
-        )
+        sizes = smooth_size, rough_size + 0.977 * abs(ln_G)
+        exponents, turning_ratio = (a, a - 0.133), of_U / (0.884 - of_U)
+        hardest = parameters.softer_hardness / parameters.elastic_modulus_surfaces  # F_f*
+        greatest = log_load_parameter(math.log(hardest), parameters)
+        return cls(smooth, smooth + rough, *sizes, exponents, turning_ratio, greatest)
 
     def take(self, chosen) -> Film:
         """The film at the points that an index or mask ``chosen`` picks."""

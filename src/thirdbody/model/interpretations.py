@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from types import SimpleNamespace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -113,14 +114,9 @@ class Centred(Uncentred):
     def law(self, diameter, roughness, parameters):
         mean, spread = parameters.mean_ratio, parameters.spread_ratio
         square = mean**2 + spread**2
-        return SizeLaw(
-            mean * diameter,
-            spread * diameter,
-            square * diameter**2,
-            2.0 * mean * spread / square,
-            spread**2 / square,
-            -mean / spread,
-        )
+        constant, linear = 2.0 * mean * spread / square, spread**2 / square
+        moments = mean * diameter, spread * diameter, square * diameter**2
+        return SizeLaw(*moments, constant, linear, -mean / spread)
 
     def sizes(self, diameter, parameters):
         return parameters.mean_ratio * diameter, parameters.spread_ratio * diameter
@@ -228,28 +224,17 @@ INTERPRETATIONS = {
 }
 
 
-@dataclass(frozen=True)
-class ChosenInterpretations:
-    """The interpretation chosen at each place; fields are named as those of ``Parameters`` that choose."""
+def chosen_interpretations(parameters: Parameters) -> SimpleNamespace:
+    """The interpretation of each place that the words in ``parameters`` mean, by the names of
+    ``INTERPRETATIONS``.
 
-    summit_offset: SummitsAtTheMeanPlane
-    size_distribution: Uncentred
-    particle_plane: ParticlePlane
-    elastic_limits: ElasticLimits
-    coverage_limits: CoverageLimits
-    film_load: FilmLoad
-
-    @classmethod
-    def of(cls, parameters: Parameters) -> ChosenInterpretations:
-        """The interpretations that the words in ``parameters`` mean.
-
-        Raises ``ValueError`` that names the field, its word and the words that it may have.
-        """
-        chosen = {}
-        for name, known in INTERPRETATIONS.items():
-            word = getattr(parameters, name)
-            if word not in list(known):  # which a word that cannot be hashed is not either
-                allowed = ", ".join(map(str, known))
-                raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
-            chosen[name] = known[word]
-        return cls(**chosen)
+    Raises ``ValueError`` that names the field, its word and the words that it may have.
+    """
+    chosen = {}
+    for name, known in INTERPRETATIONS.items():
+        word = getattr(parameters, name)
+        if word not in list(known):  # which a word that cannot be hashed is not either
+            allowed = ", ".join(map(str, known))
+            raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
+        chosen[name] = known[word]
+    return SimpleNamespace(**chosen)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
-from thirdbody.model.interpretations import ChosenInterpretations
+from thirdbody.model.interpretations import chosen_interpretations
 from thirdbody.model.load_unit import newtons_per_load
 
 # sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
@@ -37,10 +36,6 @@ class Surface:
     summit_radius: float | NDArray
     summit_deviation: float | NDArray
     summit_offset: float | NDArray
-
-    def take(self, chosen) -> Surface:
-        """Those of several surfaces that an index or mask ``chosen`` picks."""
-        return Surface(*(column[chosen] for column in vars(self).values()))
 
 
 @dataclass(frozen=True)
@@ -108,7 +103,7 @@ class Parameters:
 
     def __post_init__(self):
         # the objects that words choose
-        object.__setattr__(self, "interpretation", ChosenInterpretations.of(self))
+        object.__setattr__(self, "interpretation", chosen_interpretations(self))
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.interpretation.size_distribution
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
@@ -123,6 +118,11 @@ class Parameters:
         particle = self.hardness_surface_1 / self.elastic_modulus_particle
         surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
         return 2.25 * math.pi**2 * (particle**2 + surface**2)  # of Eqs. 4 and 5
+
+    @property
+    def elastic_weights(self) -> tuple[float, float]:
+        """How much both limits of the elastic integral count in A_sa [1]: ``ElasticLimits.weights``."""
+        return self.interpretation.elastic_limits.weights(self.elastic_factor)
 
     @property
     def particle_pressure(self) -> float:
@@ -174,11 +174,6 @@ class Parameters:
         >>> surface.summit_deviation, surface.summit_offset
         (3e-07, 0.0)
         """
-        if type(roughness) is float:
-            return _surface_of_one(self, roughness)
-        return self._surface(roughness)
-
-    def _surface(self, roughness):
         inside = (roughness >= LEAST_ROUGHNESS) & (roughness <= MOST_ROUGHNESS)
         if np.count_nonzero(inside) < np.size(inside):
             bad = np.ravel(roughness)[np.argmin(inside)]
@@ -196,6 +191,3 @@ class Parameters:
     def as_dict(self) -> dict:
         """Plain mapping of all inputs."""
         return asdict(self)
-
-
-_surface_of_one = lru_cache(maxsize=512)(Parameters._surface)  # made once

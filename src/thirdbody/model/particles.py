@@ -121,7 +121,7 @@ class ParticleLayer:
         alpha = (separation - self.mean) / self.spread
         here, here_slope = self.moment(alpha)  # I(d, X_max) over c_1
         there, there_slope = self.moment(alpha + limits.side * self.depth)
-        own, other = limits.weights(self.parameters.elastic_factor)
+        own, other = self.parameters.elastic_weights
         moment = np.maximum(own * here + other * there, 0.0)
         area_factor = self.factor * self.parameters.hardness_surface_2
         load_factor = self.factor * self.parameters.hardness_surface_1
@@ -135,10 +135,8 @@ class ParticleLayer:
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
         """Relative error [1] that rounding leaves in the ``area`` that ``contact`` returns, with its
         ``slope``, at ``separation`` d [m]; 0 where no particle touches."""
-        weights = self.parameters.interpretation.elastic_limits.weights(
-            self.parameters.elastic_factor
-        )
-        terms = (8.0 + self.moment.largest**2) * sum(map(abs, weights))
+        weights = sum(map(abs, self.parameters.elastic_weights))
+        terms = (8.0 + self.moment.largest**2) * weights
         terms = terms * self.moment.cancellation * area
         placed = 2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
         lost = EPSILON * (terms + placed) + LEAST
@@ -240,7 +238,7 @@ def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
     limits = parameters.interpretation.elastic_limits
     alpha, shifted = (
         np.interp(wanted / weight, *sampled, right=-np.inf) if weight > 0.0 else -np.inf
-        for weight in limits.weights(parameters.elastic_factor)
+        for weight in parameters.elastic_weights
     )
     shifted = shifted - limits.side * layer.depth
     return layer.mean + layer.spread * np.maximum(alpha, shifted)

@@ -170,11 +170,11 @@ QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bou
 def _told(name, values) -> str:
     """A number, or the least and the greatest; of a flag the names, each with how many have it."""
     if name in FLAGS:
-        found, counts = np.unique(values, return_counts=True)
-        words = ["none" if index < 0 else FLAG_MEANINGS[name][index] for index in found]
+        words = *FLAG_MEANINGS[name], "none"  # the last of which NO_FLAG finds
         if values.size == 1:
-            return words[0]
-        return ", ".join(f"{word} ({count})" for word, count in zip(words, counts, strict=True))
+            return words[values.item()]
+        found = np.unique(values, return_counts=True)
+        return ", ".join(f"{words[flag]} ({count})" for flag, count in zip(*found, strict=True))
     known = values[~np.isnan(values)]
     if known.size == 0:
         return "none"
@@ -203,9 +203,7 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
     void = np.isnan(found["separation"])
-    no_room = np.zeros(void.shape, bool)
-    if has_particles:
-        no_room = points.contact.particles.leave_no_room(ends.coverage[1])
+    no_room = has_particles and points.contact.particles.leave_no_room(ends.coverage[1])
     add_flags(
         found,
         points.film,

@@ -157,10 +157,8 @@ def solve_arrays(
         single = ~three_body | (load <= greatest_single_load(parameters))
         by_table = single & _repay_a_table(roughness, single)
         left = ~by_table
-        for table_rtol, size, tolerance in (
-            (rtol, CHUNK, rtol),
-            (None, QUADRATURE_CHUNK, LEAST_RTOL),
-        ):
+        rounds = (rtol, CHUNK, rtol), (None, QUADRATURE_CHUNK, LEAST_RTOL)
+        for table_rtol, size, tolerance in rounds:
             for piece in _pieces(left if table_rtol is None else by_table, kinds, roughness, size):
                 some = (column[piece] for column in columns)
                 points = Points.of(some, parameters, table_rtol)
@@ -177,8 +175,6 @@ def solve_arrays(
 
 def _repay_a_table(roughness, counted):
     """Whether so many ``counted`` points have the roughness of a point that a table is worth it."""
-    if (roughness == roughness[:1]).all():
-        return np.full(roughness.size, np.count_nonzero(counted) >= TABLE_WORTH)
     _, which = np.unique(roughness, return_inverse=True)
     return np.bincount(which, counted)[which] >= TABLE_WORTH
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -23,15 +23,15 @@ QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 class RoughSurfaces:
     """The summits under each of many points, as ``thirdbody.model.contact`` asks for them.
 
-    Columns of ``surface`` and ``population`` are scalars where all points share one surface, else they
-    have an element a point.  ``table`` has ln F_ss* and ln A_ss* over t, of one surface after the
-    other, and ``which`` says on which of them a point is; None: by quadrature.
+    ``surfaces`` and ``population`` have an element for each roughness, and ``which`` says on which of them
+    a point is.  ``table`` has ln F_ss* and ln A_ss* over t, of one surface after the other; None: by
+    quadrature.
     """
 
-    surface: Surface
+    surfaces: Surface
     population: SummitPopulation
     table: HermiteTable | None
-    which: NDArray | int = 0
+    which: NDArray
 
     @classmethod
     def of(
@@ -42,36 +42,26 @@ class RoughSurfaces:
 
         Raises ``ValueError`` where the summit parameter leaves no variance to the summits.
         """
-        values, which = roughness[:1], 0
-        if (roughness == roughness[0]).all():
-            roughness = float(roughness[0])
-        elif table_rtol is not None:
-            values, which = np.unique(roughness, return_inverse=True)
-        surface = parameters.surface(roughness)
-        population = SummitPopulation.of(surface, parameters)
+        values, which = np.unique(roughness, return_inverse=True)
+        surfaces = parameters.surface(values)
         table = None
         if table_rtol is not None:
             table = _table_of(tuple(values.tolist()), parameters, table_rtol)
-        return cls(surface, population, table, which)
+        return cls(surfaces, SummitPopulation.of(surfaces, parameters), table, which)
 
     def take(self, chosen) -> RoughSurfaces:
         """The surfaces of the points that an index or mask ``chosen`` picks."""
-        if np.ndim(self.surface.roughness) == 0:
-            return self
-        which = self.which[chosen] if np.ndim(self.which) else 0
-        return RoughSurfaces(
-            self.surface.take(chosen), self.population.take(chosen), self.table, which
-        )
+        return replace(self, which=self.which[chosen])
 
     @property
     def offset(self):
         """y_s [m]."""
-        return self.surface.summit_offset
+        return self.surfaces.summit_offset[self.which]
 
     @property
     def deviation(self):
         """sigma_s [m]."""
-        return self.surface.summit_deviation
+        return self.surfaces.summit_deviation[self.which]
 
     @property
     def error(self):
@@ -83,31 +73,29 @@ class RoughSurfaces:
 
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
-        return self.population.log_load(t) if self.table is None else self._read(t, 0)
+        if self.table is None:
+            return self.population.take(self.which).log_load(t)
+        return self._read(t, 0)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
         if self.table is None:
-            return tuple(self.population.log_load_and_area(t)[:, :2])
+            return tuple(self.population.take(self.which).log_load_and_area(t)[:, :2])
         return self._read(t, 0), self._read(t, 1)
 
     def _read(self, t, function):
         """ln F_ss* or ln A_ss* and its slope off the table, as ``function`` is 0 or 1."""
         inside = self.table.covers(t)
-        if inside.all():
-            return self.table(t, 2 * self.which + function)
         value, slope = self.table(np.where(inside, t, 0.0), 2 * self.which + function)
-        population = self.population
-        if np.ndim(self.surface.roughness):
-            points = np.broadcast_to(np.arange(self.surface.roughness.size), t.shape)
-            population = population.take(points[~inside])
-        outside = population.log_load_and_area(t[~inside])
-        value[~inside], slope[~inside] = outside[function, :2]
+        if not inside.all():
+            summits = self.population.take(np.broadcast_to(self.which, t.shape)[~inside])
+            outside = summits.log_load_and_area(t[~inside])
+            value[~inside], slope[~inside] = outside[function, :2]
         return value, slope
 
     def first_separation(self, log_load: NDArray) -> NDArray:
         """About the t [1] at which summits carry ``log_load`` ln F_t*."""
-        summits = self.population
+        summits = self.population.take(self.which)
         wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
         t, loads = _plastic_summits()
         found = np.interp(wanted, loads, t)

@@ -286,9 +286,8 @@ def _separations(low, high, roughness, particles, solid):
     steps = int(np.ceil((ends[1] - ends[0]) / STEP)) + 1
     places = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
     if particles is not None:
-        mean, spread, depth = (
-            each[solid] for each in (particles.mean, particles.spread, particles.depth)
-        )
+        one = particles.take(solid)
+        mean, spread, depth = one.mean, one.spread, one.depth
         smallest, largest = particles.moment.smallest, particles.moment.largest
         for shift in (0.0, particles.parameters.interpretation.elastic_limits.side * depth):
             first = max(smallest, LOWEST)
