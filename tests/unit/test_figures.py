@@ -196,9 +196,9 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     data, drawing = datasets[name], plotted(name, datasets)
     files = saved(drawing, tmp_path / "first")
     assert files == saved(plotted(name, datasets), tmp_path / "second")
-    # text stays text, and fonts are embedded as outlines
+    # text stays text, and fonts are embedded
     assert "ν = 0 cSt".encode() not in files[".svg"] and b"</text>" in files[".svg"]
-    assert b"/FontFile2" in files[".pdf"] and b"/Type3" not in files[".pdf"]
+    assert b"/CharProcs" in files[".pdf"] and b"/ToUnicode" in files[".pdf"]
     rows = drawn_rows(tmp_path / "first.csv")
     assert list(rows[0]) == ["panel", "curve", "x_name", "x", "y_name", "y"]
     for panel in drawing.panels:

@@ -11,6 +11,8 @@ from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.naming import parameter_title, power_text
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
+# of labels in fractions of the axes: fixed, as to find them from the texts of ticks takes long
+LABEL_PLACES = {"x": (0.5, -0.11), "y": (-0.18, 0.5)}
 POWERS = FuncFormatter(lambda value, _: power_text(value))
 NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
 
@@ -80,6 +82,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
     ):
         scale = SCALES[name]
         axis.set_label_text(scale.label)
+        axis.set_label_coords(*LABEL_PLACES[axis.axis_name])
         spreads = 0.0 < 3.0 * low < high if scale.logarithmic else 0.0 < 10.0 * low < high
         logarithmic = spreads and (scale.logarithmic or axis is axes.xaxis)
         if logarithmic:
