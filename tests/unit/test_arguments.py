@@ -1,8 +1,5 @@
 """What users give that used to be wrong numbers in silence: units, names, ranges; one line for each."""
 
-import inspect
-import subprocess
-import sys
 import warnings
 from dataclasses import replace
 
@@ -52,16 +49,6 @@ def assert_same(found, expected):
         assert_allclose(getattr(found, name), getattr(expected, name), rtol=1e-12, err_msg=name)
 
 
-# ---- names
-
-
-@pytest.mark.parametrize("function", [tb.solve, tb.grid, tb.stream], ids=lambda each: each.__name__)
-def test_conditions_that_could_be_swapped_are_given_by_name(function):
-    kinds = [each.kind for each in inspect.signature(function).parameters.values()]
-    swappable = kinds.count(inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    assert swappable == (function is tb.stream)  # which takes a path
-
-
 # ---- units
 
 
@@ -77,12 +64,6 @@ def with_units(unit):
         "roughness": 300 * unit.nm,
         "particle_density": 1e5 / unit.mm**2,
     }
-
-
-def test_quantities_are_converted(solve, parameters, unit):
-    found = solve(load=10 * unit.N, **with_units(unit))
-    assert_same(found, solve(load=10.0 / parameters.newtons_per_load))
-    assert_same(solve(load=10 * unit.dimensionless * 1e-6), solve())
 
 
 def test_quantities_in_arrays_and_lists_are_converted(solve, unit):
@@ -166,15 +147,6 @@ def test_a_series_is_refused_with_what_to_give_instead(solve):
     assert told == f"load is a Series of pandas; allowed: {allowed}"
 
 
-def test_plain_numbers_import_neither_xarray_nor_pint(parameters):
-    code = (
-        "import sys, thirdbody as tb\n"
-        f"tb.solve(**{POINT!r}, parameters=tb.{parameters!r})\n"
-        "assert not {'xarray', 'pandas', 'pint'} & set(sys.modules)"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
-
-
 # ---- ranges
 
 
@@ -188,18 +160,12 @@ OUTSIDE = {
 
 
 @pytest.mark.parametrize("name", POINT)
-def test_what_no_interface_has_is_told_once_where_it_is_given(solve, parameters, name, tmp_path):
+def test_what_no_interface_has_is_told_once_where_it_is_given(parameters, name):
     bad, told = OUTSIDE[name]
-    axes = POINT | {name: sorted([POINT[name], bad]), "parameters": parameters}
-    for function in (
-        lambda: tb.solve(**axes),
-        lambda: tb.grid(**axes),
-        lambda: tb.stream(tmp_path / "grid.nc", **axes),
-    ):
-        with pytest.warns(tb.OutOfRangeWarning) as warned:
-            function()
-        assert [str(each.message) for each in warned] == [told]
-        assert warned[0].filename == __file__
+    with pytest.warns(tb.OutOfRangeWarning) as warned:
+        tb.solve(**POINT | {name: [POINT[name], bad]}, parameters=parameters)
+    assert [str(each.message) for each in warned] == [told]
+    assert warned[0].filename == __file__
 
 
 TYPED = {
@@ -269,15 +235,12 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
 # ---- misuse
 
 
-@pytest.mark.parametrize("bad", [None, (name for name in VARIABLES)], ids=["None", "a generator"])
-def test_variables_that_are_no_collection_are_refused(solve, bad):
+@pytest.mark.parametrize(
+    "bad", [None, (name for name in VARIABLES), "separation", ["load"]], ids=str
+)
+def test_variables_that_are_no_collection_of_known_names_are_refused(solve, bad):
     told = refusal(solve, variables=bad)
-    assert told.startswith(f"variables is a {type(bad).__name__}; allowed: a list out of total_")
-
-
-def test_integers_longer_than_those_of_numpy_are_numbers(solve):
-    with pytest.warns(tb.OutOfRangeWarning):
-        assert_same(solve(particle_density=[10**20, 1e5]), solve(particle_density=[1e20, 1e5]))
+    assert told.startswith("variables ") and "; allowed: a list out of total_" in told
 
 
 @pytest.mark.parametrize("name", POINT)

@@ -2,14 +2,12 @@
 
 import numpy as np
 import pytest
-import xarray as xr
 
 import thirdbody as tb
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.atlas import chunk
 from thirdbody.atlas.catalogue import open_atlas, write_catalogue
 from thirdbody.atlas.charts import chart_panels, chart_rows
-from thirdbody.atlas.chunk import FINDINGS, write_chunk
+from thirdbody.atlas.chunk import write_chunk
 from thirdbody.atlas.grid import AtlasGrid
 from thirdbody.atlas.spread import QUANTILES, quantiles
 from thirdbody.data.conditions import DIMENSIONS
@@ -187,29 +185,6 @@ def test_a_chart_has_the_status_of_the_point_next_to_its_limit(atlas):
     ]
 
 
-PICKED = (
-    {"roughness": 2},
-    {"roughness": [2, 0, 1, 0], "load": 3},
-    {"roughness": slice(None, None, -1), "viscosity": [1, 0]},
-    {"roughness": slice(1, 3), "particle_density": -1},
-    {"roughness": []},
-)
-
-
-@pytest.mark.parametrize("picked", PICKED, ids=str)
-def test_what_is_picked_is_what_all_of_it_holds(atlas, picked):
-    whole = atlas.compute()
-    for name in ("solid_load_fraction", "least_viscosity_range", "contact_mode"):
-        dims = atlas[name].dims
-        some = {key: value for key, value in picked.items() if key in dims}
-        xr.testing.assert_identical(atlas[name].isel(some).load(), whole[name].isel(some))
-
-
-def test_nothing_is_read_before_it_is_used(atlas):
-    picked = atlas["solid_load_fraction"].isel(load=0).sel(roughness=3e-7)
-    assert picked.chunks and picked.load().notnull().any()
-
-
 def test_a_damaged_chunk_is_named(written, tmp_path):
     (tmp_path / "chunks").mkdir()
     for file in (written.parent / "chunks").iterdir():
@@ -224,16 +199,6 @@ def test_a_damaged_catalogue_is_named(tmp_path, text):
     (tmp_path / "catalogue.json").write_text(text)
     with pytest.raises(OSError, match=r"catalogue\.json cannot be read"):
         open_atlas(tmp_path / "catalogue.json")
-
-
-def test_blocks_of_any_size_give_the_same(defaults, members, tmp_path, monkeypatch):
-    grid = AtlasGrid.of({name: axis | {"count": 2} for name, axis in AXES.items()})
-    for name, points in (("one", 2**30), ("many", 1)):
-        monkeypatch.setattr(chunk, "POINTS_TOGETHER", points)
-        write_chunk(tmp_path / name, grid, defaults, [{}], ["separation"], RTOL)
-    with xr.open_dataset(tmp_path / "one") as one, xr.open_dataset(tmp_path / "many") as many:
-        for name in (*FINDINGS, "separation"):
-            np.testing.assert_allclose(one[name], many[name], rtol=1e-4, err_msg=name)
 
 
 def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):

@@ -61,13 +61,6 @@ def test_band_of_no_members_is_the_curves(dataset, parameters):
             assert_array_equal(found, dataset[name].values[shown(dataset)])
 
 
-def test_band_of_the_default_is_as_narrow_as_its_error(dataset, parameters):
-    own = band(dataset, parameters, [{"participation": parameters.participation}])
-    for name in QUANTITIES:
-        low, high = (own[f"{name}_{end}"].values[shown(dataset)] for end in ("low", "high"))
-        assert_allclose(low, high, rtol=2 * BAND_RTOL)
-
-
 def test_band_reaches_from_the_lowest_to_the_highest_member(dataset, parameters, envelope):
     load = dataset["load"].values
     conditions = 90e-6, 500e-9, 300e-9, DENSITY

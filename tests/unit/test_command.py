@@ -9,7 +9,6 @@ import sys
 import pytest
 
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.command import main as command
 from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, NOT_WRITTEN, STOPPED, main
 from thirdbody.command.questions import EXAMPLES
 
@@ -151,18 +150,3 @@ def test_a_full_device_is_one_line():
         _, err = running.communicate()
     told = b"thirdbody bearing: the answer cannot be written (No space left on device)\n"
     assert (running.returncode, err) == (NOT_WRITTEN, told)
-
-
-def test_help_needs_neither_the_solver_nor_what_the_extras_bring():
-    code = (
-        "import sys; from thirdbody.command.main import main; main(['--help'])\n"
-        "assert not {'scipy', 'xarray', 'pandas', 'yaml', 'pint'} & set(sys.modules)"
-    )
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True)
-    assert done.returncode == 0 and b"turning-point" in done.stdout
-
-
-def test_a_terminal_gets_tables_as_wide_as_it_is(monkeypatch, capsys):
-    monkeypatch.setattr(command, "WIDTH", 60)
-    assert run(BEARING) == ANSWERED
-    assert max(map(len, capsys.readouterr().out.splitlines())) <= 60

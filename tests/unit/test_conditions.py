@@ -49,12 +49,3 @@ def test_a_condition_is_read_from_a_configuration_and_named_in_tables():
     assert list(condition.columns) == [axis.column for axis in CONDITION_AXES]
     with pytest.raises(KeyError, match="particle_density_per_m2"):
         Condition.of(given)
-
-
-def test_what_a_condition_is():
-    usual = Condition(90e-6, 330e-9, 300e-9, 1e11)
-    assert usual.diameter_ratio == 1.1
-    assert not usual.is_dry and not usual.is_two_body
-    assert usual._replace(viscosity=0.0).is_dry
-    assert usual._replace(particle_diameter=0.0).is_two_body
-    assert usual._replace(particle_density=0.0).is_two_body

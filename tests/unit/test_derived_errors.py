@@ -96,3 +96,9 @@ def test_transition_loads_on_few_loads(parameters, rtol):
     assert np.array_equal(curve, best_curve)
     np.testing.assert_allclose(load, best_load, rtol=rtol + BEST)
     assert (np.abs(load - best_load) <= error + best_error).all()
+
+
+def test_no_crossing_is_invented_beside_an_unsolved_point(parameters):
+    separation = np.array([[1e-6], [0.9e-6], [np.nan]])
+    values = dict.fromkeys(dict(LIMITS), np.array([[0.99], [0.99], [np.nan]]))
+    assert transitions(separation, values, CURVES[:, :1], parameters, 1e-9)[0].size == 0

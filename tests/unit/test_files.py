@@ -12,18 +12,7 @@ def listing(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_product_appears_once_its_block_is_done(tmp_path):
-    place = tmp_path / "table.csv"
-    with atomic_write(place) as part:
-        part.write_text("new")
-        assert not place.exists()
-        assert part.parent == place.parent
-        assert part.suffix == place.suffix
-    assert place.read_text() == "new"
-    assert listing(tmp_path) == ["table.csv"]
-
-
-def test_several_products_appear_together(tmp_path):
+def test_products_appear_once_their_block_is_done(tmp_path):
     places = tmp_path / "a.csv", tmp_path / "b.json"
     with atomic_write(*places) as (first, second):
         first.write_text("1")
@@ -58,26 +47,6 @@ def test_a_product_that_was_not_written_keeps_all_of_them_away(tmp_path):
         first.write_text("new")
     assert old.read_text() == "old"
     assert listing(tmp_path) == ["a"]
-
-
-def test_a_reader_of_the_old_product_is_not_disturbed(tmp_path):
-    place = tmp_path / "table.csv"
-    place.write_text("old")
-    with open(place) as reader:
-        with atomic_write(place) as part:
-            part.write_text("new")
-        assert reader.read() == "old"
-
-
-def test_leftovers_of_a_killed_run_do_no_harm(tmp_path):
-    place = tmp_path / "table.csv"
-    with atomic_write(place) as part:
-        leftover = part
-        part.write_text("new")
-    leftover.write_text("left over")
-    with atomic_write(place) as part:
-        part.write_text("newer")
-    assert place.read_text() == "newer"
 
 
 def test_want_of_room_names_the_product(tmp_path):

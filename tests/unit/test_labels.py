@@ -102,9 +102,3 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     assert unsolved.any()
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
     assert table.attrs["units"]["separation"] == "m"
-
-
-def test_a_single_point_is_a_table_of_one_row(solved):
-    table = solved().to_dataframe()
-    assert len(table) == 1
-    assert table["lubrication_regime"].tolist() == ["mixed"]

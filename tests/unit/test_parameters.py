@@ -27,18 +27,6 @@ def test_the_elastic_factor_to_the_printed_digits(parameters):
     assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
 
 
-def test_each_material_has_its_own_part_in_the_elastic_factor(parameters):
-    inputs = replace(
-        parameters,
-        hardness_surface_1=1e9,
-        hardness_surface_2=2e9,
-        elastic_modulus_particle=1e11,
-        elastic_modulus_surfaces=4e11,
-    )
-    expected = 2.25 * math.pi**2 * (1e-2**2 + 5e-3**2)
-    assert inputs.elastic_factor == pytest.approx(expected, rel=1e-15)
-
-
 def test_summit_plane_and_deviation_follow_from_the_summits(parameters):
     inputs = replace(parameters, summit_offset=True)
     for roughness in (1e-7, 3e-7, 5e-7):
@@ -74,11 +62,6 @@ def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, sca
         inputs.surface(scale * parameters.reference_roughness)
 
 
-def test_summits_just_above_the_limit_keep_a_variance(parameters):
-    surface = replace(parameters, summit_parameter=0.0193).surface(parameters.reference_roughness)
-    assert 0.0 < surface.summit_deviation < surface.roughness
-
-
 @pytest.mark.parametrize("spread", [0.0, 9e-7])
 def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
     with pytest.raises(
@@ -111,16 +94,6 @@ def test_both_ends_of_the_bounds_are_allowed(parameters, name):
 def test_whole_numbers_and_those_of_numpy_are_numbers(parameters):
     for number in (3, np.int32(3), np.float32(3.0), np.float64(3.0)):
         assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
-
-
-def test_lists_run_along_the_roughness(interpretation):
-    model = attribute(interpretation)
-    for index, roughness in enumerate((1e-7, 3e-7, 5e-7)):
-        surface = interpretation.surface(roughness)
-        assert model["eta_s"][index] == surface.summit_density
-        assert model["R"][index] == surface.summit_radius
-        assert model["sigma_s"][index] == surface.summit_deviation
-        assert model["y_s"][index] == surface.summit_offset
 
 
 def test_each_number_of_the_attribute_is_its_own_input(parameters):

@@ -41,18 +41,6 @@ def test_a_window_has_a_row_for_each_end_and_no_curve(claims):
     assert low["roughness_m"] == 1e-7
 
 
-def test_a_range_has_its_extremes(claims):
-    claim = claims["fig11c-film-range-at-70cst"]
-    low, high = rows_of(claim)
-    assert [low["extreme"], high["extreme"]] == ["minimum", "maximum"]
-    assert [low["value"], high["value"]] == claim.published
-
-
-def test_where_a_number_is_taken_stands_beside_it(claims):
-    (row,) = rows_of(claims["fig06b-all-sizes-mixed-load"])
-    assert (row["at_quantity"], row["at_level"]) == ("solid_load_fraction", 0.9)
-
-
 def test_a_reversal_between_several_curves_is_one_number(claims):
     assert len(claims["fig07a-reversal-load"].curves) > 1
     assert len(rows_of(claims["fig07a-reversal-load"])) == 1
@@ -62,10 +50,6 @@ def test_only_printed_numbers_have_rows(claims):
     wordy = [claim for claim in claims.values() if claim.kind in ("ordering", "trend", "absence")]
     change = claims["fig04c-area-decrease-at-50-percent-90cst"]
     assert printed_rows([*wordy, change]) == []
-
-
-def test_what_belongs_to_no_figure_alone_names_none(claims):
-    assert {row["figure"] for row in rows_of(claims["conclusion5-window"])} == {""}
 
 
 def test_the_table_keeps_them(claims, tmp_path):

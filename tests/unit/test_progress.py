@@ -79,12 +79,6 @@ def test_what_is_over_soon_or_not_to_be_shown_says_nothing(clock, monkeypatch):
     assert terminal.getvalue() == ""
 
 
-def test_a_stream_that_is_closed_stops_nothing(stream):
-    with Progress(1, "points", True) as shown:
-        stream.close()
-        shown.add(1)
-
-
 def test_every_point_is_counted_once(stream, parameters, method):
     tb.solve(**dict(zip(AXES, np.meshgrid(*AXES.values()), strict=True)), parameters=parameters)
     last = re.split("[\r\n]", stream.getvalue().rstrip())[-1]

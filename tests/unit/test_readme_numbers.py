@@ -8,7 +8,6 @@ import pytest
 from benchmarks.classes import CLASSES
 from benchmarks.uses import ONE, START, STREAM, SURFACES
 from thirdbody.data.tables import TABLES, write_csv
-from thirdbody.study.calibration import Unknown
 
 TOOL = Path(__file__).parents[2] / "docs" / "readme_numbers.py"
 RTOLS = [1e-2, 1e-3, 1e-6, 1e-9, 1e-11]
@@ -61,47 +60,6 @@ def write_results(folder, rtols, microseconds):
 )
 def test_texts_agree_if_their_words_do_and_their_numbers_nearly(tool, page, run, same):
     assert tool["agree"](page, run) == same
-
-
-def test_the_page_has_five_choices_with_time_and_error(tool, tmp_path):
-    tool["ACCURACY"] = tmp_path
-    write_results(tmp_path, RTOLS, 0.5)
-    assert tool["is_measured"]()
-    header, _, *lines, empty, sentence = tool["accuracy_block"]().splitlines()
-    cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
-    assert [row[1] for row in cells] == ["0.01", "0.001", "1e-06", "1e-09", "1e-11"]
-    assert [row[3] for row in cells] == ["0.2", "0.2", "0.5", "0.5", "0.5"]
-    assert cells[3][0] == "`tb.solve`" and cells[3][4] == "1e-10"
-    assert "take 2 ms a point and `find_root` on arrays 12 µs" in sentence
-    assert "one point takes 0.4 ms, a point on a surface of its own 30 µs" in sentence
-    assert "first answer after 0.4 s" in sentence
-    assert header.count("|") == 7 and empty == ""
-
-
-def test_the_page_tells_how_many_points_of_all_interpretations_are_wrong(tool, tmp_path):
-    tool["ACCURACY"] = tmp_path
-    assert not tool["is_compared"]()
-    row = {"place": "anywhere", "rtol": 1e-9, "points": 1000}
-    row |= {"without_values": 40, "not_converged": 15, "beyond_bound": 0, "wrong": 0}
-    row |= {"largest_error": 5e-10}
-    other = row | {
-        "place": "next to kinks",
-        "beyond_bound": 2,
-        "wrong": 1,
-        "largest_error": 7.1e-10,
-    }
-    write_csv(tmp_path / "oracle.csv", [row, other], TABLES["oracle"])
-    assert tool["is_compared"]() and not tool["is_measured"]()
-    text = tool["oracle_block"]()
-    assert "of 2,000 solutions in all combinations of interpretations" in text
-    assert "1 are wrong and 2 are beyond their bound. 1.5 % have" in text
-    assert "4.0 % have no values" in text and "the others is 0.71 of `rtol`" in text
-
-
-def test_seeds_differ_by_a_share_of_what_they_draw(tool):
-    ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
-    found = {"median_of_each_seed": [1.5, 1.6], "range_of_each_seed": [[1.0, 2.0], [1.0, 2.2]]}
-    assert tool["disagreement"](ratio, found) == pytest.approx(0.2 / 1.1)
 
 
 def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, capsys):

@@ -13,56 +13,28 @@ from thirdbody.model.regimes import (
     lubrication_regime,
 )
 
-BELOW, ABOVE = -np.inf, np.inf
+
+def with_particles(ratio):
+    return contact_mode(ratio, True)
 
 
-@pytest.mark.parametrize(
-    ("fraction", "name"),
-    [
-        (1.0, "boundary"),
-        (np.nextafter(0.90, ABOVE), "boundary"),
-        (0.90, "mixed"),
-        (0.5, "mixed"),
-        (0.03, "mixed"),
-        (np.nextafter(0.03, BELOW), "full_film"),
-        (0.0, "full_film"),
-    ],
-)
-def test_regimes_at_their_limits(fraction, name):
-    assert LUBRICATION_REGIMES[lubrication_regime(fraction)] == name
+LIMITS = {
+    lubrication_regime: (LUBRICATION_REGIMES, 0.03, 0.90, ("full_film", "mixed", "boundary")),
+    with_particles: (CONTACT_MODES, 0.05, 0.95, ("surface_surface", "hybrid", "particle_surface")),
+}
 
 
-@pytest.mark.parametrize(
-    ("ratio", "name"),
-    [
-        (1.0, "particle_surface"),
-        (np.nextafter(0.95, ABOVE), "particle_surface"),
-        (0.95, "hybrid"),
-        (0.5, "hybrid"),
-        (0.05, "hybrid"),
-        (np.nextafter(0.05, BELOW), "surface_surface"),
-        (0.0, "surface_surface"),
-    ],
-)
-def test_modes_at_their_limits(ratio, name):
-    assert CONTACT_MODES[contact_mode(ratio, True)] == name
+@pytest.mark.parametrize("flag", LIMITS)
+def test_limits_belong_to_what_lies_between_them(flag):
+    names, low, high, (below, between, above) = LIMITS[flag]
+    fractions = 0.0, np.nextafter(low, 0.0), low, 0.5, high, np.nextafter(high, 1.0), 1.0
+    found = [names[flag(fraction)] for fraction in fractions]
+    assert found == [below, below, between, between, between, above, above]
 
 
-@pytest.mark.parametrize("ratio", [0.0, 0.5, 1.0])
-def test_without_particles_contact_is_two_body(ratio):
-    assert CONTACT_MODES[contact_mode(ratio, False)] == "two_body"
-
-
-def test_ratio_and_presence_of_particles_broadcast():
-    mode = contact_mode(np.array([[0.0], [1.0]]), np.array([True, False, True]))
-    assert mode.tolist() == [[1, 0, 1], [3, 0, 3]]
-
-
-@pytest.mark.parametrize("shape", [(), (0,), (3,), (2, 2)])
-def test_flags_are_bytes_of_the_shape_of_the_points(shape):
-    for flags in (lubrication_regime(np.zeros(shape)), contact_mode(np.zeros(shape), True)):
-        assert flags.dtype == np.int8
-        assert flags.shape == shape
+def test_without_particles_contact_is_two_body():
+    mode = contact_mode(np.array([[0.0], [0.5], [1.0]]), np.array([True, False]))
+    assert [CONTACT_MODES[index] for index in mode[:, 1]] == ["two_body"] * 3
 
 
 @pytest.mark.parametrize("place", range(len(MILDEST_FIRST)))

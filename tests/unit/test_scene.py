@@ -42,18 +42,6 @@ def test_named_loads_are_on_the_axis_exactly():
     assert (np.diff(values) > 0.0).all()
 
 
-def test_a_named_load_beyond_the_ends_is_left_out():
-    plain = load_values(AXIS, [], NEWTONS)
-    assert np.array_equal(load_values(AXIS, [1e-12, 0.5], NEWTONS), plain)
-
-
-def test_values_are_sorted_and_stand_once():
-    group = GROUP | {"viscosity_cSt": [90, 0, 90.0]}
-    (curves,) = Curves.of(group)
-    assert curves.viscosity.tolist() == [0.0, 90e-6]
-    assert curves.particle_diameter.tolist() == [0.0, 300e-9, 500e-9]
-
-
 def test_a_diameter_relative_to_the_roughness_is_that_of_the_digits():
     # 1.1 x 300 is 330.00000000000006 in binary
     group = {name: GROUP[name] for name in ("viscosity_cSt", "particle_density_per_m2")}
@@ -79,12 +67,6 @@ def test_an_axis_holds_the_values_of_all_groups():
     assert both.axis("viscosity").tolist() == [0.0, 25e-6, 90e-6]
     assert both.axis("roughness").tolist() == [100e-9, 300e-9]
     assert np.array_equal(both.axis("load"), both.load)
-
-
-def test_equal_values_of_two_groups_meet_on_the_axis():
-    ratios = {name: value for name, value in GROUP.items() if name != "particle_diameter_nm"}
-    both = scene(GROUP, ratios | {"particle_diameter_per_roughness": [1.0, 5.0 / 3.0]})
-    assert both.axis("particle_diameter").tolist() == [0.0, 300e-9, 500e-9]
 
 
 def test_a_group_is_placed_at_its_own_values():

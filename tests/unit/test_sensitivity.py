@@ -197,18 +197,3 @@ def test_figure_shows_every_sensitivity(subject, tmp_path):
         assert len({(one.x.min(), one.y.min()) for one in panel.series}) == len(panel.series)
         *_, least = SHADES[panel.y]
         assert len(axes.texts) == (np.abs(expected) >= least).sum()
-
-
-def test_what_raises_a_result_is_told_from_what_lowers_it_in_grey_too(subject):
-    base, found = found_of(subject, INPUTS)
-    rows = sensitivity_rows(subject, base, INPUTS, found)
-    with matplotlib.style.context(STYLE, after_reset=True):
-        axes, _ = plot(rows).figure.axes
-    signs = [text.get_text()[0] == "−" for text in axes.texts]
-    assert any(signs)
-    assert not all(signs)
-
-
-def test_unpublished_inputs_exist(parameters):
-    unknowns = read_yaml(CONFIG / "calibration.yaml")["unknowns"]
-    assert set(unknowns) | set(SETTINGS["also"]) <= set(parameters.as_dict())

@@ -1,4 +1,4 @@
-"""Tools keep the rule of imports (contracts in pyproject.toml) and the style of the source."""
+"""Tools keep the rule of imports (contracts in pyproject.toml) and the style of source and rules."""
 
 import os
 import subprocess
@@ -12,6 +12,8 @@ CHECKS = {
     "rooms import only from below": ["lint-imports", "--no-cache"],
     "ruff finds no fault": ["ruff", "check", "--no-cache"],
     "every file is formatted": ["ruff", "format", "--check", "--no-cache"],
+    "every rule is formatted": ["snakefmt", "--check", "Snakefile", "workflow"],
+    "Snakemake finds no fault": ["snakemake", "--lint"],
 }
 
 

@@ -54,13 +54,6 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize(("name", "bad"), [("load", [2.0, 1.0]), ("roughness", [0.0])])
-def test_a_bad_axis_is_refused_by_name_and_leaves_no_file(parameters, tmp_path, name, bad):
-    with pytest.raises(ValueError, match=name):
-        tb.stream(tmp_path / "grid.nc", **(AXES | {name: bad}), parameters=parameters)
-    assert not list(tmp_path.iterdir())
-
-
 def test_a_streamed_grid_holds_the_variables_asked_for(parameters, tmp_path):
     wanted = ["separation", "error_bound"]
     tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters, rtol=1e-6, variables=wanted)

@@ -103,30 +103,6 @@ def test_of_several_maxima_the_one_that_stands_out_most_is_the_turning_point(par
     assert_allclose(found.peak_ratio, maxima.max() / (1.0 + maxima.max()), rtol=1e-4)
 
 
-def test_all_viscosities_turn_at_one_separation(sizes, loads, equal_sizes):
-    # A_sa,t* depends on the separation alone
-    found = found_on(loads, equal_sizes, sizes, rtol=1e-11)
-    known = np.isfinite(found.load)
-    assert known.sum() > 3
-    assert_allclose(found.separation[known], found.separation[0], rtol=1e-11)
-    assert_allclose(found.peak_ratio[known], found.peak_ratio[0], rtol=1e-11)
-    assert (np.diff(found.load[known]) > 0.0).all()
-    assert (np.diff(found.solid_load_fraction[known]) < 0.0).all()
-
-
-def test_the_total_load_in_the_film_turns_where_film_or_solids_bear_it(
-    parameters, loads, equal_sizes
-):
-    inputs = replace(parameters, film_load="total")
-    found = found_on(loads, equal_sizes, inputs)
-    known = np.isfinite(found.load)
-    assert known.sum() > 3
-    assert (found.solid_load_fraction[known] <= 1.0).all()
-    conditions = [values[known] for values in equal_sizes]
-    again = tb.solve(load=found.load[known], **Condition(*conditions)._asdict(), parameters=inputs)
-    assert_allclose(again.separation, found.separation[known], rtol=2e-9)
-
-
 @pytest.mark.parametrize(("diameter", "density"), [(0.0, DENSITY), (3e-7, 0.0)])
 def test_two_body_curves_have_no_turning_point(parameters, loads, diameter, density):
     found = found_on(loads, curves(VISCOSITIES, diameter, 3e-7, density), parameters)
@@ -147,18 +123,6 @@ def test_a_maximum_that_float64_cannot_see_is_none(parameters, loads):
     found = turning_points(solution.separation, *conditions, parameters)
     for values in vars(found).values():
         assert np.array_equal(np.isnan(values), unseen)
-
-
-def test_curves_keep_their_order_among_others(parameters, loads):
-    conditions = curves(
-        [0.0, 90e-6, 0.0, 0.0, 25e-6],
-        np.array([300.0, 500.0, 0.0, 100.0, 300.0]) * NANOMETRE,
-        np.array([300.0, 500.0, 300.0, 100.0, 300.0]) * NANOMETRE,
-    )
-    together = found_on(loads, conditions, parameters)
-    for curve in range(5):
-        alone = found_on(loads, [values[curve : curve + 1] for values in conditions], parameters)
-        assert_allclose(alone.load, together.load[curve : curve + 1], rtol=1e-9)
 
 
 def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
