@@ -10,11 +10,10 @@ import pytest
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
-from thirdbody.study.checks import Verdict
+from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown, earlier_table
 from thirdbody.study.verdicts import (
-    Judge,
     Judged,
     compare,
     count_once,

@@ -6,9 +6,10 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Judge, judge_everything
+from thirdbody.study.verdicts import judge_everything
 
 
 def judge_claims(

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation, Objective
-from thirdbody.study.verdicts import Judge, count_once
+from thirdbody.study.checks import Judge
+from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant ones of a number in the file
 IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
