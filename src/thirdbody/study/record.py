@@ -29,17 +29,8 @@ class Recorded:
     the recorded ones.  The last record is evaluated anew first; if it differs, all are dropped, as
     the statements, the settings or the code have changed.
 
-    Parameters
-    ----------
-    function : callable
-        Gives the objective at positions, shape (unknowns,).
-    path : Path
-        The record, a line for each evaluation; the folder is made.
-
-    Attributes
-    ----------
-    rows : list of array, shape (unknowns + 1,)
-        Positions and objective of each evaluation of this search.
+    ``function`` gives the objective at positions, shape (unknowns,); ``path`` has a line for each
+    evaluation, and its folder is made; ``rows`` are the positions and objectives of this search.
     """
 
     def __init__(self, function: Callable[[NDArray[np.float64]], float], path: Path):
