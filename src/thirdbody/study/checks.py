@@ -142,20 +142,6 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
 
     ``evidence`` has at least what the claim refers to; a turning point counts if it stands out by
     ``prominence`` [1].
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> from thirdbody.configuration.schema import config_directory
-    >>> from thirdbody.study.claims import load_claims, referenced_conditions
-    >>> from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-    >>> claims = load_claims(config_directory() / "claims.yaml")
-    >>> (claim,) = (each for each in claims if each.id == "fig03a-ratio-zero-without-particles")
-    >>> asked = referenced_conditions([claim])
-    >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
-    >>> verdict = judge(claim, evidence)
-    >>> verdict.value, verdict.score, bool(verdict.holds)
-    (0.0, 0.0, True)
     """
     try:
         found = CHECKS[claim.kind](claim, evidence)
@@ -181,10 +167,10 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
 
 
 def _is_within_the_loads(claim: Claim, evidence) -> bool:
-    """Whether a claim on loads can be decided by those that were computed.
+    """Whether a claim on loads can be decided, as a load beyond the last one is only known to be larger.
 
-    A load beyond the last one is only known to be larger: a published number is missed if the last
-    load already misses it, and curves have no known order if the loads of two neighbours are beyond.
+    A published number is missed if the last load already misses it; curves have no known order if the
+    loads of two neighbours are beyond.
     """
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
@@ -203,10 +189,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
 
 
 def _faintness(height: float) -> float:
-    """Distance of a turning point from being visible, in tolerances; ``height`` in least heights.
-
-    It is 1 where the point is just visible and falls to 0 at twice this height, without a bend.
-    """
+    """Distance of a turning point from being visible: 1 at a ``height`` of 1, 0 from 2 on, no bend."""
     return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
 
 
@@ -214,24 +197,17 @@ def _faintness(height: float) -> float:
 
 
 def check_value(claim: Claim, evidence) -> Measured:
-    """Check one number, on all curves or with ``any_curve`` on one of them."""
-    values = _scalars(claim, evidence)
+    """Check one number, or that it is reached, on all curves, or with ``any_curve`` on one of them."""
+    values = compared = _scalars(claim, evidence)
     text = _text_of(claim, evidence, values)
+    if claim.kind == "reach":
+        beyond = np.maximum if claim.extreme == "minimum" else np.minimum
+        compared = beyond(values, claim.published)
     if not claim.any_curve:
-        return _against_published(claim, values, text)
+        return _against_published(claim, compared, text)._replace(numbers=values)
     each = [_against_published(claim, value, text) for value in values]
     best = int(np.argmin([found.distance for found in each]))
     return each[best]._replace(numbers=values, worst=best)
-
-
-def check_reach(claim: Claim, evidence) -> Measured:
-    """Check that a number is reached; the curve that stays farthest from it counts."""
-    values = _scalars(claim, evidence)
-    sign = 1.0 if claim.extreme == "minimum" else -1.0
-    lacks = np.maximum(sign * (values - claim.published), 0.0)
-    worst = int(np.argmax(lacks))
-    text = _text_of(claim, evidence, values)
-    return Measured(text, lacks[worst] / claim.tolerance, sign * lacks[worst], values, worst)
 
 
 def check_span(claim: Claim, evidence) -> Measured:
@@ -293,7 +269,7 @@ def check_sequence(claim: Claim, evidence) -> Measured:
 
 CHECKS = {
     "value": check_value,
-    "reach": check_reach,
+    "reach": check_value,
     "span": check_span,
     "window": check_window,
     "ordering": check_ordering,
