@@ -31,11 +31,10 @@ def judge_claims(
         if found[path]["interpretation"] in settings["interpretations"]
     ]
     judged = judge_everything(judge_all, main, compared, settings)
-    headline, tolerances = settings["headline"], settings["headline_tolerances"]
     contents = (
-        claims_markdown(judged, headline, tolerances, read_valid(earlier, "earlier_predictions")),
+        claims_markdown(judged, read_valid(earlier, "earlier_predictions")),
         claims_html(judged),
-        claims_json(judged, headline, tolerances),
+        claims_json(judged),
     )
     with atomic_write(table, text, page, data) as (table_part, *parts):
         write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -27,34 +27,20 @@ from thirdbody.study.verdicts import (
 )
 
 
-def claims_markdown(
-    judged: Judged,
-    headline: Iterable[str],
-    tolerances: Mapping[str, float],
-    earlier: Mapping[str, Any],
-) -> str:
+def claims_markdown(judged: Judged, earlier: Mapping[str, Any]) -> str:
     """The page ``claims.md``: first what is understood in two minutes, then every statement.
 
-    Parameters
-    ----------
-    judged : Judged
-        All statements, judged under all sets of inputs.
-    headline : iterable of str
-        Ids of the paper's headline numbers.
-    tolerances : mapping
-        Deviation up to which a headline number counts as reached, by id, where its statement asks
-        for less.
-    earlier : mapping
-        Content of ``config/earlier_predictions.yaml``.
+    ``earlier`` is the content of ``config/earlier_predictions.yaml``.
     """
     table = judged.table
-    numbers = headline_table(judged, headline, tolerances)
+    numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
     failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
         score=score_sentence(judged),
         reached=numbers["reached"].sum(),
+        wider=_wider_tolerances(judged),
         headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         inputs=_inputs(judged.default),
@@ -75,7 +61,7 @@ def claims_html(judged: Judged) -> str:
     return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
 
 
-def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str, float]) -> str:
+def claims_json(judged: Judged) -> str:
     """The same for programs: a JSON object, with null for numbers that do not exist.
 
     A statement has the columns of the table ``claims``, with ``curves``, ``references``, ``loads``,
@@ -93,7 +79,7 @@ def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str
         "interpretation": judged.default["interpretation"],
         "inputs": judged.default["inputs"],
         "identification": judged.default["identification"],
-        "headline": headline_table(judged, headline, tolerances).to_dict("records"),
+        "headline": headline_table(judged).to_dict("records"),
         "interpretations": judged.comparison.to_dict("records"),
         "statements": [
             row
@@ -130,6 +116,17 @@ def score_sentence(judged: Judged) -> str:
         f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
         f"if {FAINT:g} were enough, {faint} of {faint_of} would hold."
     )
+
+
+def _wider_tolerances(judged: Judged) -> str:
+    """Within what a headline number counts as reached, where its statement asks for less."""
+    wider: dict[str, str] = {}
+    for claim in judged.claims:
+        size = judged.settings["headline_tolerances"].get(claim.id)
+        if size is not None:
+            text = f"{100 * size:g} %" if claim.relative else f"{size:g}"
+            wider[text] = claim.place.split(", section")[0]
+    return " or ".join(f"within {text} ({place})" for text, place in wider.items())
 
 
 def earlier_table(judged: Judged, earlier: Mapping[str, Any]) -> pd.DataFrame:

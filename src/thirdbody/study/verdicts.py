@@ -36,6 +36,7 @@ Verdicts = tuple[Verdict, ...]
 class Judged:
     """All statements, judged under all sets of inputs; verdicts are in the order of ``claims``.
 
+    ``settings`` is the content of ``config/calibration.yaml``.
     ``verdicts`` are those under the inputs of the calibrated file with the content ``default``, and
     ``faint`` those where turning points count from ``FAINT`` on; ``members`` those of its ensemble;
     ``changed`` those with one unknown changed, by what is changed; ``interpretations`` those of the
@@ -44,6 +45,7 @@ class Judged:
     """
 
     claims: tuple[Claim, ...]
+    settings: Mapping[str, Any]
     default: Mapping[str, Any]
     verdicts: Verdicts
     faint: Verdicts
@@ -82,6 +84,7 @@ def judge_everything(
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
+        settings,
         default,
         judge_all(inputs, FULL_EFFORT),
         judge_all(inputs, FULL_EFFORT, FAINT),
@@ -250,17 +253,16 @@ def statements_table(judged: Judged) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def headline_table(
-    judged: Judged, chosen: Iterable[str], tolerances: Mapping[str, float]
-) -> pd.DataFrame:
-    """Numbers of the paper, of the model and of the ensemble, for the statements ``chosen`` by id.
+def headline_table(judged: Judged) -> pd.DataFrame:
+    """The headline numbers in the paper, in the model and in the ensemble.
 
     Where no numbers are compared, the range is how many members agree with the verdict.  A number
-    counts as reached if its statement holds, or within its entry of ``tolerances``, by id.
+    counts as reached if its statement holds, or within its entry of ``headline_tolerances``.
     """
+    tolerances = judged.settings["headline_tolerances"]
     rows = []
     for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
-        if claim.id not in chosen:
+        if claim.id not in judged.settings["headline"]:
             continue
         ends = number_ranges(judged, index)
         within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
