@@ -87,17 +87,12 @@ class Interpretation:
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
         """Take an interpretation from ``settings``, the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
-        names = (*settings["always"], *entry.get("unknowns", ()))
-        unknowns = (
-            Unknown(
-                each,
-                tuple(settings["unknowns"][each]["bounds"]),
-                tuple(settings["unknowns"][each]["usual"]),
-                settings["unknowns"][each]["scale"] == "logarithmic",
-            )
-            for each in names
-            if each not in entry["fixed"]
-        )
+        unknowns = []
+        for each in (*settings["always"], *entry.get("unknowns", ())):
+            if each not in entry["fixed"]:
+                given = settings["unknowns"][each]
+                ends = tuple(given["bounds"]), tuple(given["usual"])
+                unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
         return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: ArrayLike) -> dict[str, float]:
@@ -136,19 +131,9 @@ class Objective:
         """Make the objective over ``claims``, without those that stand aside.
 
         The weight of a statement is that of its kind, shared among the statements of its cluster.
-
-        Parameters
-        ----------
-        claims : sequence of Claim
-            Statements of the paper.
-        settings : mapping
-            Content of ``config/calibration.yaml``.
-        base : Parameters
-            Values of all inputs that are neither fixed nor searched.
-        emphasised : str
-            Id of a statement whose weight is multiplied, with those that repeat it.
-        emphasis : float
-            By how much [1].
+        ``settings`` is the content of ``config/calibration.yaml``, ``base`` has the inputs that are
+        neither fixed nor searched.  The weight of the statement with the id ``emphasised``, and of
+        those that repeat it, is multiplied by ``emphasis``.
         """
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
@@ -169,13 +154,10 @@ class Objective:
     def scores(
         self, interpretation: Interpretation, inputs: Mapping[str, Any]
     ) -> NDArray[np.float64]:
-        """Score of each of ``claims`` for the values of the unknowns, in tolerances [1].
-
-        Inputs that no surface can have give every statement its greatest score.
-        """
+        """Score of each of ``claims`` in tolerances [1]; the greatest if no surface has these inputs."""
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs})
-        except ValueError:  # no surface has these inputs
+        except ValueError:
             return np.full(len(self.claims), MISSING_SCORE)
         return np.array([verdict.score for verdict in verdicts])
 
@@ -218,14 +200,12 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
     folds = []
     for part in map(set, figures):
         judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
-        names = {claim.counted_as for claim in judged}
-        contradicted = {other for claim in judged for other in claim.contradicts}
+        seen = {claim.counted_as for claim in judged}
+        seen |= {other for claim in judged for other in claim.contradicts}
         fitted = tuple(
             claim
             for claim in claims
-            if not claim.all_figures & part
-            and claim.counted_as not in names
-            and claim.id not in contradicted
+            if not (claim.all_figures & part or {claim.id, claim.counted_as} & seen)
         )
         folds.append(Fold(judged, fitted))
     return folds

@@ -52,8 +52,7 @@ def summary(
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
     chosen = _most_held(interpretation, judge_all, good[:COMPARED])
     inputs = inputs_of(interpretation, chosen)
-    others = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
-    members = [inputs, *others]
+    members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
     best = [found[found[:, -1].argmin()] for found in folds]
     return {
         "interpretation": interpretation.name,
@@ -72,8 +71,8 @@ def summary(
             }
             for figures, row in zip(settings["folds"] if folds else (), best, strict=True)
         ],
-        "ensemble": members,
-        "ensemble_interpretations": [interpretation.name] * len(members),
+        "ensemble": [inputs, *members],
+        "ensemble_interpretations": [interpretation.name] * (1 + len(members)),
         "identification": _identification(interpretation, rows, good, samples),
         "correlations": _correlations(interpretation, pooled),
         "fronts": {},
@@ -106,13 +105,14 @@ def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[
 
 def _most_held(interpretation, judge_all: Judge, sets):
     """The set under which most statements hold; of several the most plausible."""
-    ranks = []
-    for row in sets:
+
+    def rank(row):
         inputs = inputs_of(interpretation, row)
         verdicts = judge_all({**interpretation.fixed, **inputs})
         held, _ = count_once(zip(judge_all.claims, verdicts, strict=True))
-        ranks.append((-held, interpretation.penalty(inputs)))
-    return sets[min(range(len(sets)), key=ranks.__getitem__)]
+        return -held, interpretation.penalty(inputs)
+
+    return min(sets, key=rank)
 
 
 def price_front(
