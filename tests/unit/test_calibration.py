@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.checks import MISSING_SCORE
+from thirdbody.study.checks import MISSING_SCORE, Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.results import (
     acceptable,
@@ -22,7 +22,6 @@ from thirdbody.study.results import (
 )
 from thirdbody.study.sampling import posterior_sample
 from thirdbody.study.search import scatter, search
-from thirdbody.study.verdicts import Judge
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
@@ -144,7 +143,6 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
         again = make_folds(spoilt, [figures])[0].fitted
         one, other = (Objective.of(each, SETTINGS, parameters) for each in (fold.fitted, again))
         assert one.claims == other.claims
-        assert one.asked == other.asked
         assert np.array_equal(one.weights, other.weights)
 
 

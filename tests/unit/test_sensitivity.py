@@ -15,7 +15,7 @@ from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.drawing import STYLE
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.solver.solve import solve
-from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -96,7 +96,7 @@ def test_values_belong_to_their_outputs(subject, parameters):
     assert len(values) == len(outputs) == len(set(map(str, outputs)))
     by_name = {}
     for output, value in zip(outputs, values, strict=True):
-        by_name.setdefault(output.output, []).append(value)
+        by_name.setdefault(output["output"], []).append(value)
     loads, ratios = by_name["turning_point_load"], by_name["turning_point_ratio"]
     assert loads[0] < loads[1]  # dry, then with a film that takes its share
     assert_allclose(ratios[0], ratios[1])  # the separation alone decides on it
@@ -107,7 +107,8 @@ def test_what_cannot_respond_does_not(subject, parameters):
     only = replace(subject, transitions=(), window_roughness=())
     # A_n enters through the film alone; exponents act away from the reference roughness
     inputs = varied_inputs(parameters, ["apparent_area", "summit_radius_exponent", "participation"])
-    _, found = default_elasticities(only, parameters, inputs)
+    base = only.values(parameters, FULL_EFFORT)
+    found = default_elasticities(only, parameters, inputs, base)
     dry_load, dry_ratio, wet_load, wet_ratio = found.value
     assert_allclose([dry_load[0], dry_ratio[0], wet_ratio[0]], 0.0, atol=STEP**2)
     assert wet_load[0] < -0.1
@@ -134,7 +135,7 @@ def test_an_input_at_its_bound_is_varied_within_it(parameters):
     at_bound = replace(parameters, participation=1.0)
     inputs = varied_inputs(at_bound, ["participation", "apparent_area"])
     settings = {"spread": 0.05, "solved": 12, "seed": 1}
-    _, found = default_indices(subject, at_bound, inputs, settings)
+    found = default_indices(subject, at_bound, inputs, values(at_bound, None), settings)
     assert found.occurs == [1.0]
     # half the range of one, twice as steep: as much variance as of the other
     assert_allclose(found.value, [[0.5, 0.5]], atol=0.03)

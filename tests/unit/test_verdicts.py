@@ -10,11 +10,10 @@ import pytest
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
-from thirdbody.study.checks import Verdict
+from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown, earlier_table
 from thirdbody.study.verdicts import (
-    Judge,
     Judged,
     compare,
     count_once,
@@ -57,15 +56,16 @@ DEFAULT = {
 }
 
 
-def judged(main, members=(), interpretations=None, changed=None, predicted=None):
+def judged(main, members=(), changed=None, predicted=None, headline=(), tolerances=None):
     return Judged(
         CLAIMS,
+        {"headline": headline, "headline_tolerances": tolerances or {}},
         DEFAULT,
         tuple(main),
         tuple(main),
         tuple(members),
         changed or {},
-        interpretations or {},
+        {},
         {"some": predicted or {}},
         pd.DataFrame(),
     )
@@ -110,7 +110,7 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
     results = judged(main, changed={"lower one": (HELD,) * 4}, predicted=predicted)
-    page = claims_markdown(results, [], {}, EARLIER)
+    page = claims_markdown(results, EARLIER)
     assert "Of 2 distinct statements 1 are predicted" in page
     assert "Of 2 that can be judged 0 hold (0 %)" in page
     apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
@@ -124,7 +124,7 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
 
 
 def test_without_a_cross_validation_the_page_says_so():
-    page = claims_markdown(judged((HELD,) * 4), [], {}, EARLIER)
+    page = claims_markdown(judged((HELD,) * 4), EARLIER)
     assert "No cross-validation has been run" in page
 
 
@@ -136,25 +136,26 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
         for n, (number, ends) in enumerate(zip(numbered, window, strict=True))
     ]
     main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
-    table = headline_table(judged(main, members), ["taken", "one", "other"], {}).set_index("id")
+    results = judged(main, members, headline=["taken", "one", "other"])
+    table = headline_table(results).set_index("id")
     column = table["ensemble, 90 %"]
     assert column["taken"] == "1 to 19"
     assert column["one"] == "16 of 21 agree"
     assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
     assert (table.loc["taken", "paper"], table.loc["taken", "model"]) == ("1.0", "10")
-    rows = statements_table(judged(main, members)).set_index("id")
+    rows = statements_table(results).set_index("id")
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
-    alone = headline_table(judged(main), ["one"], {})
+    alone = headline_table(judged(main, headline=["one"]))
     assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
 
 
 def test_a_headline_number_may_have_a_tolerance_of_its_own():
-    main = (MISSED,) * 4
-    table = headline_table(judged(main), ["taken", "one"], {"taken": 1.0})
-    assert table["reached"].tolist() == [True, False]
-    page = claims_markdown(judged(main), ["taken", "one"], {"taken": 1.0}, EARLIER)
+    results = judged((MISSED,) * 4, headline=["taken", "one"], tolerances={"taken": 1.0})
+    assert headline_table(results)["reached"].tolist() == [True, False]
+    page = claims_markdown(results, EARLIER)
     assert "Of 2 numbers 1 are reached" in page
+    assert "or the number is within 1 (Figure 4A)" in page
 
 
 def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
@@ -181,7 +182,7 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
 def test_programs_read_what_the_page_says():
     nan = float("nan")
     main = (HELD, MISSED, HELD, Verdict("?", (nan,), 0, nan, nan, False, False))
-    content = json.loads(claims_json(judged(main, [main]), ["taken"], {}))
+    content = json.loads(claims_json(judged(main, [main], headline=["taken"])))
     assert (content["held"], content["judged"]) == (2, 2)
     assert content["inputs"] == DEFAULT["inputs"]
     assert [row["id"] for row in content["headline"]] == ["taken"]

@@ -10,10 +10,11 @@ from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.results import mixed_ensemble, price_front
 from thirdbody.study.search import search
-from thirdbody.study.verdicts import Judge, compare, count_once, predict
+from thirdbody.study.verdicts import compare, count_once, predict
 
 
 def choose(calibrated, claims, settings, parameters, chosen):

@@ -4,6 +4,7 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.sensitivity import (
     Subject,
     default_elasticities,
@@ -18,12 +19,13 @@ def compute(settings, unpublished, parameters, elasticities, indices):
     are left out."""
     subject, defaults = Subject.of(settings), Parameters(**parameters)
     inputs = varied_inputs(defaults, unpublished)
+    base = subject.values(defaults, FULL_EFFORT)
     found = (
-        default_elasticities(subject, defaults, inputs),
-        default_indices(subject, defaults, inputs, settings["sobol"]),
+        default_elasticities(subject, defaults, inputs, base),
+        default_indices(subject, defaults, inputs, base, settings["sobol"]),
     )
     with atomic_write(elasticities, indices) as parts:
-        for part, (base, measured) in zip(parts, found, strict=True):
+        for part, measured in zip(parts, found, strict=True):
             rows = sensitivity_rows(subject, base, inputs, measured)
             write_csv(part, rows, TABLES["sensitivity"])
     print(f"{len(subject.outputs)} results, {len(inputs)} inputs: {', '.join(inputs)}")

@@ -6,9 +6,10 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
-from thirdbody.study.verdicts import Judge, judge_everything
+from thirdbody.study.verdicts import judge_everything
 
 
 def judge_claims(
@@ -30,11 +31,10 @@ def judge_claims(
         if found[path]["interpretation"] in settings["interpretations"]
     ]
     judged = judge_everything(judge_all, main, compared, settings)
-    headline, tolerances = settings["headline"], settings["headline_tolerances"]
     contents = (
-        claims_markdown(judged, headline, tolerances, read_valid(earlier, "earlier_predictions")),
+        claims_markdown(judged, read_valid(earlier, "earlier_predictions")),
         claims_html(judged),
-        claims_json(judged, headline, tolerances),
+        claims_json(judged),
     )
     with atomic_write(table, text, page, data) as (table_part, *parts):
         write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])

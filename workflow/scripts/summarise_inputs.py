@@ -6,10 +6,10 @@ from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows
 from thirdbody.study.results import summary
-from thirdbody.study.verdicts import Judge
 
 
 def summarise(name, evaluations, samples, folds, claims, settings, parameters, calibrated):

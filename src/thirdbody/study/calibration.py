@@ -13,16 +13,15 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.checks import MISSING_SCORE, judge
-from thirdbody.study.claims import Claim, referenced_conditions
-from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
+from thirdbody.study.checks import MISSING_SCORE, Judge
+from thirdbody.study.claims import Claim
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
 SLOPE_OF_LOSS = 0.1
@@ -30,18 +29,10 @@ SLOPE_OF_LOSS = 0.1
 
 @dataclass(frozen=True)
 class Unknown:
-    """An input of the model that is to be found.
+    """An input of the model that is to be found, a field of ``Parameters``.
 
-    Attributes
-    ----------
-    name : str
-        Field of ``Parameters``.
-    bounds : tuple of float
-        Least and greatest value that is tried [unit of the input].
-    usual : tuple of float
-        Range that is usual in nature; values beyond it are penalised [unit of the input].
-    logarithmic : bool
-        Whether it is searched on a logarithmic scale.
+    Values between ``bounds`` are tried; those beyond the ``usual`` range are penalised [unit of the
+    input].
     """
 
     name: str
@@ -83,16 +74,9 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """One interpretation of the printed equations, with the inputs that are to be found.
+    """One interpretation of the printed equations: inputs that it fixes, SI, and those to be found.
 
-    Attributes
-    ----------
-    name : str
-        Its key in ``config/calibration.yaml``.
-    fixed : dict
-        Inputs that it fixes, by name of the field of ``Parameters``, SI.
-    unknowns : tuple of Unknown
-        Inputs to be found, in the order of the positions.
+    ``name`` is its key in ``config/calibration.yaml``; ``unknowns`` are in the order of the positions.
     """
 
     name: str
@@ -101,25 +85,14 @@ class Interpretation:
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
-        """Take an interpretation from ``settings``, the content of ``config/calibration.yaml``.
-
-        Raises
-        ------
-        KeyError
-            If there is none of this name.
-        """
+        """Take an interpretation from ``settings``, the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
-        names = (*settings["always"], *entry.get("unknowns", ()))
-        unknowns = (
-            Unknown(
-                each,
-                tuple(settings["unknowns"][each]["bounds"]),
-                tuple(settings["unknowns"][each]["usual"]),
-                settings["unknowns"][each]["scale"] == "logarithmic",
-            )
-            for each in names
-            if each not in entry["fixed"]
-        )
+        unknowns = []
+        for each in (*settings["always"], *entry.get("unknowns", ())):
+            if each not in entry["fixed"]:
+                given = settings["unknowns"][each]
+                ends = tuple(given["bounds"]), tuple(given["usual"])
+                unknowns.append(Unknown(each, *ends, given["scale"] == "logarithmic"))
         return cls(name, entry["fixed"], tuple(unknowns))
 
     def values(self, positions: ArrayLike) -> dict[str, float]:
@@ -140,25 +113,11 @@ class Interpretation:
 class Objective:
     """What a calibration minimises: losses of the statements, and penalties for unusual inputs.
 
-    Attributes
-    ----------
-    claims : tuple of Claim
-        Statements that the inputs are fitted to.
-    asked : dict
-        Conditions that these refer to, as ``referenced_conditions`` returns them.
-    weights : array, shape (claims,)
-        Weight of each of ``claims`` [1].
-    newtons : tuple of float
-        First and last normal load [N].
-    base : Parameters
-        Values of all inputs that neither an interpretation fixes nor a search varies.
+    ``judge`` has the statements that the inputs are fitted to, ``weights`` the weight of each [1].
     """
 
-    claims: tuple[Claim, ...]
-    asked: dict[str, set]
+    judge: Judge
     weights: NDArray[np.float64]
-    newtons: tuple[float, float]
-    base: Parameters
 
     @classmethod
     def of(
@@ -172,21 +131,11 @@ class Objective:
         """Make the objective over ``claims``, without those that stand aside.
 
         The weight of a statement is that of its kind, shared among the statements of its cluster.
-
-        Parameters
-        ----------
-        claims : sequence of Claim
-            Statements of the paper.
-        settings : mapping
-            Content of ``config/calibration.yaml``.
-        base : Parameters
-            Values of all inputs that are neither fixed nor searched.
-        emphasised : str
-            Id of a statement whose weight is multiplied, with those that repeat it.
-        emphasis : float
-            By how much [1].
+        ``settings`` is the content of ``config/calibration.yaml``, ``base`` has the inputs that are
+        neither fixed nor searched.  The weight of the statement with the id ``emphasised``, and of
+        those that repeat it, is multiplied by ``emphasis``.
         """
-        fitted = tuple(claim for claim in claims if not claim.aside)
+        fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
         chosen = {claim.counted_as for claim in fitted if claim.id == emphasised}
         weights = [
@@ -195,22 +144,22 @@ class Objective:
             * (emphasis if claim.counted_as in chosen else 1.0)
             for claim in fitted
         ]
-        asked = referenced_conditions(fitted)
-        return cls(fitted, asked, np.array(weights), tuple(settings["newtons"]), base)
+        return cls(Judge(fitted, base, settings["newtons"]), np.array(weights))
+
+    @property
+    def claims(self) -> tuple[Claim, ...]:
+        """Statements that the inputs are fitted to."""
+        return self.judge.claims
 
     def scores(
         self, interpretation: Interpretation, inputs: Mapping[str, Any]
     ) -> NDArray[np.float64]:
-        """Score of each of ``claims`` for the values of the unknowns, in tolerances [1].
-
-        Inputs that no surface can have give every statement its greatest score.
-        """
+        """Score of each of ``claims`` in tolerances [1]; the greatest if no surface has these inputs."""
         try:
-            parameters = replace(self.base, **interpretation.fixed, **inputs)
-            evidence = SolvedEvidence(parameters, self.asked, self.newtons, QUICK_EFFORT)
-            return np.array([judge(claim, evidence).score for claim in self.claims])
-        except ValueError:  # no surface has these inputs
+            verdicts = self.judge({**interpretation.fixed, **inputs})
+        except ValueError:
             return np.full(len(self.claims), MISSING_SCORE)
+        return np.array([verdict.score for verdict in verdicts])
 
     def value(self, penalty: float, scores: ArrayLike) -> float:
         """What is minimised [1]: the penalty, and the weighted losses of the scores added up."""
@@ -235,12 +184,8 @@ def loss(score: ArrayLike) -> ArrayLike:
 class Fold:
     """One part of the cross-validation.
 
-    Attributes
-    ----------
-    judged : tuple of Claim
-        Statements of some figures, left out of the search and judged by its result.
-    fitted : tuple of Claim
-        Statements that neither refer to one of these figures nor repeat or contradict a judged one.
+    ``judged`` are the statements of some figures, left out of the search and judged by its result;
+    ``fitted`` those that neither refer to one of these figures nor repeat or contradict a judged one.
     """
 
     judged: tuple[Claim, ...]
@@ -250,24 +195,17 @@ class Fold:
 def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
     """Divide the statements into folds, so that each is judged once by inputs that never saw it.
 
-    Parameters
-    ----------
-    claims : sequence of Claim
-        All statements of the paper.
-    figures : sequence of sequence of int
-        The figures of each fold.  A statement is judged in the fold of its first figure.
+    A statement is judged in the fold whose ``figures`` have its first figure.
     """
     folds = []
     for part in map(set, figures):
         judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
-        names = {claim.counted_as for claim in judged}
-        contradicted = {other for claim in judged for other in claim.contradicts}
+        seen = {claim.counted_as for claim in judged}
+        seen |= {other for claim in judged for other in claim.contradicts}
         fitted = tuple(
             claim
             for claim in claims
-            if not claim.all_figures & part
-            and claim.counted_as not in names
-            and claim.id not in contradicted
+            if not (claim.all_figures & part or {claim.id, claim.counted_as} & seen)
         )
         folds.append(Fold(judged, fitted))
     return folds

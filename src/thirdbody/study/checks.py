@@ -3,17 +3,19 @@
 ``judge`` takes the curves, turning points and windows that a claim refers to from ``evidence``,
 computes the number or course in question, and expresses its distance from what the paper says in
 tolerances of the claim.  A claim holds if this distance is at most 1.  The kinds of statements are
-explained at the head of ``config/claims.yaml``.
+explained at the head of ``config/claims.yaml``.  ``Judge`` does so for all claims and any inputs.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 from thirdbody.study.claims import (
     BEND_LOAD,
@@ -27,9 +29,10 @@ from thirdbody.study.claims import (
     TURNING_POINT_QUANTITIES,
     WINDOW_QUANTITIES,
     Claim,
+    referenced_conditions,
     state_names,
 )
-from thirdbody.study.evidence import SolvedEvidence
+from thirdbody.study.evidence import QUICK_EFFORT, Effort, SolvedEvidence
 
 MISSING_SCORE = 10.0  # the greatest score, also given where there is nothing to compare
 # Loads may miss the bound that a claim sets by this before its score grows: a line's width.
@@ -55,24 +58,12 @@ class Measured(NamedTuple):
 class Verdict(NamedTuple):
     """Result of judging a claim.
 
-    Attributes
-    ----------
-    computed : str
-        What the model gives, as text.
-    numbers : tuple of float
-        The numbers that were compared with published ones [unit of the quantity], if any.
-    worst : int
-        Which of them is farthest off.
-    deviation : float
-        Computed minus published [unit of the quantity], or the relative deviation [1] if the
-        claim's tolerance is relative.
-    score : float
-        Distance from what is published in tolerances [1]; 1 + its logarithm beyond 1, and at most
-        ``MISSING_SCORE``, so that one bad miss does not outweigh everything else in a sum.
-    tested : bool
-        Whether the model reaches the condition of the claim within its loads.
-    holds : bool
-        Whether it is tested and the score is at most 1.
+    ``computed`` is what the model gives, as text; ``numbers`` are those compared with published ones
+    [unit of the quantity], of which number ``worst`` is farthest off.  ``deviation`` is computed minus
+    published, relative [1] if the claim's tolerance is.  ``score`` is the distance from what is
+    published in tolerances [1], 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one
+    bad miss does not outweigh everything else in a sum.  A claim is ``tested`` if the model reaches its
+    condition within the loads, and ``holds`` if it is tested and the score is at most 1.
     """
 
     computed: str
@@ -90,43 +81,67 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim.
+    """No load of a curve is within the bounds of a claim; the argument is by how much.
 
-    The argument is by how much the nearest load misses them, in the unit of the bound or as the
-    logarithm of the ratio of two loads.
+    It is in the unit of the bound, or the logarithm of the ratio of two loads.
     """
+
+
+class Judge:
+    """Judges the same statements under any set of inputs.
+
+    Parameters
+    ----------
+    claims : sequence of Claim
+        The statements.
+    base : Parameters
+        Values of the inputs that a set does not give.
+    newtons : tuple of float
+        First and last normal load of every curve [N].
+    """
+
+    def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
+        self.claims = tuple(claims)
+        self.base = base
+        self._newtons = tuple(newtons)
+
+    def __call__(
+        self,
+        inputs: Mapping[str, Any],
+        effort: Effort = QUICK_EFFORT,
+        prominence: float = PROMINENCE,
+        claims: Sequence[Claim] | None = None,
+    ) -> tuple[Verdict, ...]:
+        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
+
+        A turning point counts if it stands out by ``prominence`` [1].
+
+        Raises
+        ------
+        ValueError
+            If the inputs are not physical.
+        """
+        some = self.claims if claims is None else tuple(claims)
+        if prominence != PROMINENCE:
+            some = [_at_prominence(claim, prominence) for claim in some]
+            effort = replace(effort, window=replace(effort.window, prominence=prominence))
+        evidence = SolvedEvidence(
+            replace(self.base, **inputs), referenced_conditions(some), self._newtons, effort
+        )
+        return tuple(judge(claim, evidence, prominence) for claim in some)
+
+
+def _at_prominence(claim: Claim, prominence: float) -> Claim:
+    """The claim with this tolerance, if it is about the existence of a turning point."""
+    is_peak = claim.kind == "absence" or claim.direction == "rising_then_falling"
+    return replace(claim, tolerance=prominence) if is_peak else claim
 
 
 def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE) -> Verdict:
     """Compare the model with a statement of the paper.
 
-    Parameters
-    ----------
-    claim : Claim
-        The statement.
-    evidence : SolvedEvidence
-        Has at least the curves, turning points and windows that the claim refers to.
-    prominence : float
-        How far a turning point must stand out to count as one [1].
-
-    Returns
-    -------
-    Verdict
-        What was computed and whether the claim holds.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> from thirdbody.configuration.schema import config_directory
-    >>> from thirdbody.study.claims import load_claims, referenced_conditions
-    >>> from thirdbody.study.evidence import QUICK_EFFORT, SolvedEvidence
-    >>> claims = load_claims(config_directory() / "claims.yaml")
-    >>> (claim,) = (each for each in claims if each.id == "fig03a-ratio-zero-without-particles")
-    >>> asked = referenced_conditions([claim])
-    >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
-    >>> verdict = judge(claim, evidence)
-    >>> verdict.value, verdict.score, bool(verdict.holds)
-    (0.0, 0.0, True)
+    ``evidence`` has at least what the claim refers to; a turning point counts if it stands out by
+    ``prominence`` [1].
     """
     try:
         found = CHECKS[claim.kind](claim, evidence)
@@ -143,25 +158,19 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
         if not least >= prominence:
             text += f"; stands out by {least:.2g}"
         distance = np.maximum(distance, _faintness(least / prominence))
-    score = _score(distance)
+    score = MISSING_SCORE
+    if not np.isnan(distance):
+        score = float(min(min(distance, 1.0) + np.log(max(distance, 1.0)), MISSING_SCORE))
     holds = bool(tested and score <= 1.0)
     numbers = tuple(map(float, found.numbers))
     return Verdict(text, numbers, int(found.worst), float(found.deviation), score, tested, holds)
 
 
-def _score(distance: float) -> float:
-    """The distance in tolerances, 1 + its logarithm beyond 1."""
-    if np.isnan(distance):
-        return MISSING_SCORE
-    beyond = np.log(max(distance, 1.0))
-    return float(min(min(distance, 1.0) + beyond, MISSING_SCORE))
-
-
 def _is_within_the_loads(claim: Claim, evidence) -> bool:
-    """Whether a claim on loads can be decided by those that were computed.
+    """Whether a claim on loads can be decided, as a load beyond the last one is only known to be larger.
 
-    A load beyond the last one is only known to be larger: a published number is missed if the last
-    load already misses it, and curves have no known order if the loads of two neighbours are beyond.
+    A published number is missed if the last load already misses it; curves have no known order if the
+    loads of two neighbours are beyond.
     """
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
@@ -180,10 +189,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
 
 
 def _faintness(height: float) -> float:
-    """Distance of a turning point from being visible, in tolerances; ``height`` in least heights.
-
-    It is 1 where the point is just visible and falls to 0 at twice this height, without a bend.
-    """
+    """Distance of a turning point from being visible: 1 at a ``height`` of 1, 0 from 2 on, no bend."""
     return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
 
 
@@ -191,24 +197,17 @@ def _faintness(height: float) -> float:
 
 
 def check_value(claim: Claim, evidence) -> Measured:
-    """Check one number, on all curves or with ``any_curve`` on one of them."""
-    values = _scalars(claim, evidence)
+    """Check one number, or that it is reached, on all curves, or with ``any_curve`` on one of them."""
+    values = compared = _scalars(claim, evidence)
     text = _text_of(claim, evidence, values)
+    if claim.kind == "reach":
+        beyond = np.maximum if claim.extreme == "minimum" else np.minimum
+        compared = beyond(values, claim.published)
     if not claim.any_curve:
-        return _against_published(claim, values, text)
+        return _against_published(claim, compared, text)._replace(numbers=values)
     each = [_against_published(claim, value, text) for value in values]
     best = int(np.argmin([found.distance for found in each]))
     return each[best]._replace(numbers=values, worst=best)
-
-
-def check_reach(claim: Claim, evidence) -> Measured:
-    """Check that a number is reached; the curve that stays farthest from it counts."""
-    values = _scalars(claim, evidence)
-    sign = 1.0 if claim.extreme == "minimum" else -1.0
-    lacks = np.maximum(sign * (values - claim.published), 0.0)
-    worst = int(np.argmax(lacks))
-    text = _text_of(claim, evidence, values)
-    return Measured(text, lacks[worst] / claim.tolerance, sign * lacks[worst], values, worst)
 
 
 def check_span(claim: Claim, evidence) -> Measured:
@@ -261,10 +260,7 @@ def check_course(claim: Claim, evidence) -> Measured:
 
 
 def check_sequence(claim: Claim, evidence) -> Measured:
-    """Check that regimes, modes or both are passed in the published order as the load grows.
-
-    All curves must do so, or with ``any_curve`` one of them.
-    """
+    """Check that regimes, modes or both are passed in order on all curves, or with ``any_curve`` on one."""
     curves = [evidence.curve(*condition) for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
     chosen = int(np.argmin(misses) if claim.any_curve else np.argmax(misses))
@@ -273,7 +269,7 @@ def check_sequence(claim: Claim, evidence) -> Measured:
 
 CHECKS = {
     "value": check_value,
-    "reach": check_reach,
+    "reach": check_value,
     "span": check_span,
     "window": check_window,
     "ordering": check_ordering,
@@ -310,18 +306,9 @@ def _missed(claim, text, miss) -> Measured:
 
 
 def _scalars(claim, evidence):
-    """The claim's quantity as one number for each curve.
-
-    If the claim has a reference, it is the relative change from that.
-    """
-    if claim.quantity == REVERSAL_LOAD:
-        return np.array([_reversal_load(claim, evidence)])
-    if claim.quantity == BEND_LOAD:
-        return _bend_loads(claim, evidence)
-    if claim.quantity == DEPARTURE_SHARPNESS:
-        return _departure_sharpness(claim, evidence)
-    if claim.quantity == BEND_OVER_MIXED:
-        return _bend_loads(claim, evidence) / _mixed_loads(claim, evidence)
+    """The claim's quantity as one number for each curve, or its relative change from the reference."""
+    if claim.quantity in BETWEEN:
+        return np.array(BETWEEN[claim.quantity](claim, evidence))
     if claim.source == "turning_point":
         pick = TURNING_POINT_QUANTITIES[claim.quantity]
         values = np.array([pick(evidence.turning_point(*c)) for c in claim.curves])
@@ -335,10 +322,7 @@ def _scalars(claim, evidence):
 
 
 def _courses(claim, evidence):
-    """The claim's quantity along each curve.
-
-    If the claim has a reference, it is the relative change from that.
-    """
+    """The claim's quantity along each curve, or its relative change from the reference."""
     if not claim.references:
         return [_table(claim, evidence, [condition])[1][0] for condition in claim.curves]
     pairs = zip(claim.references, claim.curves, strict=True)
@@ -347,42 +331,39 @@ def _courses(claim, evidence):
 
 
 def _gaps(claim, evidence):
-    """By how much each curve is above its reference, or above the curve before it.
-
-    Differences are logarithmic if the tolerance is relative, as ``claim.step`` is.
-    """
+    """By how much each curve is above its reference, or the curve before it, scaled as ``step``."""
     pairs = zip(claim.references, claim.curves, strict=True)
     for group in pairs if claim.references else [claim.curves]:
         yield from np.diff(_scaled(claim, _table(claim, evidence, group)[1]), axis=0)
+
+
+def _pairs(claim, evidence):
+    """The reference of each curve, and the curve."""
+    for reference, condition in zip(claim.references, claim.curves, strict=True):
+        yield evidence.curve(*reference), evidence.curve(*condition)
 
 
 def _reversal_load(claim, evidence):
     """Load F_t* [1] above which A_t* increases from curve to curve, in the order of the claim."""
     loads, areas = _table(claim, evidence, claim.curves, "total_contact_area")
     gaps = np.diff(_log(areas), axis=0)
-    return np.max([_first_fall(loads[::-1], gap[::-1]) for gap in gaps])
+    return [np.max([_first_fall(loads[::-1], gap[::-1]) for gap in gaps])]
 
 
 def _bend_loads(claim, evidence):
     """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below the reference's."""
-    pairs = [
-        (evidence.curve(*reference), evidence.curve(*condition))
-        for reference, condition in zip(claim.references, claim.curves, strict=True)
-    ]
-    drops = [
-        reference.total_contact_area_slope - curve.total_contact_area_slope
-        for reference, curve in pairs
-    ]
-    return np.array(
-        [_first_fall(curve.load, BEND - drop) for (_, curve), drop in zip(pairs, drops)]
-    )
+    found = []
+    for reference, curve in _pairs(claim, evidence):
+        drop = reference.total_contact_area_slope - curve.total_contact_area_slope
+        found.append(_first_fall(curve.load, BEND - drop))
+    return found
 
 
 def _mixed_loads(claim, evidence):
     """Loads F_t* [1] at which mixed lubrication begins."""
     curves = [evidence.curve(*condition) for condition in claim.curves]
     excess = [_log(curve.solid_load_fraction / BOUNDARY_LIMIT) for curve in curves]
-    return np.array([_first_fall(curve.load, each) for curve, each in zip(curves, excess)])
+    return [_first_fall(curve.load, each) for curve, each in zip(curves, excess)]
 
 
 def _departure_sharpness(claim, evidence):
@@ -392,15 +373,25 @@ def _departure_sharpness(claim, evidence):
     decade, over the greatest slope: 1 at a kink.
     """
     found = []
-    for reference, condition in zip(claim.references, claim.curves, strict=True):
-        dry, wet = evidence.curve(*reference), evidence.curve(*condition)
+    for dry, wet in _pairs(claim, evidence):
         log_load = np.log(wet.load)
         slope = np.diff(_log(wet.film_thickness / dry.film_thickness)) / np.diff(log_load)
         slope[~(wet.solved & dry.solved)[1:]] = np.nan
         middle = 0.5 * (log_load[1:] + log_load[:-1])
         later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
         found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
-    return np.array(found)
+    return found
+
+
+# Quantities that compare whole curves: functions of the claim and the evidence.
+BETWEEN = {
+    REVERSAL_LOAD: _reversal_load,
+    BEND_LOAD: _bend_loads,
+    BEND_OVER_MIXED: lambda claim, evidence: np.divide(
+        _bend_loads(claim, evidence), _mixed_loads(claim, evidence)
+    ),
+    DEPARTURE_SHARPNESS: _departure_sharpness,
+}
 
 
 def _table(claim, evidence, group, quantity=""):
@@ -417,10 +408,7 @@ def _table(claim, evidence, group, quantity=""):
 
 
 def _loads(claim, curves, bounded):
-    """Loads F_t* [1] that the claim refers to.
-
-    One load if the claim names it or a level; else all within its bounds on the curves ``bounded``.
-    """
+    """Loads F_t* [1]: one if the claim names it or a level, else all within its bounds on ``bounded``."""
     limits, grid = claim.limits, curves[-1]
     if not limits and all(curve.load is grid.load for curve in curves):
         return grid.load
@@ -451,10 +439,10 @@ def _loads(claim, curves, bounded):
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero.
+    """Load at which ``values`` first fall to zero: the first one if they start below.
 
-    It is the first load if they start below.  If they never fall to zero, they are continued by their
-    last slope, for a decade at most, so that the result does not jump when inputs change.
+    If they never do, they are continued by their last slope, for a decade at most, so that the result
+    does not jump when inputs change.
     """
     above = values > 0.0
     if not above[0]:
@@ -467,10 +455,7 @@ def _first_fall(loads, values):
 
 
 def _sample(curve, quantity, x, against="load"):
-    """Values of a quantity of a curve where the quantity ``against`` has the values ``x``.
-
-    Interpolated linearly in logarithms; nan beside unsolved points.
-    """
+    """A quantity where the quantity ``against`` is ``x``, between points by logarithms; nan if unsolved."""
     if quantity == against:
         return x
     if x is curve.load:  # nothing lies between
@@ -483,19 +468,13 @@ def _sample(curve, quantity, x, against="load"):
 
 
 def _rise_miss(values, step):
-    """By how much ``values`` miss a rise.
-
-    That is the deepest fall within the course, or what it lacks to rise by two steps in all.
-    """
+    """The deepest fall within a course, or what it lacks to rise by two steps in all."""
     relapse = np.max(np.maximum.accumulate(values) - values)
     return np.max([relapse, 2.0 * step - (values[-1] - values[0])])
 
 
 def _peak_height(values):
-    """Height of the most prominent interior maximum.
-
-    It is taken above the lowest values on the two sides, of which the higher one counts.
-    """
+    """Height of the most prominent interior maximum, above the higher of the two sides' least values."""
     left = values - np.minimum.accumulate(values)
     right = values - np.minimum.accumulate(values[::-1])[::-1]
     return np.max(np.minimum(left, right))
@@ -557,10 +536,7 @@ def _sequence_miss(claim, curve):
 
 
 def _excursion(curve, step):
-    """How far each point is outside a step, negative inside.
-
-    A step names alternatives ("mixed hybrid or full_film"), each a regime, a mode or both.
-    """
+    """How far each point is outside a step, such as "mixed hybrid or full_film"; negative inside."""
     excursions = []
     for alternative in step.split(" or "):
         outside = np.where(curve.solved, -np.inf, np.nan)

@@ -34,10 +34,6 @@ REVERSAL_LOAD = "total_contact_area_reversal_load"
 BEND_LOAD, BEND_OVER_MIXED = "bend_load", "bend_load_over_mixed_load"
 BETWEEN_CURVES = (REVERSAL_LOAD, BEND_LOAD, BEND_OVER_MIXED)  # loads where two curves part or cross
 DEPARTURE_SHARPNESS = "departure_sharpness"
-QUANTITIES = (
-    *(*CURVE_QUANTITIES, *TURNING_POINT_QUANTITIES, *WINDOW_QUANTITIES),
-    *(*BETWEEN_CURVES, DEPARTURE_SHARPNESS),
-)
 # Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
 # the bound makes sign * (bound - value) positive.
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
@@ -94,11 +90,7 @@ class Claim:
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
-        """Conditions of the curves that are compared, SI.
-
-        Where ``conditions`` has lists, the first values of all lists belong to the first curve, and
-        so on; a single value belongs to every curve.
-        """
+        """Conditions of the curves that are compared, SI: lists run together."""
         given = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in KEYS]
         rows = zip(*np.broadcast_arrays(*given), strict=True)
         return tuple(Condition.of(dict(zip(KEYS, row, strict=True))) for row in rows)
@@ -106,14 +98,12 @@ class Claim:
     @cached_property
     def references(self) -> tuple[Condition, ...]:
         """Conditions of the curve that each curve is held against, SI; empty without reference."""
-        if not self.reference:
-            return ()
         changes = {
             axis.name: axis.to_si(self.reference[axis.key])
             for axis in CONDITION_AXES
-            if axis.key in self.reference
+            if axis.key in (self.reference or {})
         }
-        return tuple(condition._replace(**changes) for condition in self.curves)
+        return tuple(condition._replace(**changes) for condition in self.curves if changes)
 
     @property
     def all_curves(self) -> tuple[Condition, ...]:
@@ -135,7 +125,7 @@ class Claim:
 
     @property
     def curves_text(self) -> str:
-        """The curves, what bounds or names the loads, and what the curves are held against, as text."""
+        """The curves, the bounds of the loads, and what the curves are held against."""
         loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
         against = ", ".join(_condition_texts(self.reference or {}))
@@ -155,25 +145,12 @@ class Claim:
 
     @property
     def step(self) -> float:
-        """The tolerance where values are compared [unit of the quantity].
-
-        If it is relative, logarithms are compared, and it is ln(1 + tolerance) [1].
-        """
+        """The tolerance [unit of the quantity]; ln(1 + tolerance) [1] if logarithms are compared."""
         return np.log1p(self.tolerance) if self.relative else self.tolerance
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper.
-
-    Parameters
-    ----------
-    path : str or Path
-        A file that keeps to ``config/claims.schema.yaml``.
-
-    Returns
-    -------
-    tuple of Claim
-        In the order of the file.
+    """Read the statements of the paper, in the order of a file after ``config/claims.schema.yaml``.
 
     Raises
     ------
@@ -187,7 +164,13 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     >>> claim.kind, claim.published
     ('mode_sequence', ['particle_surface', 'hybrid', 'surface_surface'])
     """
-    return tuple(map(_claim, read_valid(path, "claims")))
+    claims = []
+    for entry in read_valid(path, "claims"):
+        relative = "relative" in entry["tolerance"]
+        size = entry["tolerance"]["relative" if relative else "absolute"]
+        reason = entry["tolerance"]["reason"]
+        claims.append(Claim(**entry | {"tolerance": size, "relative": relative, "reason": reason}))
+    return tuple(claims)
 
 
 def state_names(published: Sequence[str]) -> list[str]:
@@ -202,13 +185,9 @@ def state_names(published: Sequence[str]) -> list[str]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """What must be solved to judge ``claims``.
+    """What must be solved to judge ``claims``, by the method of ``SolvedEvidence`` that gives it.
 
-    Returns
-    -------
-    dict of set
-        For each method of ``thirdbody.study.evidence.SolvedEvidence`` its arguments: a ``Condition`` for
-        ``curve`` and ``turning_point``, sigma [m] for ``window``.
+    It is a set of ``Condition`` for ``curve`` and ``turning_point``, of sigma [m] for ``window``.
     """
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
@@ -224,12 +203,3 @@ def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
         for axis in CONDITION_AXES
         if (given := conditions.get(axis.key)) is not None
     ]
-
-
-def _claim(entry: Mapping) -> Claim:
-    """The statement that an entry of ``config/claims.yaml`` makes."""
-    tolerance = entry["tolerance"]
-    relative = "relative" in tolerance
-    size = tolerance["relative" if relative else "absolute"]
-    given = {"tolerance": size, "relative": relative, "reason": tolerance["reason"]}
-    return Claim(**entry | given)

@@ -25,20 +25,10 @@ LARGEST_ERROR = 1e-3
 
 @dataclass(frozen=True)
 class Curve:
-    """A solved curve over the load: arrays of shape (loads,), named as in the datasets.
+    """A solved curve over the load: arrays of shape (loads,), named as in the datasets, SI.
 
-    Attributes
-    ----------
-    load, normal_load : array
-        F_t* [1], increasing, and F_t [N].
-    total_contact_area, particle_contact_area_ratio : array
-        A_t* and A_sa,t* [1].
-    solid_load_fraction, fluid_load_fraction : array
-        L_s and L_f [1].
-    film_thickness, separation : array
-        d/R_x [1], with or without a film, and d [m].
-    solved : array of bool
-        Which points have values with an error bound of at most ``LARGEST_ERROR``.
+    ``film_thickness`` is d/R_x [1], with or without a film; ``solved`` says which points have values
+    with an error bound of at most ``LARGEST_ERROR``.
     """
 
     load: NDArray[np.float64]
@@ -46,7 +36,6 @@ class Curve:
     total_contact_area: NDArray[np.float64]
     particle_contact_area_ratio: NDArray[np.float64]
     solid_load_fraction: NDArray[np.float64]
-    fluid_load_fraction: NDArray[np.float64]
     film_thickness: NDArray[np.float64]
     separation: NDArray[np.float64]
     solved: NDArray[np.bool_]
@@ -67,10 +56,7 @@ class Curve:
         return {}
 
     def samples(self, quantity: str) -> tuple[NDArray[np.float64], bool]:
-        """Values of an attribute, nan where unsolved, and whether they are logarithms.
-
-        They are logarithms if the attribute is positive everywhere.
-        """
+        """Values of an attribute, logarithms if all are positive, nan where unsolved; and which it is."""
         if quantity not in self._samples:
             values = getattr(self, quantity)
             logarithmic = bool((values > 0.0).all())
@@ -82,12 +68,7 @@ class Curve:
 class TurningPoint(NamedTuple):
     """The most prominent interior maximum of A_sa,t* over the load; nan where there is none.
 
-    Attributes
-    ----------
-    load, peak_ratio, solid_load_fraction : float
-        F_TPCA*, and A_sa,t* and L_s there [1].
-    prominence : float
-        Height of the maximum above the higher of the least values on both sides [1].
+    F_TPCA*, A_sa,t* and L_s there, and by how much it stands out on both sides [1].
     """
 
     load: float
@@ -127,13 +108,6 @@ class SolvedEvidence:
     effort : Effort
         How finely everything is solved.
 
-    Attributes
-    ----------
-    load_range : tuple of float
-        First and last load F_t* [1].
-    loads : array
-        F_t* [1] of the points of every curve, increasing.
-
     Examples
     --------
     >>> from thirdbody import load_parameters
@@ -156,43 +130,43 @@ class SolvedEvidence:
         self.parameters = parameters
         self.effort = effort
         self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
-        self.loads = np.geomspace(*self.load_range, effort.loads)
         self._asked = asked
+        self._conditions = sorted(asked["curve"] | asked["turning_point"])
 
     def curve(self, *condition: float) -> Curve:
         """The curve over all loads at the four numbers of a ``Condition``, SI."""
-        return self._curves[Condition(*condition)]
+        return self._curves[condition]
 
     def turning_point(self, *condition: float) -> TurningPoint:
         """The turning point of the curve at the four numbers of a ``Condition``, SI."""
-        return self._turning_points[Condition(*condition)]
+        return self._turning_points[condition]
 
     def window(self, roughness: float) -> tuple[float, float]:
         """Ends of the range of x_a/sigma [1] with a dry turning point at ``roughness`` sigma [m]."""
         return self._windows[roughness]
 
     @cached_property
-    def _conditions(self) -> list[Condition]:
-        return sorted(self._asked["curve"] | self._asked["turning_point"])
+    def _loads(self):
+        return np.geomspace(*self.load_range, self.effort.loads)
 
     @cached_property
     def _solution(self):
         return solve(
-            load=self.loads[:, None],
-            **Condition(*np.array(self._conditions).T)._asdict(),
+            load=self._loads[:, None],
+            **Condition(*np.transpose(self._conditions))._asdict(),
             parameters=self.parameters,
             rtol=self.effort.rtol,
             variables=(*SOLVED_FIELDS, "solution_status", "error_bound"),
         )
 
     @cached_property
-    def _curves(self) -> dict[Condition, Curve]:
+    def _curves(self):
         solution = self._solution
-        newtons = self.loads * self.parameters.newtons_per_load
+        newtons = self._loads * self.parameters.newtons_per_load
         solved = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
         return {
             condition: Curve(
-                load=self.loads,
+                load=self._loads,
                 normal_load=newtons,
                 solved=solved[:, index],
                 **{name: getattr(solution, name)[:, index] for name in SOLVED_FIELDS},
@@ -201,32 +175,18 @@ class SolvedEvidence:
         }
 
     @cached_property
-    def _windows(self) -> dict[float, tuple[float, float]]:
+    def _windows(self):
         wanted = sorted(self._asked["window"])
+        searches = [self.effort.window] * len(wanted)
         found = turning_point_windows(
-            [self.effort.window] * len(wanted),
-            wanted,
-            WINDOW_DENSITY,
-            self.load_range,
-            self.parameters,
+            searches, wanted, WINDOW_DENSITY, self.load_range, self.parameters
         )
-        return {
-            roughness: (window.low, window.high)
-            for roughness, window in zip(wanted, found, strict=True)
-        }
+        return {sigma: (window.low, window.high) for sigma, window in zip(wanted, found)}
 
     @cached_property
-    def _turning_points(self) -> dict[Condition, TurningPoint]:
+    def _turning_points(self):
         wanted = sorted(self._asked["turning_point"])
-        chosen = [self._conditions.index(condition) for condition in wanted]
-        found = turning_points(
-            self._solution.separation[:, chosen],
-            *np.array(wanted).T,
-            self.parameters,
-            self.effort.rtol,
-        )
-        columns = found.load, found.peak_ratio, found.solid_load_fraction, found.prominence
-        return {
-            condition: TurningPoint(*map(float, row))
-            for condition, row in zip(wanted, np.array(columns).T, strict=True)
-        }
+        separation = self._solution.separation[:, [self._conditions.index(each) for each in wanted]]
+        found = turning_points(separation, *np.transpose(wanted), self.parameters, self.effort.rtol)
+        columns = [getattr(found, name).tolist() for name in TurningPoint._fields]
+        return dict(zip(wanted, map(TurningPoint, *columns)))

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 import pandas as pd
-from jinja2 import Environment, PackageLoader, StrictUndefined
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.study.verdicts import (
@@ -27,70 +27,50 @@ from thirdbody.study.verdicts import (
 )
 
 
-def claims_markdown(
-    judged: Judged,
-    headline: Iterable[str],
-    tolerances: Mapping[str, float],
-    earlier: Mapping[str, Any],
-) -> str:
+def claims_markdown(judged: Judged, earlier: Mapping[str, Any]) -> str:
     """The page ``claims.md``: first what is understood in two minutes, then every statement.
 
-    Parameters
-    ----------
-    judged : Judged
-        All statements, judged under all sets of inputs.
-    headline : iterable of str
-        Ids of the paper's headline numbers.
-    tolerances : mapping
-        Deviation up to which a headline number counts as reached, by id, where its statement asks
-        for less.
-    earlier : mapping
-        Content of ``config/earlier_predictions.yaml``.
+    ``earlier`` is the content of ``config/earlier_predictions.yaml``.
     """
     table = judged.table
-    numbers = headline_table(judged, headline, tolerances)
-    numbers["reached"] = numbers["reached"].map({True: "yes", False: "no"})
+    numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
     failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
-    return (
-        _environment(escaped=False)
-        .get_template("claims.md.j2")
-        .render(
-            score=score_sentence(judged, table),
-            reached=(numbers["reached"] == "yes").sum(),
-            headline=numbers.drop(columns="id"),
-            misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
-            inputs=_inputs(judged.default),
-            contradictions=_contradictions(judged, table),
-            earlier_note=earlier["note"].strip(),
-            earlier=earlier_table(judged, earlier),
-            counts=counts_by_figure(table),
-            comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
-            statements=_statements(table),
-            failing=failing.to_dict("records"),
-        )
+    return ENVIRONMENT.get_template("claims.md.j2").render(
+        score=score_sentence(judged),
+        reached=numbers["reached"].sum(),
+        wider=_wider_tolerances(judged),
+        headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
+        misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
+        inputs=_inputs(judged.default),
+        contradictions=_contradictions(judged),
+        earlier_note=earlier["note"].strip(),
+        earlier=earlier_table(judged, earlier),
+        counts=counts_by_figure(table),
+        comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
+        statements=_statements(table),
+        failing=failing.to_dict("records"),
     )
 
 
 def claims_html(judged: Judged) -> str:
     """The statements and their verdicts as a table, an HTML page."""
-    table = judged.table
-    rows = table.assign(tolerance_text=_tolerances(table)).to_dict("records")
-    score = score_sentence(judged, table).replace("**", "")
-    return _environment(escaped=True).get_template("claims.html.j2").render(score=score, rows=rows)
+    rows = judged.table.assign(tolerance_text=_tolerances(judged.table)).to_dict("records")
+    score = score_sentence(judged).replace("**", "")
+    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
 
 
-def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str, float]) -> str:
+def claims_json(judged: Judged) -> str:
     """The same for programs: a JSON object, with null for numbers that do not exist.
 
     A statement has the columns of the table ``claims``, with ``curves``, ``references``, ``loads``,
     ``published``, all ``numbers`` that are compared with the ``range`` of each over the ensemble, and
     ``contradicts`` as objects and lists, SI.
     """
-    table = judged.table
-    held, of = held_once(table)
-    predicted, tested = held_once(table, "predicted")
+    held, of = held_once(judged.table)
+    predicted, tested = held_once(judged.table, "predicted")
+    rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "held": held,
         "judged": of,
@@ -99,19 +79,31 @@ def claims_json(judged: Judged, headline: Iterable[str], tolerances: Mapping[str
         "interpretation": judged.default["interpretation"],
         "inputs": judged.default["inputs"],
         "identification": judged.default["identification"],
-        "headline": headline_table(judged, headline, tolerances).to_dict("records"),
+        "headline": headline_table(judged).to_dict("records"),
         "interpretations": judged.comparison.to_dict("records"),
         "statements": [
-            _statement(judged, index, row) for index, row in enumerate(table.to_dict("records"))
+            row
+            | {
+                "curves": [condition._asdict() for condition in claim.curves],
+                "references": [condition._asdict() for condition in claim.references],
+                "loads": claim.limits,
+                "published": claim.published,
+                "numbers": verdict.numbers,
+                "range": number_ranges(judged, index).tolist(),
+                "contradicts": list(claim.contradicts),
+            }
+            for index, (row, claim, verdict) in enumerate(
+                zip(rows, judged.claims, judged.verdicts, strict=True)
+            )
         ],
     }
     return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
 
 
-def score_sentence(judged: Judged, table: pd.DataFrame) -> str:
+def score_sentence(judged: Judged) -> str:
     """How many statements hold: predicted, fitted, and with fainter turning points."""
-    held, of = held_once(table)
-    right, tested = held_once(table, "predicted")
+    held, of = held_once(judged.table)
+    right, tested = held_once(judged.table, "predicted")
     predicted = (
         f"Of {tested} distinct statements {right} are predicted when their figure is left out of the search. "
         if tested
@@ -126,29 +118,38 @@ def score_sentence(judged: Judged, table: pd.DataFrame) -> str:
     )
 
 
+def _wider_tolerances(judged: Judged) -> str:
+    """Within what a headline number counts as reached, where its statement asks for less."""
+    wider: dict[str, str] = {}
+    for claim in judged.claims:
+        size = judged.settings["headline_tolerances"].get(claim.id)
+        if size is not None:
+            text = f"{100 * size:g} %" if claim.relative else f"{size:g}"
+            wider[text] = claim.place.split(", section")[0]
+    return " or ".join(f"within {text} ({place})" for text, place in wider.items())
+
+
 def earlier_table(judged: Judged, earlier: Mapping[str, Any]) -> pd.DataFrame:
     """What earlier calibrations had predicted for numbers that were not known to them.
 
     Predictions within the tolerance of the statement are marked ✓.
     """
-    claims = {claim.id: claim for claim in judged.claims}
-    columns = {id: label for id, label in earlier["numbers"].items() if id in claims}
-    rows = [
-        {"set": "**paper**"} | {label: f"{claims[id].published:g}" for id, label in columns.items()}
-    ]
+    claims = {claim.id: claim for claim in judged.claims if claim.id in earlier["numbers"]}
+    rows = [{"set": "**paper**"} | {id: f"{each.published:g}" for id, each in claims.items()}]
     for name, values in earlier["sets"].items():
-        row = {"set": name}
-        for id, label in columns.items():
-            low, high = values[id] if isinstance(values[id], list) else (values[id], values[id])
-            claim = claims[id]
-            width = claim.tolerance * (abs(claim.published) if claim.relative else 1.0)
-            near = (
-                abs(np.array([low, high]) - claim.published) <= width if low is not None else False
-            )
-            text = "none" if low is None else f"{low:g}" if low == high else f"{low:g} to {high:g}"
-            row[label] = text + (" ✓" if np.all(near) else "")
-        rows.append(row)
-    return pd.DataFrame(rows)
+        found = {id: _prediction(each, values[id]) for id, each in claims.items()}
+        rows.append({"set": name} | found)
+    return pd.DataFrame(rows).rename(columns=earlier["numbers"])
+
+
+def _prediction(claim, value) -> str:
+    """A predicted number, or both ends of a range, with a mark if it is within the tolerance."""
+    if value is None:
+        return "none"
+    ends = np.unique(value)
+    width = claim.tolerance * (abs(claim.published) if claim.relative else 1.0)
+    mark = " ✓" if (abs(ends - claim.published) <= width).all() else ""
+    return " to ".join(f"{end:g}" for end in ends) + mark
 
 
 def _inputs(default: Mapping) -> pd.DataFrame:
@@ -165,9 +166,9 @@ def _inputs(default: Mapping) -> pd.DataFrame:
     )
 
 
-def _contradictions(judged: Judged, table: pd.DataFrame) -> pd.DataFrame:
+def _contradictions(judged: Judged) -> pd.DataFrame:
     """Each statement that stands aside, whether it would hold, and those taken instead."""
-    words = dict(zip(table["id"], table["verdict"], strict=True))
+    words = judged.table.set_index("id")["verdict"]
     return pd.DataFrame(
         {
             "set aside": claim.statement,
@@ -186,6 +187,12 @@ def _contradictions(judged: Judged, table: pd.DataFrame) -> pd.DataFrame:
 
 def _statements(table: pd.DataFrame) -> pd.DataFrame:
     """The columns of the table that readers need, with short headings."""
+    agree = {
+        f"{name} {verb}": table[f"{name}_agree"].astype(str)
+        + "/"
+        + table[f"{name}_size"].astype(str)
+        for name, verb in (("ensemble", "agrees"), ("interpretations", "agree"))
+    }
     return pd.DataFrame(
         {
             "id": table["id"],
@@ -196,14 +203,9 @@ def _statements(table: pd.DataFrame) -> pd.DataFrame:
             "score": table["score"].map("{:.3g}".format),
             "verdict": table["verdict"],
             "figure left out": table["predicted"],
-            "ensemble agrees": _fraction(table, "ensemble"),
-            "interpretations agree": _fraction(table, "interpretations"),
         }
+        | agree
     )
-
-
-def _fraction(table, name):
-    return table[f"{name}_agree"].astype(str) + "/" + table[f"{name}_size"].astype(str)
 
 
 def _tolerances(table: pd.DataFrame) -> list[str]:
@@ -215,39 +217,20 @@ def _tolerances(table: pd.DataFrame) -> list[str]:
     ]
 
 
-def _statement(judged: Judged, index: int, row: Mapping[str, Any]) -> dict[str, Any]:
-    """A row of the table ``claims`` for programs: nothing in it has to be parsed."""
-    claim = judged.claims[index]
-    parsed = {
-        "curves": [condition._asdict() for condition in claim.curves],
-        "references": [condition._asdict() for condition in claim.references],
-        "loads": claim.limits,
-        "published": claim.published,
-        "numbers": judged.verdicts[index].numbers,
-        "range": number_ranges(judged, index).tolist(),
-        "contradicts": list(claim.contradicts),
-    }
-    return {k: v for k, v in row.items() if k not in ("range_low", "range_high")} | parsed
-
-
-def _environment(escaped: bool) -> Environment:
-    environment = Environment(
-        loader=PackageLoader("thirdbody.study", "."),
-        autoescape=escaped,
-        undefined=StrictUndefined,
-        keep_trailing_newline=True,
-        trim_blocks=False,
-    )
-    environment.filters["markdown"] = _as_markdown
-    environment.filters["once"] = once
-    return environment
-
-
 def _as_markdown(table: pd.DataFrame) -> str:
     if table.empty:
         return "None."
     cells = table.map(lambda cell: str(cell).replace("|", "\\|"))
     return cells.to_markdown(index=False, disable_numparse=True)
+
+
+ENVIRONMENT = Environment(
+    loader=PackageLoader("thirdbody.study", "."),
+    autoescape=select_autoescape(["html.j2"]),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+)
+ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once}
 
 
 def _without_nan(content):
@@ -256,8 +239,6 @@ def _without_nan(content):
         return {name: _without_nan(value) for name, value in content.items()}
     if isinstance(content, (list, tuple)):
         return [_without_nan(value) for value in content]
-    if isinstance(content, np.generic):
-        content = content.item()
-    if isinstance(content, float):
-        return content if math.isfinite(content) else None
+    if isinstance(content, float) and not math.isfinite(content):
+        return None
     return content

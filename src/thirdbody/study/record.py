@@ -25,21 +25,12 @@ def read_rows(path: Path) -> NDArray[np.float64]:
 class Recorded:
     """An objective whose evaluations are kept in a file, so that an interrupted search goes on.
 
-    A search is repeated from its seed and takes the recorded values as long as its positions are
-    the recorded ones.  The last record is evaluated anew first; if it differs, all are dropped, as
-    the statements, the settings or the code have changed.
+    A search is repeated from its seed and finds the values of its positions in the record.  The last
+    record is evaluated anew first; if it differs, all are dropped, as the statements, the settings or
+    the code have changed.
 
-    Parameters
-    ----------
-    function : callable
-        Gives the objective at positions, shape (unknowns,).
-    path : Path
-        The record, a line for each evaluation; the folder is made.
-
-    Attributes
-    ----------
-    rows : list of array, shape (unknowns + 1,)
-        Positions and objective of each evaluation of this search.
+    ``function`` gives the objective at positions, shape (unknowns,); ``path`` has a line for each
+    evaluation, and its folder is made; ``rows`` are the positions and objectives of this search.
     """
 
     def __init__(self, function: Callable[[NDArray[np.float64]], float], path: Path):
@@ -47,31 +38,19 @@ class Recorded:
         self._path = path
         self.rows: list[NDArray[np.float64]] = []
         path.parent.mkdir(parents=True, exist_ok=True)
-        self._known = self._read()
-
-    def _read(self) -> list[list[float]]:
-        """The complete lines of the record, if they still belong to this objective."""
-        text = self._path.read_text(encoding="ascii") if self._path.exists() else ""
-        complete = text[: text.rfind("\n") + 1].splitlines()
-        known = [[float.fromhex(each) for each in line.split()] for line in complete]
-        if known and self._function(np.array(known[-1][:-1])) != known[-1][-1]:
-            known = []
-        self._write("w", known)
-        return known
-
-    def _write(self, mode: str, rows) -> None:
-        with open(self._path, mode, encoding="ascii") as stream:
-            stream.writelines(" ".join(float(x).hex() for x in row) + "\n" for row in rows)
+        text = path.read_text(encoding="ascii") if path.exists() else ""
+        complete = text[: text.rfind("\n") + 1]
+        rows = [tuple(map(float, line.split())) for line in complete.splitlines()]
+        is_stale = rows and function(np.array(rows[-1][:-1])) != rows[-1][-1]
+        self._known = {} if is_stale else {row[:-1]: row[-1] for row in rows}
+        path.write_text("" if is_stale else complete, encoding="ascii")
 
     def __call__(self, positions: NDArray[np.float64]) -> float:
         """The objective at positions, from the record if it is there."""
-        place = len(self.rows)
-        row = self._known[place] if place < len(self._known) else None
-        if row is None or row[:-1] != list(positions):
-            row = [*positions, self._function(positions)]
-            if place < len(self._known):
-                self._known = self._known[:place]
-                self._write("w", self._known)
-            self._write("a", [row])
-        self.rows.append(np.array(row))
-        return row[-1]
+        place = tuple(map(float, positions))
+        if place not in self._known:
+            self._known[place] = float(self._function(positions))
+            with open(self._path, "a", encoding="ascii") as stream:
+                print(*place, self._known[place], file=stream)
+        self.rows.append(np.array([*place, self._known[place]]))
+        return self._known[place]

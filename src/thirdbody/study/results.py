@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation, Objective
-from thirdbody.study.verdicts import Judge, count_once
+from thirdbody.study.checks import Judge
+from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant ones of a number in the file
 IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
@@ -28,7 +29,10 @@ def summary(
     folds: Sequence[NDArray[np.float64]],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Sum up the searches of an interpretation.
+    """Sum up the searches of an interpretation, as the content of its calibrated file, SI.
+
+    ``inputs`` are those of the acceptable sets under which most statements hold, and of these the most
+    plausible.
 
     Parameters
     ----------
@@ -36,21 +40,11 @@ def summary(
         Its unknowns were searched.
     judge_all : Judge
         Has all statements.
-    searches : sequence of array, shape (evaluations, unknowns + 1)
-        Positions and objectives of the search of each seed, over all statements.
-    samples : sequence of array, shape (samples, unknowns + 1)
-        What was drawn from each seed; none of an interpretation that is not on the shortlist.
-    folds : sequence of array, shape (evaluations, unknowns + 1)
-        Positions and objectives of the search of each fold; none of one that is not on the
-        shortlist.
+    searches, samples, folds : sequence of array, shape (rows, unknowns + 1)
+        Positions and objectives: the search of each seed over all statements, what was drawn from
+        each seed, and the search of each fold; the last two only of the shortlist.
     settings : mapping
         Content of ``config/calibration.yaml``.
-
-    Returns
-    -------
-    dict
-        Content of ``config/calibrated/<interpretation>.yaml``, SI.  ``inputs`` are those of the
-        acceptable sets under which most statements hold, and of these the most plausible.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -58,10 +52,8 @@ def summary(
     drawn = np.linspace(0, len(pooled) - 1, settings["ensemble"] - 1 if samples else 0)
     chosen = _most_held(interpretation, judge_all, good[:COMPARED])
     inputs = inputs_of(interpretation, chosen)
-    members = [
-        inputs,
-        *(inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]),
-    ]
+    members = [inputs_of(interpretation, row) for row in pooled[drawn.round().astype(int)]]
+    best = [found[found[:, -1].argmin()] for found in folds]
     return {
         "interpretation": interpretation.name,
         "objective": _rounded(chosen[-1]),
@@ -74,16 +66,13 @@ def summary(
         "folds": [
             {
                 "figures": list(figures),
-                "objective": _rounded(found[:, -1].min()),
-                "inputs": {
-                    **interpretation.fixed,
-                    **inputs_of(interpretation, found[found[:, -1].argmin()]),
-                },
+                "objective": _rounded(row[-1]),
+                "inputs": {**interpretation.fixed, **inputs_of(interpretation, row)},
             }
-            for figures, found in zip(settings["folds"] if folds else (), folds, strict=True)
+            for figures, row in zip(settings["folds"] if folds else (), best, strict=True)
         ],
-        "ensemble": members,
-        "ensemble_interpretations": [interpretation.name] * len(members),
+        "ensemble": [inputs, *members],
+        "ensemble_interpretations": [interpretation.name] * (1 + len(members)),
         "identification": _identification(interpretation, rows, good, samples),
         "correlations": _correlations(interpretation, pooled),
         "fronts": {},
@@ -116,13 +105,14 @@ def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[
 
 def _most_held(interpretation, judge_all: Judge, sets):
     """The set under which most statements hold; of several the most plausible."""
-    ranks = []
-    for row in sets:
+
+    def rank(row):
         inputs = inputs_of(interpretation, row)
         verdicts = judge_all({**interpretation.fixed, **inputs})
         held, _ = count_once(zip(judge_all.claims, verdicts, strict=True))
-        ranks.append((-held, interpretation.penalty(inputs)))
-    return sets[min(range(len(sets)), key=ranks.__getitem__)]
+        return -held, interpretation.penalty(inputs)
+
+    return min(sets, key=rank)
 
 
 def price_front(
@@ -132,7 +122,7 @@ def price_front(
     rows: NDArray[np.float64],
     inputs: Mapping[str, float],
 ) -> list[list[float]]:
-    """What the other statements lose as one of them comes to hold: a Pareto front.
+    """What the other statements lose as the one with the id ``name`` comes to hold: a Pareto front.
 
     Parameters
     ----------
@@ -141,7 +131,7 @@ def price_front(
     objective : Objective
         Over all statements, with their ordinary weights.
     name : str
-        Id of the statement whose price is asked for.
+        Id of the statement.
     rows : array, shape (evaluations, unknowns + 1)
         A search in which the weight of this statement was raised.
     inputs : mapping
@@ -153,9 +143,9 @@ def price_front(
         Score of the statement, and the objective without it and those that repeat it; no other set
         of inputs that was judged is better in both.
     """
-    cluster = next(claim.counted_as for claim in objective.claims if claim.id == name)
-    own = np.array([claim.counted_as == cluster for claim in objective.claims])
     place = [claim.id for claim in objective.claims].index(name)
+    cluster = objective.claims[place].counted_as
+    own = np.array([claim.counted_as == cluster for claim in objective.claims])
     best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
     points = set()
     for some in (dict(inputs), *(interpretation.values(row[:-1]) for row in best)):
@@ -173,7 +163,10 @@ def price_front(
 def mixed_ensemble(
     contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """An ensemble over all interpretations that predict about as much as the best.
+    """An ensemble of ``size`` members over all interpretations that predict about as much as the best.
+
+    An interpretation has a place if its mean fraction is at most one standard deviation of the folds
+    of the default below that of the default, and a number of members in proportion to its fraction.
 
     Parameters
     ----------
@@ -188,9 +181,7 @@ def mixed_ensemble(
     Returns
     -------
     members : list of dict
-        Inputs, SI.  The first are those of the default.  An interpretation has a place if its mean
-        fraction is at most one standard deviation of the folds of the default below that of the
-        default, and a number of members in proportion to its fraction.
+        Inputs, SI; the first are those of the default.
     labels : list of str
         The interpretation of each member.
     """

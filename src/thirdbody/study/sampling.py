@@ -30,18 +30,12 @@ def posterior_sample(
 
     Parameters
     ----------
-    interpretation : Interpretation
-        Its unknowns are drawn.
-    objective : callable
-        ``objective(interpretation, positions)`` is taken as a negative logarithm of the density.
+    interpretation, objective, seed, record
+        As ``thirdbody.study.search.search`` takes them.
     evaluations : array, shape (evaluations, unknowns + 1)
-        What ``thirdbody.study.search.search`` found: walkers start from the best of them.
+        What the search found: walkers start from the best of them.
     budget : mapping
         How many ``walkers`` make how many ``steps``, of which the first quarter is dropped.
-    seed : int
-        Of the random numbers: the same seed gives the same result.
-    record : Path
-        File that keeps the evaluations while the sampling runs.
 
     Returns
     -------

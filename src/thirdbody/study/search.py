@@ -58,7 +58,7 @@ def search(
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
     record : Path
-        File that keeps the evaluations while the search runs.
+        File that keeps the evaluations meanwhile.
     report : callable
         Is given a line of text at the end.
 
@@ -73,22 +73,18 @@ def search(
 
     Examples
     --------
-    An objective that is least where the ratio is 1.5 and the mean 1:
-
     >>> import tempfile
     >>> from thirdbody.study.calibration import Unknown
-    >>> ratio = Unknown("gap_ratio", (0.0, 4.0), (1.0, 2.0), logarithmic=False)
-    >>> mean = Unknown("mean_ratio", (0.0, 2.0), (0.0, 2.0), logarithmic=False)
-    >>> two = Interpretation("two", {}, (ratio, mean))
+    >>> names = "gap_ratio", "mean_ratio"
+    >>> unknowns = [Unknown(name, (0.0, 4.0), (0.0, 4.0), logarithmic=False) for name in names]
+    >>> two = Interpretation("two", {}, tuple(unknowns))
     >>> def valley(interpretation, positions):
-    ...     values = interpretation.values(positions)
-    ...     return (values["gap_ratio"] - 1.5) ** 2 + (values["mean_ratio"] - 1.0) ** 2
+    ...     return float(np.sum((positions - 0.4) ** 2))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     record = Path(folder, "record.txt")
     ...     rows = search(two, valley, [0.1, 0.1], {"evaluations": 50}, 1, record, lambda line: None)
-    >>> best = rows[rows[:, -1].argmin()]
-    >>> round(two.values(best[:-1])["gap_ratio"], 1)
-    1.5
+    >>> two.values(rows[rows[:, -1].argmin(), :-1].round(1))
+    {'gap_ratio': 1.6, 'mean_ratio': 1.6}
     """
     function = Recorded(lambda positions: objective(interpretation, positions), record)
     options = {

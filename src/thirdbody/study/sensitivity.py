@@ -20,38 +20,15 @@ from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.evidence import (
-    FULL_EFFORT,
-    WINDOW_DENSITY,
-    Effort,
-    SolvedEvidence,
-)
+from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
 
 # Relative change of an input to either side, where the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
 # Finite differences of second order: steps, and weights of the values there over the step.
 CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
-# Share of a window's end, to either side, within which it is sought again for changed inputs.
+# Fraction of a window's end, to either side, within which it is sought again for changed inputs.
 REACH = 0.01
-
-
-class Output(NamedTuple):
-    """One number that responds to the inputs: its name and the curve that it belongs to.
-
-    A load of transition also has the variable that crosses a limit, and this ``level``.
-    """
-
-    output: str
-    condition: Condition
-    quantity: str = ""
-    level: float = np.nan
-
-    @property
-    def columns(self) -> dict:
-        """Columns of the table ``sensitivity`` that name the output."""
-        same = {"output": self.output, "quantity": self.quantity, "level": self.level}
-        return same | self.condition.columns
 
 
 @dataclass(frozen=True)
@@ -74,21 +51,20 @@ class Subject:
         )
 
     @property
-    def outputs(self) -> list[Output]:
-        """What each number that ``values`` returns is, in the same order."""
-        names = "turning_point_load", "turning_point_ratio"
-        return [
-            *(Output(name, curve) for curve in self.turning_points for name in names),
-            *(
-                Output(f"window_{end}", Condition(0.0, np.nan, sigma, WINDOW_DENSITY))
-                for sigma in self.window_roughness
-                for end in ("low", "high")
-            ),
-            *(
-                Output("transition_load", curve, quantity, level)
-                for curve in self.transitions
-                for quantity, level in LIMITS
-            ),
+    def outputs(self) -> list[dict[str, Any]]:
+        """What each number that ``values`` returns is: columns of the table ``sensitivity``."""
+        surfaces = [Condition(0.0, np.nan, each, WINDOW_DENSITY) for each in self.window_roughness]
+        names = ("turning_point_load", "turning_point_ratio"), ("window_low", "window_high")
+        outputs = [
+            {"output": name, "quantity": "", "level": np.nan} | curve.columns
+            for curves, pair in zip((self.turning_points, surfaces), names, strict=True)
+            for curve in curves
+            for name in pair
+        ]
+        return outputs + [
+            {"output": "transition_load", "quantity": quantity, "level": level} | curve.columns
+            for curve in self.transitions
+            for quantity, level in LIMITS
         ]
 
     def values(
@@ -102,11 +78,7 @@ class Subject:
         ``searches`` replace the search for the window of each roughness.
         """
         searches = searches or [effort.window] * len(self.window_roughness)
-        asked = {
-            "curve": set(self.transitions),
-            "turning_point": set(self.turning_points),
-            "window": set(),
-        }
+        asked = {"curve": set(self.transitions), "turning_point": set(self.turning_points)}
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_point(*curve) for curve in self.turning_points]
         points = [
@@ -124,14 +96,12 @@ class Subject:
         Each end is in the middle between two values of x_a/sigma, so that the error of
         interpolating between them cancels in a central difference.
         """
-        first = 2 * len(self.turning_points)
+        first, count = 2 * len(self.turning_points), 2 * len(self.window_roughness)
         searches = []
-        for index in range(first, first + 2 * len(self.window_roughness), 2):
-            ends = values[index : index + 2]
-            near = np.concatenate([ends * (1.0 - REACH), ends * (1.0 + REACH)])
-            known = np.isfinite(near).all() and (np.diff(np.sort(near)) > 0.0).all()
-            local = WindowSearch(np.sort(near), tolerance=np.inf)
-            searches.append(local if known else FULL_EFFORT.window)
+        for ends in values[first : first + count].reshape(-1, 2):
+            near = np.sort(np.concatenate([ends * (1.0 - REACH), ends * (1.0 + REACH)]))
+            known = np.isfinite(near).all() and (np.diff(near) > 0.0).all()
+            searches.append(WindowSearch(near, tolerance=np.inf) if known else FULL_EFFORT.window)
         return searches
 
 
@@ -140,10 +110,7 @@ def last_crossings(
 ) -> NDArray[np.float64]:
     """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, of regimes and modes.
 
-    Returns
-    -------
-    array, shape (curves, limits)
-        nan where a limit is not crossed.
+    The array has the shape (curves, limits), and nan where a limit is not crossed.
     """
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
@@ -163,28 +130,32 @@ def last_crossings(
 
 
 def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
-    """Values of the inputs ``names`` by name, SI, without those that are 0.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> inputs = replace(load_parameters(), size_distribution="centred", gap_ratio=0.0)
-    >>> varied_inputs(inputs, ["gap_ratio", "ball_radius"])
-    {'ball_radius': 0.00635}
-    """
+    """Values of the inputs ``names`` by name, SI, without those that are 0."""
     values = {name: getattr(parameters, name) for name in names}
     return {name: value for name, value in values.items() if value != 0.0}
+
+
+class Found(NamedTuple):
+    """Sensitivities of every output to every input, by one measure.
+
+    ``measure`` is ``elasticity`` or ``sobol_total``; ``value`` and its uncertainty ``error`` [1] have
+    the shape (outputs, inputs).  ``occurs`` is the fraction of the solved sets of inputs in which an
+    output occurs, ``unexplained`` that of its variance which the measure misses, nan for elasticities.
+    """
+
+    measure: str
+    value: NDArray[np.float64]
+    error: NDArray[np.float64]
+    occurs: NDArray[np.float64]
+    unexplained: NDArray[np.float64]
 
 
 def elasticities(
     values: Callable[[dict[str, float]], NDArray[np.float64]],
     base: NDArray[np.float64],
     inputs: Mapping[str, float],
-    step: float = STEP,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Elasticities d ln(output)/d ln(input) by central differences.
-
-    An input at its upper bound is stepped to the one side that there is.
+    """Elasticities d ln(output)/d ln(input) by central differences, one-sided at an upper bound.
 
     Parameters
     ----------
@@ -194,15 +165,11 @@ def elasticities(
         The outputs for unchanged inputs.
     inputs : mapping
         Values of the inputs, by name.
-    step : float
-        Relative change of an input to either side [1].
 
     Returns
     -------
-    found : array, shape (outputs, inputs)
-        Elasticities [1].
-    error : array, shape (outputs, inputs)
-        By how much they differ with twice the step [1].
+    found, error : array, shape (outputs, inputs)
+        Elasticities [1], and by how much they differ with twice the step.
 
     Examples
     --------
@@ -222,65 +189,20 @@ def elasticities(
             columns.append(np.dot(weights, changed) / (width * base))
         return np.transpose(columns)
 
-    found = slopes(step)
-    return found, np.abs(found - slopes(2.0 * step))
-
-
-class Found(NamedTuple):
-    """Sensitivities of every output to every input, by one measure.
-
-    Attributes
-    ----------
-    measure : str
-        ``elasticity`` or ``sobol_total``.
-    value, error : array, shape (outputs, inputs)
-        The measure and its uncertainty [1].
-    occurs : array, shape (outputs,)
-        Fraction of the solved sets of inputs in which the output occurs [1].
-    unexplained : array, shape (outputs,)
-        Fraction of the output's variance that the measure misses [1]; nan for elasticities.
-    """
-
-    measure: str
-    value: NDArray[np.float64]
-    error: NDArray[np.float64]
-    occurs: NDArray[np.float64]
-    unexplained: NDArray[np.float64]
+    found = slopes(STEP)
+    return found, np.abs(found - slopes(2.0 * STEP))
 
 
 def default_elasticities(
-    subject: Subject, parameters: Parameters, inputs: Mapping[str, float]
-) -> tuple[NDArray[np.float64], Found]:
+    subject: Subject,
+    parameters: Parameters,
+    inputs: Mapping[str, float],
+    base: NDArray[np.float64],
+) -> Found:
     """Elasticities of the outputs at given inputs.
 
-    Parameters
-    ----------
-    subject : Subject
-        Which outputs are asked about.
-    parameters : Parameters
-        All inputs of the model.
-    inputs : mapping
-        Which of them vary, with their values, SI: those of ``varied_inputs``.
-
-    Returns
-    -------
-    base : array, shape (outputs,)
-        The outputs at ``parameters`` [1], in the order of ``subject.outputs``.
-    found : Found
-        Their elasticities.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
-    >>> subject = Subject((dry,), (), (), newtons=(0.04, 80.0))
-    >>> inputs = load_parameters()
-    >>> varied = varied_inputs(inputs, ["apparent_area"])
-    >>> base, found = default_elasticities(subject, inputs, varied)
-    >>> [output.output for output in subject.outputs], found.value.shape
-    (['turning_point_load', 'turning_point_ratio'], (2, 1))
+    ``inputs`` are those that vary, with their values, SI; ``base`` are the outputs at ``parameters``.
     """
-    base = subject.values(parameters, FULL_EFFORT)
     searches = subject.local_searches(base)
     solved = []
 
@@ -290,7 +212,7 @@ def default_elasticities(
 
     value, error = elasticities(values, base, inputs)
     occurs = np.isfinite(solved).mean(axis=0)
-    return base, Found("elasticity", value, error, occurs, np.full(base.shape, np.nan))
+    return Found("elasticity", value, error, occurs, np.full(base.shape, np.nan))
 
 
 def sensitivity_rows(
@@ -298,20 +220,11 @@ def sensitivity_rows(
 ) -> list[dict[str, Any]]:
     """Rows of the table ``sensitivity``: one for each output and input.
 
-    Parameters
-    ----------
-    subject : Subject
-        Which outputs were computed.
-    base : array, shape (outputs,)
-        The outputs at the default inputs [1].
-    inputs : mapping
-        Values of the varied inputs, SI, by name.
-    found : Found
-        Their sensitivities.  An output that does not occur has a single row.
+    ``base`` are the outputs at the default ``inputs``; an output that does not occur has a single row.
     """
     rows = []
     for index, output in enumerate(subject.outputs):
-        same = {"measure": found.measure, **output.columns, "value": base[index]}
+        same = {"measure": found.measure, **output, "value": base[index]}
         same |= {"occurs": found.occurs[index], "unexplained": found.unexplained[index]}
         columns = "input", "input_value", "sensitivity", "error"
         cells = list(zip(inputs, inputs.values(), found.value[index], found.error[index]))

@@ -10,6 +10,7 @@ the ranges of the inputs, so that the square of a coefficient is the variance of
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -17,9 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
+from thirdbody.data.readable import result_name
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
+from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.sensitivity import Found, Subject
 
 LEAST_SETS = 1.2  # solved sets of inputs for each term of a response surface
@@ -30,17 +32,8 @@ def legendre_terms(
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """Terms of a quadratic, each of mean square 1 over the ranges of the inputs.
 
-    Parameters
-    ----------
-    positions : array, shape (sets, inputs)
-        From -1 to 1 [1].
-
-    Returns
-    -------
-    terms : array, shape (sets, terms)
-        1, then a first and a second degree of each input, then the products of two inputs [1].
-    involved : array, shape (terms, inputs)
-        Whether a term depends on an input.
+    At ``positions``, shape (sets, inputs): 1, a first and a second degree of each input, and the products
+    of two inputs, shape (sets, terms); and whether a term depends on an input, shape (terms, inputs).
 
     Examples
     --------
@@ -74,7 +67,7 @@ def total_indices(
     Returns
     -------
     indices : array, shape (inputs,)
-        Total indices of the response surface [1].
+        Those of the response surface [1].
     unexplained : float
         Fraction of the variance that the fit to all other sets misses [1].
 
@@ -109,11 +102,13 @@ def default_indices(
     subject: Subject,
     parameters: Parameters,
     inputs: Mapping[str, float],
+    base: NDArray[np.float64],
     settings: Mapping[str, Any],
-) -> tuple[NDArray[np.float64], Found]:
+) -> Found:
     """Total Sobol indices of the outputs around given inputs.
 
-    An output that occurs in too few of the solved sets keeps nan, and a line of text says so.
+    Their error is what the response surface misses, as any input may take part in it.  An output that
+    occurs in too few of the solved sets keeps nan, and a line of text says so.
 
     Parameters
     ----------
@@ -122,61 +117,32 @@ def default_indices(
     parameters : Parameters
         All inputs of the model.
     inputs : mapping
-        Which of them vary, with their values, SI: those of ``varied_inputs``.
+        Which of them vary, with their values, SI.
+    base : array, shape (outputs,)
+        The outputs at ``parameters``.
     settings : mapping
         The entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to
         either side, as far as the input may have such values, ``solved`` the number of sets of
         inputs, ``seed`` that of their scatter.
-
-    Returns
-    -------
-    base : array, shape (outputs,)
-        The outputs at ``parameters``, in the order of ``subject.outputs``.
-    found : Found
-        Indices.  Their error is what the response surface misses, as any input may take part in it.
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> from thirdbody.data.conditions import Condition
-    >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
-    >>> subject = Subject((dry,), (), (), newtons=(0.04, 80.0))
-    >>> inputs = load_parameters()
-    >>> settings = {"spread": 0.05, "solved": 12, "seed": 1}
-    >>> varied = {"apparent_area": inputs.apparent_area}
-    >>> base, found = default_indices(subject, inputs, varied, settings)
-    >>> found.measure, found.value.shape
-    ('sobol_total', (2, 1))
     """
-    base = subject.values(parameters, FULL_EFFORT)
-    positions, solved = _solved_sets(subject, parameters, inputs, settings)
-    value = np.full((base.size, len(inputs)), np.nan)
-    unexplained = np.full(base.shape, np.nan)
-    for index in np.flatnonzero(np.isfinite(base)):
-        try:
-            value[index], unexplained[index] = total_indices(positions, solved[:, index])
-        except ValueError as few:
-            print(f"{subject.outputs[index]}: {few}")
-    error = np.broadcast_to(unexplained[:, None], value.shape)
-    occurs = np.isfinite(solved).mean(axis=0)
-    return base, Found("sobol_total", value, error, occurs, unexplained)
-
-
-def _solved_sets(subject, parameters, inputs, settings):
-    """Evenly scattered sets of inputs: positions from -1 to 1, and the outputs of each set."""
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])
     ends = [np.clip(value * sides, *BOUNDS[name]) for name, value in inputs.items()]
     low, high = np.transpose(ends)
-    sets = low + (high - low) * scattered
-    changes = [dict(zip(inputs, some, strict=True)) for some in sets.tolist()]
-    outputs = [_values(subject, parameters, some) for some in changes]
-    return 2.0 * scattered - 1.0, np.array(outputs)
-
-
-def _values(subject, parameters, changes):
-    """Outputs with ``changes`` among the inputs; all nan if no surface can have such inputs."""
-    try:
-        return subject.values(replace(parameters, **changes), QUICK_EFFORT)
-    except ValueError:
-        return np.full(len(subject.outputs), np.nan)
+    solved = np.full((len(scattered), base.size), np.nan)
+    for place, values in enumerate((low + (high - low) * scattered).tolist()):
+        with suppress(ValueError):  # no surface has these inputs
+            changed = replace(parameters, **dict(zip(inputs, values, strict=True)))
+            solved[place] = subject.values(changed, QUICK_EFFORT)
+    value = np.full((base.size, len(inputs)), np.nan)
+    unexplained = np.full(base.shape, np.nan)
+    for index in np.flatnonzero(np.isfinite(base)):
+        try:
+            value[index], unexplained[index] = total_indices(
+                2.0 * scattered - 1.0, solved[:, index]
+            )
+        except ValueError as few:
+            print(f"{result_name(subject.outputs[index])}: {few}")
+    error = np.broadcast_to(unexplained[:, None], value.shape)
+    occurs = np.isfinite(solved).mean(axis=0)
+    return Found("sobol_total", value, error, occurs, unexplained)

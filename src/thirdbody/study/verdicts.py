@@ -9,21 +9,19 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 import pandas as pd
 
-from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.spread import spread
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
-from thirdbody.study.checks import Verdict, judge
-from thirdbody.study.claims import Claim, referenced_conditions
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, Effort, SolvedEvidence
+from thirdbody.study.checks import Judge, Verdict
+from thirdbody.study.claims import Claim
+from thirdbody.study.evidence import FULL_EFFORT
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -34,80 +32,20 @@ NO_RANGE = (np.nan, np.nan)
 Verdicts = tuple[Verdict, ...]
 
 
-class Judge:
-    """Judges the same statements under any set of inputs.
-
-    Parameters
-    ----------
-    claims : sequence of Claim
-        The statements.
-    base : Parameters
-        Values of the inputs that a set does not give.
-    newtons : tuple of float
-        First and last normal load of every curve [N].
-    """
-
-    def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
-        self.claims = tuple(claims)
-        self.base = base
-        self._newtons = tuple(newtons)
-
-    def __call__(
-        self,
-        inputs: Mapping[str, Any],
-        effort: Effort = QUICK_EFFORT,
-        prominence: float = PROMINENCE,
-        claims: Sequence[Claim] | None = None,
-    ) -> Verdicts:
-        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
-
-        A turning point counts if it stands out by ``prominence`` [1].
-
-        Raises
-        ------
-        ValueError
-            If the inputs are not physical.
-        """
-        some = self.claims if claims is None else tuple(claims)
-        some = [_at_prominence(claim, prominence) for claim in some]
-        effort = replace(effort, window=replace(effort.window, prominence=prominence))
-        evidence = SolvedEvidence(
-            replace(self.base, **inputs), referenced_conditions(some), self._newtons, effort
-        )
-        return tuple(judge(claim, evidence, prominence) for claim in some)
-
-
-def _at_prominence(claim: Claim, prominence: float) -> Claim:
-    """The claim with this tolerance, if it is about the existence of a turning point."""
-    is_peak = claim.kind == "absence" or claim.direction == "rising_then_falling"
-    return replace(claim, tolerance=prominence) if is_peak else claim
-
-
 @dataclass(frozen=True)
 class Judged:
     """All statements, judged under all sets of inputs; verdicts are in the order of ``claims``.
 
-    Attributes
-    ----------
-    claims : tuple of Claim
-        The statements.
-    default : mapping
-        Content of the calibrated file whose inputs are the default.
-    verdicts, faint : tuple of Verdict
-        Under the default inputs; ``faint`` where turning points count from ``FAINT`` on.
-    members : tuple
-        Verdicts under each member of the ensemble.
-    changed : dict
-        Verdicts with one unknown changed, by what is changed.
-    interpretations : dict
-        Verdicts under the inputs of each interpretation, by name.
-    predicted : dict
-        Verdicts when the figure of a statement was left out, by interpretation and id.
-    comparison : DataFrame
-        From ``compare``.
+    ``settings`` is the content of ``config/calibration.yaml``.
+    ``verdicts`` are those under the inputs of the calibrated file with the content ``default``, and
+    ``faint`` those where turning points count from ``FAINT`` on; ``members`` those of its ensemble;
+    ``changed`` those with one unknown changed, by what is changed; ``interpretations`` those of the
+    inputs of each interpretation, by name.  ``predicted`` has, by interpretation and id, the verdict on
+    a statement when its figure was left out.  ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
+    settings: Mapping[str, Any]
     default: Mapping[str, Any]
     verdicts: Verdicts
     faint: Verdicts
@@ -131,26 +69,22 @@ def judge_everything(
 ) -> Judged:
     """Judge all statements under all sets of inputs.
 
-    Parameters
-    ----------
-    judge_all : Judge
-        Has the statements.
-    default : mapping
-        Content of the calibrated file whose inputs are the default.
-    contents : sequence of mapping
-        Contents of the calibrated files of all interpretations.
-    settings : mapping
-        Content of ``config/calibration.yaml``.
+    ``default`` is the content of the calibrated file whose inputs are the default, ``contents`` those
+    of all interpretations, ``settings`` that of ``config/calibration.yaml``.
     """
     inputs = judge_all.base.as_dict() | default["inputs"]
     changed = {}
-    for name, some in _changes(Interpretation.of(default["interpretation"], settings), inputs):
-        with suppress(ValueError):  # no surface has these inputs
-            changed[name] = judge_all(some)
+    for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
+        for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
+            position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
+            some = {**inputs, unknown.name: unknown.value(position)}
+            with suppress(ValueError):  # no surface has these inputs
+                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(some)
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
+        settings,
         default,
         judge_all(inputs, FULL_EFFORT),
         judge_all(inputs, FULL_EFFORT, FAINT),
@@ -165,23 +99,12 @@ def judge_everything(
 def predict(judge_all: Judge, content: Mapping[str, Any]) -> dict[str, Verdict]:
     """Judge each statement by the inputs that were found without its figure.
 
-    Parameters
-    ----------
-    judge_all : Judge
-        Has the statements.
-    content : mapping
-        Content of a calibrated file.
-
-    Returns
-    -------
-    dict
-        Verdict on each statement by its id; empty if the file has no cross-validation.
+    ``content`` is that of a calibrated file; without a cross-validation in it nothing is judged.
     """
     entries = content.get("folds", ())
+    folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
-    for fold, entry in zip(
-        make_folds(judge_all.claims, [each["figures"] for each in entries]), entries, strict=True
-    ):
+    for fold, entry in zip(folds, entries, strict=True):
         verdicts = judge_all(entry["inputs"], claims=fold.judged)
         found |= {claim.id: verdict for claim, verdict in zip(fold.judged, verdicts, strict=True)}
     return found
@@ -212,9 +135,8 @@ def compare(
     for content in contents:
         name = content["interpretation"]
         interpretation = Interpretation.of(name, settings)
-        by_id = dict(
-            zip((claim.id for claim in judge_all.claims), interpretations[name], strict=True)
-        )
+        pairs = list(zip(judge_all.claims, interpretations[name], strict=True))
+        by_id = {claim.id: verdict for claim, verdict in pairs}
         penalty = interpretation.penalty(content["inputs"])
         scores = [by_id[claim.id].score for claim in objective.claims]
         right, of = count_once(
@@ -222,13 +144,12 @@ def compare(
             for claim in judge_all.claims
             if claim.id in predicted[name]
         )
-        held, judged = count_once(zip(judge_all.claims, interpretations[name], strict=True))
         rows.append(
             {
                 "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
-                "fitted": f"{held}/{judged}",
+                "fitted": "{}/{}".format(*count_once(pairs)),
                 "penalty": round(penalty, 2),
                 "inputs": len(interpretation.unknowns),
                 "objective": round(objective.value(penalty, scores), 2),
@@ -239,13 +160,14 @@ def compare(
                 if id in by_id
             }
         )
-    table = pd.DataFrame(rows)
-    if table.empty:
-        return table
-    order = ["predicted_fraction", "penalty", "inputs"]
-    return table.sort_values(
-        order, ascending=[False, True, True], kind="stable", na_position="last"
+    rows.sort(
+        key=lambda row: (
+            -np.nan_to_num(row["predicted_fraction"], nan=-1.0),
+            row["penalty"],
+            row["inputs"],
+        )
     )
+    return pd.DataFrame(rows)
 
 
 def outcome(claim: Claim, verdict: Verdict) -> str:
@@ -261,6 +183,34 @@ def count_once(judged: Iterable[tuple[Claim, Verdict]]) -> tuple[int, int]:
     """``held_once`` of pairs of a claim and the verdict on it."""
     rows = [(claim.id, claim.cluster, outcome(claim, verdict)) for claim, verdict in judged]
     return held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
+
+
+def held_once(table: pd.DataFrame, column: str = "verdict") -> tuple[int, int]:
+    """Statements that hold and those judged; a cluster counts once, as held if all tested in it hold.
+
+    ``table`` has ``id``, ``cluster`` and the word for a verdict in ``column``.
+
+    Examples
+    --------
+    >>> rows = [("a", "x", HOLDS), ("b", "x", FAILS), ("c", "", HOLDS), ("d", "", NOT_TESTED)]
+    >>> held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
+    (1, 2)
+    """
+    tested = table[table[column].isin([HOLDS, FAILS])]
+    names = tested["cluster"].replace("", None).fillna(tested["id"])
+    held = (tested[column] == HOLDS).groupby(names).all()
+    return int(held.sum()), len(held)
+
+
+def counts_by_figure(table: pd.DataFrame) -> pd.DataFrame:
+    """How many rows of a ``statements_table`` have each verdict, by part of the paper."""
+    part = table["place"].map(part_of_paper).rename("figure")
+    words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
+    counts = pd.crosstab(part, table["verdict"]).reindex(
+        index=part.unique(), columns=words, fill_value=0
+    )
+    held = table.groupby(part).apply(lambda rows: "{} of {}".format(*held_once(rows)))
+    return counts.assign(**{"hold, repeats once": held}).reset_index()
 
 
 def statements_table(judged: Judged) -> pd.DataFrame:
@@ -303,35 +253,34 @@ def statements_table(judged: Judged) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def headline_table(
-    judged: Judged, chosen: Iterable[str], tolerances: Mapping[str, float]
-) -> pd.DataFrame:
-    """Numbers of the paper, of the model and of the ensemble, for the statements ``chosen`` by id.
+def headline_table(judged: Judged) -> pd.DataFrame:
+    """The headline numbers in the paper, in the model and in the ensemble.
 
     Where no numbers are compared, the range is how many members agree with the verdict.  A number
-    counts as reached if its statement holds, or within its entry of ``tolerances``, by id.
+    counts as reached if its statement holds, or within its entry of ``headline_tolerances``.
     """
+    tolerances = judged.settings["headline_tolerances"]
     rows = []
     for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
-        if claim.id not in chosen:
+        if claim.id not in judged.settings["headline"]:
             continue
         ends = number_ranges(judged, index)
         within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
-        if not np.isfinite(ends).any():
+        if not judged.members:
+            within = "no ensemble"
+        elif not np.isfinite(ends).any():
             same = _agreeing(judged.members, index, verdict)
-            within = f"{same} of {len(judged.members)} agree" if judged.members else ""
+            within = f"{same} of {len(judged.members)} agree"
+        near = verdict.tested and abs(verdict.deviation) <= tolerances.get(claim.id, 0.0)
         rows.append(
             {
                 "statement": claim.statement,
                 "id": claim.id,
                 "paper": published_text(claim),
                 "model": once(verdict.computed),
-                "ensemble, 90 %": once(within) if within else "no ensemble",
+                "ensemble, 90 %": once(within),
                 "verdict": outcome(claim, verdict),
-                "reached": bool(
-                    verdict.holds
-                    or (verdict.tested and abs(verdict.deviation) <= tolerances.get(claim.id, 0.0))
-                ),
+                "reached": bool(verdict.holds or near),
             }
         )
     names = ["statement", "id", "paper", "model", "ensemble, 90 %", "verdict", "reached"]
@@ -372,58 +321,10 @@ def once(text: str) -> str:
     return parts[0] if len(set(parts)) == 1 else text
 
 
-def counts_by_figure(table: pd.DataFrame) -> pd.DataFrame:
-    """How many statements of each part of the paper have each verdict.
-
-    Parameters
-    ----------
-    table : DataFrame
-        Has the columns of ``statements_table``.
-    """
-    part = table["place"].map(part_of_paper).rename("figure")
-    words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
-    counts = pd.crosstab(part, table["verdict"]).reindex(
-        index=part.unique(), columns=words, fill_value=0
-    )
-    held = table.groupby(part).apply(lambda rows: "{} of {}".format(*held_once(rows)))
-    return counts.assign(**{"hold, repeats once": held}).reset_index()
-
-
-def held_once(table: pd.DataFrame, column: str = "verdict") -> tuple[int, int]:
-    """Statements that hold and those judged, repeats counted once.
-
-    A cluster holds if all its statements that were tested hold.
-
-    Parameters
-    ----------
-    table : DataFrame
-        Has ``id``, ``cluster`` and the word for a verdict in ``column``.
-
-    Examples
-    --------
-    >>> rows = [("a", "x", HOLDS), ("b", "x", FAILS), ("c", "", HOLDS), ("d", "", NOT_TESTED)]
-    >>> held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
-    (1, 2)
-    """
-    tested = table[table[column].isin([HOLDS, FAILS])]
-    names = tested["cluster"].replace("", None).fillna(tested["id"])
-    held = (tested[column] == HOLDS).groupby(names).all()
-    return int(held.sum()), len(held)
-
-
 def _agreeing(sets: Iterable[Verdicts], index: int, verdict: Verdict) -> int:
     """How many sets of verdicts come to the same on the statement at ``index``."""
     same = verdict.tested, verdict.holds
     return sum((other[index].tested, other[index].holds) == same for other in sets)
-
-
-def _changes(interpretation: Interpretation, inputs: Mapping[str, Any]):
-    """Names and sets of inputs with one unknown changed, down and up for each."""
-    for unknown in interpretation.unknowns:
-        for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
-            position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
-            name = f"{direction} {unknown.name.replace('_', ' ')}"
-            yield name, {**inputs, unknown.name: unknown.value(position)}
 
 
 def explanation(judged: Judged, index: int) -> str:
