@@ -14,8 +14,7 @@ from thirdbody.data.scene import Scene
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
 from thirdbody.release.bag import pack
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.crate import Run
-from thirdbody.release.staging import stage, whole_folder
+from thirdbody.release.staging import stage
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {
@@ -84,13 +83,11 @@ def make_release(folder):
         for path in datasets
     ]
     parameters = dataclasses.asdict(tb.load_parameters())
-    run = Run(
-        {"config": CONFIG, "parameters": parameters}, jobs, software_versions("pyproject.toml")
-    )
+    settings = {"config": CONFIG, "parameters": parameters}
+    software = software_versions("pyproject.toml")
     programs = sorted(map(str, Path("verification").glob("*.py")))
     place = folder / release.full_name
-    with whole_folder(place) as part:
-        stage(part, products, [*SOURCES, *programs], run, release)
+    stage(place, products, [*SOURCES, *programs], settings, jobs, software, release)
     pack(place, folder / f"{release.full_name}.zip", release.date)
     return place
 

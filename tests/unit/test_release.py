@@ -25,12 +25,11 @@ from small_release import SCENES
 
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.release.citation import Release
-from thirdbody.release.crate import Run, crate
+from thirdbody.release.crate import crate
 from thirdbody.release.datapackage import table_schema
 from thirdbody.release.files import files_in, source_files
-from thirdbody.release.guide import describe_content, markdown_text, render
-from thirdbody.release.provenance import provenance
-from thirdbody.release.staging import whole_folder
+from thirdbody.release.guide import describe_content
+from thirdbody.release.texts import markdown_text, render
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"
@@ -76,8 +75,7 @@ def test_crate_follows_products_through_intermediates_and_the_workflow(tmp_path,
         {"rule": "extract", "inputs": ["config/a.yaml"], "outputs": ["results/extracted/a"]},
         {"rule": "table", "inputs": ["results/extracted/a"], "outputs": ["results/tables/a.csv"]},
     ]
-    run = Run({}, jobs, {"snakemake": "9.0.0"})
-    graph = crate(tmp_path, {"tables": "tables"}, run, release)["@graph"]
+    graph = crate(tmp_path, {"tables": "tables"}, jobs, {"snakemake": "9.0.0"}, release)["@graph"]
     entities = {entity["@id"]: entity for entity in graph}
     table, extract = entities["#table/tables/a"], entities["#extract/extracted/a"]
     assert table["result"] == [{"@id": "tables/a.csv"}]
@@ -304,18 +302,3 @@ def test_no_trace_of_where_it_was_made(built):
     for name in files_in(built, built):
         content = (built / name).read_bytes()
         assert not [trace for trace in traces if len(trace) > 5 and trace in content], name
-
-
-def test_provenance_holds_what_the_archive_does_not(built):
-    record = provenance(built.with_name(f"{built.name}.zip"))
-    assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
-
-
-def test_folder_appears_whole_or_not_at_all(tmp_path):
-    place = tmp_path / "release"
-    with whole_folder(place) as part:
-        (part / "first").write_text("1")
-    with pytest.raises(OSError), whole_folder(place) as part:
-        (part / "second").write_text("2")
-        raise OSError
-    assert files_in(tmp_path, tmp_path) == ["release/first"]

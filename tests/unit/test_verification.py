@@ -19,8 +19,9 @@ from small_release import SCENES
 
 import thirdbody as tb
 from thirdbody.data.netcdf import write_dataset
+from thirdbody.data.sums import digest
 from thirdbody.release.bag import pack, seal
-from thirdbody.release.crate import Run, crate
+from thirdbody.release.crate import crate
 from thirdbody.release.datapackage import data_package
 from thirdbody.release.files import files_in, write_json
 
@@ -167,9 +168,9 @@ def mend(folder, release):
     contents = {path.name: content_sha256(path) for path in sorted(data.glob("datasets/*.nc"))}
     write_json(data / "datasets/content-sha256.json", contents)
     write_json(data / "datapackage.json", data_package(data, KINDS, release))
-    run = Run(settings={}, jobs=[], software={"snakemake": "9.0.0"})
     titles = {kind: kind for kind in KINDS}
-    write_json(data / "ro-crate-metadata.json", crate(data, titles, run, release))
+    described = crate(data, titles, [], {"snakemake": "9.0.0"}, release)
+    write_json(data / "ro-crate-metadata.json", described)
     seal(folder, release)
 
 
@@ -465,7 +466,6 @@ IN_FOLDER = {
         "configuration/parameters.json", lambda values: values.update(truncation=3.5)
     ),
     "no configuration": lambda folder: (folder / "data" / SCENE).unlink(),
-    "columns of a table": write("data/tables/tpca_windows.csv", "a,b\n1,2\n"),
     "numpy.py": write("verification/numpy.py"),
     "json.py": write("verification/json.py"),
     "netCDF4 as a folder": lambda folder: shutil.copytree(
@@ -485,6 +485,19 @@ def test_forged_archive_is_found(bare, copy, release, forge):
     done = bare(copy / "verification/verify.py", "--points", "0")
     assert done.returncode == 1, done.stderr
     assert done.stdout.startswith(f"not whole: {copy.name}: ")
+
+
+def test_table_of_other_columns_is_found(copy, verify, release):
+    table = copy / "data/tables/tpca_windows.csv"
+    table.write_text("a,b\n1,2\n")
+
+    def describe(package):
+        (resource,) = (r for r in package["resources"] if r["path"] == "tables/tpca_windows.csv")
+        resource |= {"bytes": table.stat().st_size, "hash": f"sha256:{digest(table)}"}
+
+    edit_json("datapackage.json", describe)(copy)
+    seal(copy, release)
+    assert "other columns" in found(verify, copy)["data/tables/tpca_windows.csv"]
 
 
 def test_module_beside_the_program_is_not_run_from_any_folder(copy):

@@ -168,7 +168,7 @@ CASES = [
     without("missing atlas", ATLAS),
     text("key twice", CONFIG, b"\nrtol: 1.0e-8\n", CONFIG, "'rtol' stands twice"),
     text("not YAML", CONFIG, b"\nrtol: [1\n", CONFIG, "line"),
-    text("template", CONFIG, b"\n__use_yte__: true\n", CONFIG, "__use_yte__", "plain values"),
+    text("template", CONFIG, b"\n__use_yte__: true\n", "unknown key '__use_yte__'", "allowed"),
     text("not UTF-8", CONFIG, b"\nrtol: \xff\n", CONFIG, "UTF-8"),
     text("empty file", CONFIG, b"", CONFIG, "keys with values"),
     without("missing configuration", CONFIG),

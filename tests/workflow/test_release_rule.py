@@ -13,8 +13,10 @@ from workspace import ROOT, Workspace
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in
 
-PAPER = Release.of(ROOT / "pyproject.toml", ROOT / "CITATION.cff")
-NAME = PAPER.of_other_configuration().full_name  # of the few loads that are solved here
+FILES = ROOT / "pyproject.toml", ROOT / "CITATION.cff"
+PAPER = Release.of(*FILES)
+CHANGED = Release.of(*FILES, is_paper=False)
+NAME = CHANGED.full_name  # of the few loads that are solved here
 
 
 @pytest.fixture(scope="module")
@@ -44,12 +46,14 @@ def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
     assert f"{PAPER.full_name}.zip" in dry_run.stdout + dry_run.stderr
     crate = json.loads((released / "data" / "ro-crate-metadata.json").read_text(encoding="utf-8"))
     (root,) = (each for each in crate["@graph"] if each["@id"] == "./")
-    assert root["version"] == PAPER.of_other_configuration().version
+    assert root["version"] == CHANGED.version
 
 
 def test_release_is_one_folder_its_archive_and_the_record(released, tell):
     made = {path.name for path in released.parent.iterdir()}
     assert made == {NAME, f"{NAME}.zip", "jobs.json", "provenance.json"}
+    record = json.loads((released.parent / "provenance.json").read_text(encoding="utf-8"))
+    assert record["archive"]["sha256"] and record["host"] and record["time"] and record["user"]
     code, line = verified_with_products(released)
     assert code == 0, line
     assert "11 datasets" in line

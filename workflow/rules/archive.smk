@@ -2,14 +2,11 @@
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.files import source_files
 
+# nothing but the paper's configuration is archived under the name and version of the project
 try:
-    RELEASE = Release.of("pyproject.toml", "CITATION.cff")
+    RELEASE = Release.of("pyproject.toml", "CITATION.cff", settings["is_paper"])
 except ValueError as error:
     sys.exit(str(error))
-
-# nothing but the paper's configuration is archived under the name and version of the project
-if not settings["is_paper"]:
-    RELEASE = RELEASE.of_other_configuration()
 
 
 rule release:
@@ -56,7 +53,7 @@ rule stage_release:
     params:
         settings={"config": settings["config"], "parameters": settings["parameters"]},
         software=software_versions("pyproject.toml"),
-        is_changed=not settings["is_paper"],
+        is_paper=settings["is_paper"],
         sources=sources_of("stage_release.py"),
     message:
         "Filling the folder of the release"

@@ -17,7 +17,7 @@ rule sample_inputs:
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
+        settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("sample_inputs.py"),
     message:
@@ -39,7 +39,7 @@ rule summarise_inputs:
     conda:
         "../envs/thirdbody.yaml"
     params:
-        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
+        settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("summarise_inputs.py"),
     message:

@@ -6,9 +6,23 @@ from pathlib import Path
 
 import grimp
 
-from thirdbody.project import HOME, PACKAGE, configuration_folder, project_file
+import thirdbody
+from thirdbody.configuration.schema import config_directory
 
-CONFIG = configuration_folder()
+PACKAGE = Path(thirdbody.__file__).resolve().parent
+HOME = config_directory().parent  # the repository, or the installed package that holds its files
+LIBRARY = "src/thirdbody/"
+
+
+def project_file(name):
+    """The path of a file of the project, relative if the current folder is its repository."""
+    in_library = str(name).startswith(LIBRARY)
+    path = PACKAGE / str(name).removeprefix(LIBRARY) if in_library else HOME / name
+    return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
+
+
+# snakedeploy copies the configuration into the folder of a user's own workflow
+CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
 

@@ -21,7 +21,7 @@ rule scatter_inputs:
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
+        settings=settings_of,
         parameters=settings["uncalibrated"],
         sources=sources_of("scatter_inputs.py"),
     message:
@@ -45,7 +45,7 @@ rule search_inputs:
     resources:
         runtime=30,
     params:
-        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
+        settings=settings_of,
         parameters=settings["uncalibrated"],
         seeds=lambda wildcards: [int(wildcards.seed)],
         fold=None,
@@ -64,7 +64,7 @@ use rule search_inputs as search_fold with:
     benchmark:
         "<logs>/search_fold/{interpretation}_{fold}.tsv"
     params:
-        settings=lambda wildcards: with_one_interpretation(CALIBRATION, wildcards.interpretation),
+        settings=settings_of,
         parameters=settings["uncalibrated"],
         seeds=SEEDS,
         fold=lambda wildcards: int(wildcards.fold),

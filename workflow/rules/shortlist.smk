@@ -6,10 +6,19 @@ SEEDS = CALIBRATION["seeds"]
 FOLDS = range(len(CALIBRATION["folds"]))
 FEW_UNKNOWNS = [
     name
-    for name in CALIBRATION["interpretations"]
-    if number_of_unknowns(CALIBRATION, name) <= CALIBRATION["shortlist"]["unknowns"]
+    for name, each in CALIBRATION["interpretations"].items()
+    if len({*CALIBRATION["always"], *each.get("unknowns", ())} - set(each["fixed"]))
+    <= CALIBRATION["shortlist"]["unknowns"]
 ]
 SEARCHED = "<results>/calibration/{{interpretation}}/seed{seed}.csv"
+
+
+def settings_of(wildcards):
+    """The settings for one interpretation, which depends on nothing of the others."""
+    name = wildcards.interpretation
+    interpretation = dict(CALIBRATION["interpretations"][name])
+    budget = CALIBRATION["budget"] | interpretation.pop("budget", {})
+    return {**CALIBRATION, "budget": budget, "interpretations": {name: interpretation}}
 
 
 def searches_of(wildcards):

@@ -7,13 +7,7 @@ from collections.abc import Mapping
 
 
 def axis_values(axis: Mapping) -> list[float]:
-    """The values of an axis, increasing and each once, with twelve digits.
-
-    Parameters
-    ----------
-    axis : Mapping
-        ``from``, ``to``, ``count``, ``scale`` (``linear`` or ``logarithmic``) and ``also``, as
-        ``config/atlas.schema.yaml`` describes them.
+    """The values [unit of its key] of an axis of ``config/atlas.yaml``, increasing, with twelve digits.
 
     Examples
     --------
@@ -21,9 +15,9 @@ def axis_values(axis: Mapping) -> list[float]:
     [0.0, 1.0, 10.0, 50.0, 100.0]
     """
     first, last = float(axis["from"]), float(axis["to"])
-    shares = [step / (axis["count"] - 1) for step in range(axis["count"])]
+    places = [step / (axis["count"] - 1) for step in range(axis["count"])]
     if axis["scale"] == "logarithmic":
-        spaced = [first * math.exp(share * math.log(last / first)) for share in shares]
+        spaced = [first * math.exp(place * math.log(last / first)) for place in places]
     else:
-        spaced = [first + share * (last - first) for share in shares]
+        spaced = [first + place * (last - first) for place in places]
     return sorted({float(f"{value:.12g}") for value in (*spaced, *axis["also"])})

@@ -9,71 +9,29 @@ import yaml
 
 from thirdbody.messages import shown, shown_file
 
+KINDS = {dict: "keys with values", list: "a list"}
+DEEPEST = 100  # lists and mappings in one another
 
-class _StrictLoader(yaml.composer.Composer, yaml.CSafeLoader):
-    """YAML without duplicate keys, anchors or tags: a configuration is plain data.
 
-    Parsed in C, which takes a quarter of the time, but composed in Python, where it can be refused.
-    """
-
-    def __init__(self, stream):
-        yaml.CSafeLoader.__init__(self, stream)
-        yaml.composer.Composer.__init__(self)
-
-    def compose_node(self, parent, index):
-        if self.check_event(yaml.AliasEvent):
-            event = self.peek_event()
-            raise yaml.composer.ComposerError(
-                None, None, f"alias *{event.anchor}; allowed: plain values", event.start_mark
-            )
-        event = self.peek_event()
-        for extra in ("tag", "anchor"):
-            if getattr(event, extra, None) not in (None, "!"):
-                problem = f"{extra} {getattr(event, extra)}; allowed: plain values"
-                raise yaml.composer.ComposerError(None, None, problem, event.start_mark)
-        return super().compose_node(parent, index)
+class _KeysOnce(yaml.CSafeLoader):
+    """PyYAML's loader, with keys that are words and stand once."""
 
     def construct_mapping(self, node, deep=False):
         seen = set()
-        for key_node, _ in node.value:
-            key = self.construct_object(key_node, deep=True)
+        for place, _ in node.value:
+            key = self.construct_object(place, deep=True)
             if not isinstance(key, str):
-                raise yaml.constructor.ConstructorError(
-                    None, None, f"key {key!r}; allowed: words", key_node.start_mark
-                )
+                raise _fault(place, f"key {key!r}; allowed: words")
             if key in seen:
-                raise yaml.constructor.ConstructorError(
-                    None, None, f"key {key!r} stands twice", key_node.start_mark
-                )
+                raise _fault(place, f"key {key!r} stands twice")
             seen.add(key)
         return super().construct_mapping(node, deep)
 
 
-KINDS = {dict: "keys with values", list: "a list"}
+def read_yaml(path: str | Path, kind: type = dict) -> Any:
+    """The content of a YAML file in UTF-8 that is plain data: a ``dict``, or a ``list`` by its ``kind``.
 
-
-def read_yaml(path: str | Path, kind: type = dict, strict: bool = True) -> Any:
-    """Read a YAML file that is plain data.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file, in UTF-8.
-    kind : type, optional
-        What it must hold, ``dict`` or ``list``.
-    strict : bool, optional
-        Whether tags, anchors, and keys that stand twice or are no words are refused.  Schemas are read
-        without, in a quarter of the time: they are part of the program, and tested to be plain.
-
-    Returns
-    -------
-    dict or list
-        Plain data: mappings, lists, numbers, words, truth values, dates and nothing.
-
-    Raises
-    ------
-    ValueError
-        In one line: the file, the line in it, and what is wrong there.
+    Raises ``ValueError`` in one line: the file, the line in it, and what is wrong there.
     """
     name = shown_file(path)
     try:
@@ -85,19 +43,30 @@ def read_yaml(path: str | Path, kind: type = dict, strict: bool = True) -> Any:
     except (TypeError, ValueError):
         raise ValueError(f"{shown(path)} is no path; allowed: that of a YAML file") from None
     try:
-        content = yaml.load(text, _StrictLoader if strict else yaml.CSafeLoader)
-    except RecursionError:
-        raise ValueError(f"{name}: nested too deeply") from None
+        _require_plain(text)
+        content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:
-        raise ValueError(f"{name}: {_one_line(error)}") from None
+        mark = getattr(error, "problem_mark", None)
+        place = f"line {mark.line + 1}: " if mark else ""
+        problem = " ".join(str(getattr(error, "problem", error)).split())
+        raise ValueError(f"{name}: {place}{problem}") from None
     if not isinstance(content, kind):
         raise ValueError(f"{name}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
     return content
 
 
-def _one_line(error) -> str:
-    """Message of a YAML error with its place, in one line."""
-    mark = getattr(error, "problem_mark", None)
-    place = f"line {mark.line + 1}: " if mark else ""
-    problem = getattr(error, "problem", None) or str(error)
-    return " ".join(f"{place}{problem}".split())
+def _require_plain(text: str) -> None:
+    """Raise ``YAMLError`` where there is a tag, an anchor or an alias, or where it is nested too deeply."""
+    depth = 0
+    for event in yaml.parse(text, yaml.CSafeLoader):
+        depth += isinstance(event, yaml.CollectionStartEvent)
+        depth -= isinstance(event, yaml.CollectionEndEvent)
+        if depth > DEEPEST:
+            raise _fault(event, "nested too deeply")
+        for extra in ("anchor", "tag"):
+            if getattr(event, extra, None):
+                raise _fault(event, f"{extra} {getattr(event, extra)}; allowed: plain values")
+
+
+def _fault(place: yaml.Event | yaml.Node, problem: str) -> yaml.MarkedYAMLError:
+    return yaml.MarkedYAMLError(problem=problem, problem_mark=place.start_mark)

@@ -1,9 +1,7 @@
-"""What JSON Schema cannot say: rules between several values, each named where it holds.
+"""What JSON Schema cannot say: rules between several values.
 
-A schema asks for a rule by its name, ``rules: [first_below_last]``, beside the type, the bounds and the
-keys of the same value.  A rule is a function of that value, which has already been found to keep to
-the rest of its schema; it yields a ``Breach`` for each fault.  To add one, write the function and
-list it in ``RULES``.
+A schema names a rule, ``rules: [first_below_last]``, beside the type and the keys of the value that it is
+about.  A rule is a function of that value, which keeps to the rest of its schema; it yields each fault.
 """
 
 from __future__ import annotations
@@ -15,149 +13,108 @@ from typing import NamedTuple
 from thirdbody.configuration.axes import axis_values
 
 
-class Breach(NamedTuple):
-    """A fault found by a rule.
-
-    Attributes
-    ----------
-    allowed : str
-        What would have been right.
-    path : tuple
-        Keys and positions from the value that the rule judges to the one at fault.
-    fault : str
-        What is wrong; empty where it is enough to show the value at fault.
-    """
+class Fault(NamedTuple):
+    """What is allowed, the keys and positions down to the value at fault, and what is wrong if the
+    value alone does not show it."""
 
     allowed: str
     path: tuple[str | int, ...] = ()
-    fault: str = ""
+    problem: str = ""
 
 
-def first_below_last(ends: list) -> Iterator[Breach]:
+def first_below_last(ends: list) -> Iterator[Fault]:
     """A range goes upwards."""
     if not ends[0] < ends[-1]:
-        yield Breach("a first value below the last")
+        yield Fault("a first value below the last")
 
 
-def particles_fit(conditions: dict) -> Iterator[Breach]:
+def particles_fit(conditions: dict) -> Iterator[Fault]:
     """Particles lie side by side: pi/4 x_a^2 eta_a, the area they cover, cannot exceed 1."""
-    diameters = _listed(conditions.get("particle_diameter_nm", [])) or [
-        ratio * roughness
-        for ratio in _listed(conditions["particle_diameter_per_roughness"])
-        for roughness in _listed(conditions["roughness_nm"])
-    ]
-    diameter = max(diameters)
-    density = max(_listed(conditions["particle_density_per_m2"]))
+    if "particle_diameter_nm" in conditions:
+        diameter = _largest(conditions["particle_diameter_nm"])
+    else:
+        ratio = _largest(conditions["particle_diameter_per_roughness"])
+        diameter = ratio * _largest(conditions["roughness_nm"])
+    density = _largest(conditions["particle_density_per_m2"])
     coverage = 0.25 * math.pi * (1e-9 * diameter) ** 2 * density
     if coverage > 1.0:
-        fault = (
+        problem = (
             f"particles of {diameter:g} nm at {density:g} m-2 cover {coverage:.3g} of the interface"
         )
-        yield Breach("at most 1", fault=fault)
+        yield Fault("at most 1", problem=problem)
 
 
-def lists_of_equal_length(conditions: dict) -> Iterator[Breach]:
+def _largest(value: float | list[float]) -> float:
+    return max(value) if isinstance(value, list) else value
+
+
+def lists_of_equal_length(conditions: dict) -> Iterator[Fault]:
     """Lists of conditions run together, so that each position is one curve."""
     lengths = {key: len(value) for key, value in conditions.items() if isinstance(value, list)}
     if len(set(lengths.values())) > 1:
-        told = ", ".join(f"{key} has {length} values" for key, length in lengths.items())
-        yield Breach("lists of equal length", fault=told)
+        problem = ", ".join(f"{key} has {length} values" for key, length in lengths.items())
+        yield Fault("lists of equal length", problem=problem)
 
 
-def ids_are_unique(statements: list) -> Iterator[Breach]:
+def ids_are_unique(statements: list) -> Iterator[Fault]:
     """No two statements go by one id."""
     seen = set()
     for index, statement in enumerate(statements):
         if statement["id"] in seen:
-            yield Breach("an id given once", (index, "id"))
+            yield Fault("an id given once", (index, "id"))
         seen.add(statement["id"])
 
 
-def contradictions_are_mutual(statements: list) -> Iterator[Breach]:
-    """Of two statements that contradict each other, both say so."""
-    contradicted = {entry["id"]: entry.get("contradicts", []) for entry in statements}
+def contradictions_are_settled(statements: list) -> Iterator[Fault]:
+    """Of two statements that contradict each other, both say so, and at least one stands aside."""
+    known = {statement["id"]: statement for statement in statements}
     for index, statement in enumerate(statements):
-        for place, other in enumerate(statement.get("contradicts", [])):
-            if statement["id"] not in contradicted.get(other, []):
-                yield Breach(
-                    "the id of a statement that contradicts this one too",
-                    (index, "contradicts", place),
-                )
+        for place, name in enumerate(statement.get("contradicts", [])):
+            path = index, "contradicts", place
+            other = known.get(name, {})
+            if statement["id"] not in other.get("contradicts", []):
+                yield Fault("the id of a statement that contradicts this one too", path)
+            elif "aside" not in statement and "aside" not in other:
+                yield Fault("a statement that stands aside, or this one does", path)
 
 
-def contradictions_are_settled(statements: list) -> Iterator[Breach]:
-    """Of two statements that contradict each other, at least one stands aside."""
-    aside = {entry["id"] for entry in statements if "aside" in entry}
-    for index, statement in enumerate(statements):
-        for place, other in enumerate(statement.get("contradicts", [])):
-            if not aside & {statement["id"], other}:
-                yield Breach(
-                    "a statement that stands aside, or this one does",
-                    (index, "contradicts", place),
-                )
-
-
-def unknowns_are_listed(calibration: dict) -> Iterator[Breach]:
+def unknowns_are_listed(calibration: dict) -> Iterator[Fault]:
     """What an interpretation searches has its bounds and scale under ``unknowns``."""
-    unknowns = calibration["unknowns"]
-    allowed = ", ".join(unknowns)
-    for index, name in enumerate(calibration["always"]):
-        if name not in unknowns:
-            yield Breach(allowed, ("always", index))
-    for interpretation, settings in calibration["interpretations"].items():
-        for index, name in enumerate(settings.get("unknowns", [])):
-            if name not in unknowns:
-                yield Breach(allowed, ("interpretations", interpretation, "unknowns", index))
+    lists = {("always",): calibration["always"]}
+    for name, interpretation in calibration["interpretations"].items():
+        lists["interpretations", name, "unknowns"] = interpretation.get("unknowns", [])
+    for path, names in lists.items():
+        for place, name in enumerate(names):
+            if name not in calibration["unknowns"]:
+                yield Fault(", ".join(calibration["unknowns"]), (*path, place))
 
 
-def axis_goes_up(axis: dict) -> Iterator[Breach]:
+def axis_goes_up(axis: dict) -> Iterator[Fault]:
     """An axis has a first value below the last, which its scale can hold, and all others between."""
     first, last = axis["from"], axis["to"]
     if not first < last:
-        yield Breach(f"less than {last:g}, the last value", ("from",))
+        yield Fault(f"less than {last:g}, the last value", ("from",))
     elif axis["scale"] == "logarithmic" and first == 0:
-        yield Breach("above 0 on a logarithmic axis; 0 can stand in also", ("from",))
+        yield Fault("above 0 on a logarithmic axis; 0 can stand in also", ("from",))
     for place, value in enumerate(axis["also"]):
         if value and not first <= value <= last:
-            yield Breach(f"0, or from {first:g} to {last:g}", ("also", place))
+            yield Fault(f"0, or from {first:g} to {last:g}", ("also", place))
 
 
-def chunks_have_surfaces(atlas: dict) -> Iterator[Breach]:
+def chunks_have_surfaces(atlas: dict) -> Iterator[Fault]:
     """Each job of the atlas has one roughness or more."""
     surfaces = len(axis_values(atlas["axes"]["roughness_nm"]))
     if atlas["chunks"] > surfaces:
-        yield Breach(f"at most {surfaces}, the number of roughnesses", ("chunks",))
+        yield Fault(f"at most {surfaces}, the number of roughnesses", ("chunks",))
 
 
-def charts_lie_on_axes(atlas: dict) -> Iterator[Breach]:
+def charts_lie_on_axes(atlas: dict) -> Iterator[Fault]:
     """What charts show has been solved."""
     axes = {name: axis_values(axis) for name, axis in atlas["axes"].items()}
-    for chart, content in atlas["charts"].items():
-        for place, shown in enumerate(content):
-            panel = shown if isinstance(shown, dict) else {chart: shown}
-            for key, value in panel.items():
+    for chart, shown in atlas["charts"].items():
+        for place, panel in enumerate(shown):
+            conditions = panel if isinstance(panel, dict) else {chart: panel}
+            for key, value in conditions.items():
                 if float(f"{value:.12g}") not in axes[key]:
-                    path = ("charts", chart, place, *((key,) if shown is panel else ()))
-                    yield Breach(f"a value of axes.{key}, to which also can add it", path)
-
-
-RULES = {
-    rule.__name__: rule
-    for rule in (
-        first_below_last,
-        particles_fit,
-        lists_of_equal_length,
-        ids_are_unique,
-        contradictions_are_mutual,
-        contradictions_are_settled,
-        unknowns_are_listed,
-        axis_goes_up,
-        chunks_have_surfaces,
-        charts_lie_on_axes,
-    )
-}
-
-
-def _listed(value) -> list:
-    """``value`` as a list: a panel gives single numbers where a group of curves gives lists."""
-    return value if isinstance(value, list) else [value]
+                    path = ("charts", chart, place) + ((key,) if panel is conditions else ())
+                    yield Fault(f"a value of axes.{key}, to which also can add it", path)

@@ -1,15 +1,12 @@
-"""The one validator of all YAML files: each keeps to the schema beside it in ``config/``.
+"""Checking configuration files: each kind keeps to the JSON Schema beside it in ``config/``.
 
-A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with three keywords of our own:
+A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two keywords of our own:
 
 ``rules``
-    Names of rules of ``thirdbody.configuration.rules``, which say what JSON Schema cannot.  They are
-    asked only where the rest of the document is right.
+    Names of functions of ``thirdbody.configuration.rules``, for what JSON Schema cannot say.  They are
+    called where the rest of the document is right.
 ``allowed``
-    What a message says is allowed here, where the bare numbers or pattern of the schema would say
-    too little.
-``allowed_keys``
-    The same of keys that keep to a pattern.
+    What a message says is allowed here, where bare numbers or a pattern would say too little.
 
 A schema refers to the definitions of ``conditions.schema.yaml`` as ``conditions.schema.yaml#/$defs/rtol``.
 """
@@ -18,51 +15,53 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from functools import cache
+from functools import cache, reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
-import yaml
+from jsonschema import Draft4Validator, Draft202012Validator, ValidationError
+from jsonschema.validators import extend
+from referencing import Registry
+from referencing.jsonschema import DRAFT202012
 
+from thirdbody.configuration import rules
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.rules import RULES, Breach
 from thirdbody.messages import LONGEST, shown, shown_file
-from thirdbody.project import HOME
 
 SHARED = "conditions"  # what the schemas of several files say of the same quantities
-LONGEST_LIST = 1000  # what the schemas allow at most
 MOST_NAMED = 16  # keys in a message
+NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
+TYPES = {
+    **{"object": "keys with values", "array": "a list", "string": "a word", "number": "a number"},
+    **{"integer": "an integer", "boolean": "a truth value", "null": "nothing"},
+}
+ALLOWED = {
+    "const": "{}",
+    "minimum": "at least {:g}",
+    "maximum": "at most {:g}",
+    "exclusiveMinimum": "above {:g}",
+    "exclusiveMaximum": "below {:g}",
+    "minItems": "at least {} values",
+    "maxItems": "at most {} values",
+    "uniqueItems": "no value twice",
+    "minProperties": "at least {} keys",
+    "minLength": "at least one letter",
+    "maxLength": "at most {} letters",
+}
 
 
 def config_directory() -> Path:
     """Where the configuration lies: inside an installed package, else beside ``src/``."""
-    return HOME / "config"
+    package = Path(__file__).resolve().parents[1]
+    home = package if (package / "config").is_dir() else package.parents[1]
+    return home / "config"
 
 
 def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
-    """Read a YAML file that keeps to the schema of its kind.
-
-    Parameters
-    ----------
-    path : str or Path
-        The file.
-    kind : str
-        Its kind: ``config/<kind>.schema.yaml`` is the schema.
-    **definitions : Mapping
-        Schemas that do not lie in a file; the schema refers to each by its name.
-
-    Returns
-    -------
-    dict or list
-        The content, plain data.
-
-    Raises
-    ------
-    ValueError
-        In one line: the file, the key at fault, its value and what is allowed.
-    """
+    """The content of a YAML file, which keeps to ``config/<kind>.schema.yaml``; else as ``validate``."""
     schema = read_schema(kind)
     content = read_yaml(path, {"object": dict, "array": list}[schema["type"]])
     validate(content, schema, shown_file(path), **definitions)
@@ -72,11 +71,13 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
 @cache
 def read_schema(kind: str) -> dict:
     """The JSON Schema of one kind of file, which nobody changes."""
-    return read_yaml(config_directory() / f"{kind}.schema.yaml", strict=False)
+    return read_yaml(config_directory() / f"{kind}.schema.yaml")
 
 
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
-    """Refuse what breaks a schema.
+    """Raise ``ValueError`` if plain data break a schema.
+
+    Its one line is about the fault that is nearest to the top: ``name: key is VALUE; allowed: ...``.
 
     Parameters
     ----------
@@ -88,189 +89,101 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
         What the message calls the content: the file that it is from.
     **definitions : Mapping
         Schemas that do not lie in a file; ``schema`` refers to each by its name.
-
-    Raises
-    ------
-    ValueError
-        In one line, for the fault that is nearest to the top: ``name: key is VALUE; allowed: ...``.
     """
-    _refuse_long_lists(content, name)
-    found = _validator_class()(schema, registry=_registry(definitions)).iter_errors(content)
-    faults = sorted(found, key=lambda each: (len(each.absolute_path), _joined(each.absolute_path)))
-    broken = next((each for each in faults if each.validator != "rules"), None)
-    if broken is not None:
-        place = _place(content, broken.absolute_path)
-        raise ValueError(f"{name}: {_explained(place, broken)}")
-    for asked in faults:
-        for path, breach in _breaches(asked):
-            line = _told(_place(content, path), breach, _value_at(content, path))
-            raise ValueError(f"{name}: {line}")
-
-
-# ---- the dialect of JSON Schema
-
-
-@cache
-def _validator_class():
-    """JSON Schema with our keywords, in which a number is finite and 5.0 is no integer."""
-    from jsonschema import Draft202012Validator, ValidationError
-    from jsonschema.validators import extend
-
-    def ask_later(validator, rules, instance, schema):
-        yield ValidationError("a rule is to be asked")
-
-    def is_integer(checker, value):
-        return isinstance(value, int) and not isinstance(value, bool)
-
-    def is_number(checker, value):
-        return is_integer(checker, value) or (isinstance(value, float) and math.isfinite(value))
-
-    kinds = Draft202012Validator.TYPE_CHECKER.redefine_many(
-        {"integer": is_integer, "number": is_number}
-    )
-    return extend(Draft202012Validator, {"rules": ask_later}, type_checker=kinds)
-
-
-def _registry(definitions: Mapping[str, Mapping]):
-    """Where a ``$ref`` finds the ``definitions`` and those that all schemas share."""
-    from referencing import Registry
-    from referencing.jsonschema import DRAFT202012
-
     known = {f"{SHARED}.schema.yaml": read_schema(SHARED), **definitions}
-    return Registry().with_resources(
-        (name, DRAFT202012.create_resource(each)) for name, each in known.items()
+    resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
+    validator = _Validator(schema, registry=Registry().with_resources(resources))
+    errors = sorted(
+        validator.iter_errors(content), key=lambda each: (len(each.path), each.json_path)
     )
+    for error in errors:
+        if error.validator != "rules":
+            raise ValueError(f"{name}: {_line(content, error.path, *_explained(error))}")
+    for error in errors:
+        for rule in error.validator_value:
+            for fault in getattr(rules, rule)(error.instance):
+                path = [*error.path, *fault.path]
+                raise ValueError(f"{name}: {_line(content, path, fault.problem, fault.allowed)}")
 
 
-def _refuse_long_lists(value: Any, name: str, path: tuple = ()) -> None:
-    """JSON Schema would compare each with each in a list of any length."""
-    if isinstance(value, list) and len(value) > LONGEST_LIST:
-        key = _joined(path)
-        told = f"{key} holds {len(value)} values; allowed: at most {LONGEST_LIST}"
-        raise ValueError(f"{name}: {told.lstrip()}")
-    if isinstance(value, (dict, list)):
-        for key, item in value.items() if isinstance(value, dict) else enumerate(value):
-            _refuse_long_lists(item, name, (*path, key))
+def _is_finite_number(checker, value) -> bool:
+    return math.isfinite(value) if isinstance(value, float) else checker.is_type(value, "integer")
 
 
-def _breaches(asked) -> Iterator[tuple[tuple, Breach]]:
-    """What the rules asked for at one place find, each with its place in the whole content."""
-    for rule in asked.validator_value:
-        for breach in RULES[rule](asked.instance):
-            yield (*asked.absolute_path, *breach.path), breach
+def _mark(validator, names, instance, schema):
+    """Note where rules are to be called, which is done when all else is right."""
+    yield ValidationError("rules are to be called")
+
+
+_Validator = extend(
+    Draft202012Validator,
+    {"rules": _mark},
+    # in draft 4 the number 5.0 is no integer
+    type_checker=Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number),
+)
 
 
 # ---- messages
 
 
-def _place(content: Any, path: Sequence) -> str:
-    """The dotted key at ``path``; an entry of a list of entries with ids goes by its id."""
-    if path and isinstance(content, list):
-        entry = content[path[0]]
-        name = entry.get("id") if isinstance(entry, dict) else None
-        if isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name):
-            return f"{name}: {_joined(list(path)[1:])}"
-    return _joined(path)
+def _line(content: Any, path: Iterable[str | int], problem: str, allowed: str) -> str:
+    """What is wrong at a ``path``: a ``problem`` or, if that is empty, the value itself."""
+    keys = list(path)
+    entry = content[keys[0]] if isinstance(content, list) and keys else None
+    name = entry.get("id") if isinstance(entry, dict) else None
+    is_named = isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name)
+    places = [name, _dotted(keys[1:])] if is_named else [_dotted(keys)]
+    place = ": ".join(filter(None, places))
+    if problem:
+        return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
+    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
 
 
-def _joined(path: Sequence) -> str:
-    key = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in path)
-    return key.lstrip(".")
+def _dotted(keys: Sequence[str | int]) -> str:
+    """Keys and positions as ``scenes.fig03.curves[0]``."""
+    parts = (f"[{key}]" if isinstance(key, int) else f".{key}" for key in keys)
+    return "".join(parts).removeprefix(".")
 
 
-def _value_at(content: Any, path: Sequence) -> Any:
-    for part in path:
-        content = content[part]
-    return content
-
-
-def _told(place: str, breach: Breach, value: Any) -> str:
-    fault = _after(place, breach.fault) if breach.fault else f"{place} is {shown(value)}"
-    return f"{fault}; allowed: {breach.allowed}"
-
-
-def _after(place: str, fault: str) -> str:
-    """A fault of a whole group of keys, after its place if there is one."""
-    return f"{place.removesuffix(': ')}: {fault}" if place else fault
-
-
-def _explained(place: str, error) -> str:
-    """One line for a schema error."""
-    unknown = _unknown_key(error)
-    if unknown is not None:
-        name, known = unknown
-        return _after(place, f"unknown key {shown(name)}; allowed: {_nearest(name, known)}")
+def _explained(error: ValidationError) -> tuple[str, str]:
+    """The problem, if the value alone does not say it, and what is allowed."""
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
-        return _after(place, f"key {missing!r} is missing; allowed: it must be given")
-    return f"{place} is {shown(error.instance)}; allowed: {_allowed(error)}{_hint(error)}"
-
-
-def _hint(error) -> str:
-    """Why a number has been taken for text: in YAML 1.1 it has a point and a sign, 1.0e+11, and no
-    quotes; what stands in braces or brackets after ``--config`` is text."""
-    if error.validator != "type" or not isinstance(error.instance, str):
-        return ""
-    try:
-        digits, power = f"{float(error.instance):.15e}".split("e")
-    except ValueError:
-        return ""
-    if isinstance(yaml.safe_load(error.instance), (int, float)):
-        return ", where this is text: in quotes, or in braces after --config"
-    return f", which YAML reads from {float(digits)!r}e{power}"
-
-
-def _unknown_key(error) -> tuple[str, Sequence[str]] | None:
-    """The key that ought not to be there and the keys that may, if that is the error."""
+        return f"key {missing!r} is missing", "it must be given"
+    if error.validator == "additionalProperties":
+        known = sorted(error.schema["properties"])
+        unknown = next(name for name in error.instance if name not in known)
+        return f"unknown key {shown(unknown)}", _nearest(unknown, known)
     if "propertyNames" in error.schema_path:
-        return error.instance, error.validator_value
-    if error.validator != "additionalProperties":
-        return None
-    known = sorted(error.schema.get("properties", {}))
-    patterns = list(error.schema.get("patternProperties", {}))
-    matches = re.compile("|".join(patterns) or r"(?!)").search
-    unknown = next(key for key in error.instance if key not in known and not matches(key))
-    return unknown, known or [error.schema["allowed_keys"]]
+        return f"unknown key {shown(error.instance)}", _allowed(error)
+    return "", _allowed(error)
+
+
+def _allowed(error: ValidationError) -> str:
+    """What would have been right in place of the value at fault."""
+    value, bound = error.instance, error.validator_value
+    if "allowed" in error.schema:
+        allowed = error.schema["allowed"]
+    elif isinstance(value, float) and not math.isfinite(value):
+        allowed = "finite numbers"
+    elif error.validator == "enum":
+        allowed = _nearest(str(value), [*map(str, bound)])
+    elif error.validator == "type":
+        allowed = " or ".join(
+            TYPES[kind] for kind in ([bound] if isinstance(bound, str) else bound)
+        )
+    elif error.validator in ALLOWED:
+        allowed = ALLOWED[error.validator].format(bound)
+    else:
+        allowed = error.message
+    if error.validator == "type" and isinstance(value, str) and NUMBER.fullmatch(value):
+        allowed += ", which YAML reads from 1.0e+11, not from 1e11, nor in quotes or in braces after --config"
+    return allowed
 
 
 def _nearest(name: str, known: Sequence[str]) -> str:
-    """All keys that are known or, of a great many, those that ``name`` can be a slip for."""
+    """All ``known`` keys or, of a great many, those that ``name`` can be a slip for."""
     if len(known) <= MOST_NAMED:
         return ", ".join(known)
     near = get_close_matches(name[:LONGEST], known, MOST_NAMED // 2, cutoff=0.0)
     return f"{', '.join(near)} and {len(known) - len(near)} more"
-
-
-_ALLOWED = {
-    "type": lambda kinds: _words(kinds),
-    "const": lambda value: f"{value}",
-    "minimum": lambda bound: f"at least {bound:g}",
-    "maximum": lambda bound: f"at most {bound:g}",
-    "exclusiveMinimum": lambda bound: f"above {bound:g}",
-    "exclusiveMaximum": lambda bound: f"below {bound:g}",
-    "minItems": lambda count: f"at least {count} values",
-    "maxItems": lambda count: f"at most {count} values",
-    "uniqueItems": lambda _: "no value twice",
-    "minProperties": lambda count: f"at least {count} keys",
-    "minLength": lambda _: "at least one letter",
-    "maxLength": lambda count: f"at most {count} letters",
-}
-
-
-def _allowed(error) -> str:
-    """What would have been right."""
-    if "allowed" in error.schema:
-        return error.schema["allowed"]
-    if isinstance(error.instance, float) and not math.isfinite(error.instance):
-        return "finite numbers"
-    if error.validator == "enum":
-        return _nearest(f"{error.instance}", [*map(str, error.validator_value)])
-    tell = _ALLOWED.get(error.validator)
-    return tell(error.validator_value) if tell else error.message
-
-
-def _words(kinds: str | list[str]) -> str:
-    """JSON Schema's type names as a person says them."""
-    named = {"object": "keys with values", "array": "a list", "string": "a word", "null": "nothing"}
-    kinds = [kinds] if isinstance(kinds, str) else kinds
-    return " or ".join(named.get(kind, f"a{'n' * (kind[0] in 'aeiou')} {kind}") for kind in kinds)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import subprocess
 import sys
 import zipfile
-from collections.abc import Iterable
 from datetime import date
 from os import PathLike
 from pathlib import Path
@@ -17,8 +16,10 @@ from pathlib import Path
 from thirdbody.data.sums import digest
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in
+from thirdbody.release.texts import render
 
 ALGORITHMS = ("sha256", "sha512")
+DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
 FILE_MODE = 0o100644 << 16  # a plain file that its owner may write
 UNIX = 3  # code of the system that has such modes
 
@@ -27,59 +28,33 @@ def seal(folder: Path, release: Release) -> None:
     """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
     payload = files_in(folder / "data", folder)
     size = sum((folder / name).stat().st_size for name in payload)
-    information = {
-        "Source-Organization": ", ".join(release.authors),
-        "External-Identifier": release.full_name,
-        "External-Description": " ".join(release.citation["title"].split()),
-        "Bagging-Date": release.date,
-        "Payload-Oxum": f"{size}.{len(payload)}",
-    }
-    lines = [f"{name}: {value}\n" for name, value in information.items()]
-    (folder / "bag-info.txt").write_text("".join(lines), encoding="utf-8")
-    declaration = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
-    (folder / "bagit.txt").write_text(declaration, encoding="utf-8")
+    information = render("bag-info.txt", release=release, oxum=f"{size}.{len(payload)}")
+    (folder / "bag-info.txt").write_text(information, encoding="utf-8")
+    (folder / "bagit.txt").write_text(DECLARATION, encoding="utf-8")
     _write_manifests(folder, "manifest", payload)
     not_tags = ("data/", "tagmanifest-")
     tags = [name for name in files_in(folder, folder) if not name.startswith(not_tags)]
     _write_manifests(folder, "tagmanifest", tags)
 
 
-def _write_manifests(folder: Path, kind: str, names: Iterable[str]) -> None:
+def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
     for algorithm in ALGORITHMS:
         lines = [f"{digest(folder / name, algorithm)}  {name}\n" for name in names]
         (folder / f"{kind}-{algorithm}.txt").write_text("".join(lines), encoding="utf-8")
 
 
-def check_sums(folder: Path) -> None:
-    """Raise ``ValueError`` if a file of a sealed folder is changed, missing or was added."""
+def pack(folder: Path, archive: str | PathLike, day: str) -> None:
+    """Write a sealed folder as a zip file; the same files give the same bytes.
+
+    Members are sorted and have the same mode and the date ``day`` (ISO 8601).  They are not compressed,
+    since the bytes of a compressor depend on its version.  Raises ``ValueError``, and writes nothing,
+    if the folder is not what its sums say.
+    """
     command = [sys.executable, "verification/verify.py", folder, "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         reason = (done.stdout or done.stderr).strip()
         raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
-
-
-def pack(folder: Path, archive: str | PathLike, day: str) -> None:
-    """Write a folder as a zip file; the same files give the same bytes.
-
-    Members are sorted and have the same mode and date.  They are not compressed, since the bytes of
-    a compressor depend on its version.
-
-    Parameters
-    ----------
-    folder : Path
-        A sealed folder; its name is the first part of every member's name.
-    archive : path
-        File to write.
-    day : str
-        Date of every member, ISO 8601.
-
-    Raises
-    ------
-    ValueError
-        If the folder is not what its sums say; nothing is written then.
-    """
-    check_sums(folder)
     moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
         for name in files_in(folder, folder):

@@ -8,16 +8,13 @@ from __future__ import annotations
 
 import re
 import tomllib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
 from typing import Any
 
 import yaml
-
-DATA_LICENCE = "CC-BY-4.0"
-SPDX = "https://spdx.org/licenses/"  # addresses of licences begin with this
 
 
 @dataclass(frozen=True)
@@ -30,8 +27,14 @@ class Release:
     citation: dict[str, Any]
 
     @classmethod
-    def of(cls, pyproject: str | PathLike, citation: str | PathLike) -> Release:
-        """Read ``pyproject.toml`` and ``CITATION.cff``; ``ValueError`` if their versions differ."""
+    def of(
+        cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True
+    ) -> Release:
+        """The release that ``pyproject.toml`` and ``CITATION.cff`` describe.
+
+        Unless the configuration ``is_paper``, its version and title say so.  Raises ``ValueError`` if
+        both files have different versions.
+        """
         project = _read_project(pyproject)
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != project["version"]:
@@ -39,14 +42,10 @@ class Release:
                 f"{citation}: version is {cited['version']}; "
                 f"allowed: {project['version']}, as in {pyproject}"
             )
-        return cls(project["name"], project["version"], cited["date-released"], cited)
-
-    def of_other_configuration(self) -> Release:
-        """The same with a version and title which say that the configuration is not the paper's."""
-        version = f"{self.version}+changed"
-        title = f"{self.citation['title']}, with a changed configuration"
-        citation = {**self.citation, "version": version, "title": title}
-        return replace(self, version=version, citation=citation)
+        if not is_paper:
+            cited["version"] += "+changed"
+            cited["title"] += ", with a changed configuration"
+        return cls(project["name"], cited["version"], cited["date-released"], cited)
 
     @property
     def full_name(self) -> str:
@@ -78,12 +77,6 @@ class Release:
             f"{paper['start']}. {self.paper_url}"
         )
 
-    @property
-    def text(self) -> str:
-        """The release as it stands in a list of references."""
-        title = f"{self.citation['title']}, version {self.version}"
-        return f"{', '.join(self.authors)} ({self.date[:4]}), {title}"
-
 
 def software_versions(pyproject: str | PathLike) -> dict[str, str]:
     """Installed versions of the packages that the workflow asks for, by name."""
@@ -91,11 +84,11 @@ def software_versions(pyproject: str | PathLike) -> dict[str, str]:
     wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
     while wanted:
         name, extras = re.match(r"([\w.-]+)(?:\[([\w,]+)\])?", wanted.pop()).groups()
-        if name == project["name"]:
-            for extra in extras.split(","):
-                wanted += project["optional-dependencies"][extra]
-        else:
+        if name != project["name"]:
             names.add(name)
+            continue
+        for extra in extras.split(","):
+            wanted += project["optional-dependencies"][extra]
     return {name: version(name) for name in sorted(names)}
 
 

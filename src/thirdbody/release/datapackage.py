@@ -7,43 +7,25 @@ columns, which are known here.  Tests validate the result with it.
 from __future__ import annotations
 
 import csv
-import json
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from thirdbody.data.sums import digest
 from thirdbody.data.tables import DRAWN_POINTS, TABLES
-from thirdbody.release.citation import DATA_LICENCE, SPDX, Release
+from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in, media_type
+from thirdbody.release.texts import render_json
 
 
 def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:
     """Content of ``datapackage.json`` for the folders ``kinds`` of products in ``data``.
 
-    Raises
-    ------
-    ValueError
-        If nothing describes the columns of a table.
-
-    References
-    ----------
-    https://datapackage.org/standard/data-package
+    Raises as ``table_schema``.  See https://datapackage.org/standard/data-package.
     """
-    cited = release.citation
     names = [name for kind in sorted(kinds) for name in files_in(data / kind, data)]
-    return {
-        "name": release.name,
-        "title": cited["title"],
-        "description": cited["abstract"],
-        "version": release.version,
-        "created": f"{release.date}T00:00:00Z",
-        "licenses": [{"name": DATA_LICENCE, "path": f"{SPDX}{DATA_LICENCE}.html"}],
-        "sources": [{"title": release.paper_text, "path": release.paper_url}],
-        "contributors": [{"title": name, "role": "author"} for name in release.authors],
-        "keywords": cited["keywords"],
-        "resources": [_resource(data, name) for name in names],
-    }
+    resources = [_resource(data, name) for name in names]
+    return render_json("datapackage.json", release=release, resources=resources)
 
 
 def _resource(data: Path, path: str) -> dict:
@@ -62,25 +44,15 @@ def _resource(data: Path, path: str) -> dict:
 
 
 def table_schema(file: Path) -> dict[str, Any]:
-    """Table Schema of a CSV file: the JSON file beside it, or by the names of its columns.
-
-    Raises
-    ------
-    ValueError
-        If nothing describes the columns.
-    """
-    beside = file.with_suffix(".json")
-    schema = json.loads(beside.read_text(encoding="utf-8")) if beside.is_file() else {}
-    if "fields" in schema:  # claims.json holds the statements themselves
-        return schema
+    """Table Schema of a CSV file by the names of its columns; ``ValueError`` if nothing describes them."""
     with open(file, encoding="utf-8", newline="") as stream:
         header = next(csv.reader(stream), [])
     for columns in (DRAWN_POINTS, *TABLES.values()):
         if header == [column.name for column in columns]:
-            return {"fields": [_field(column) for column in columns], "missingValues": [""]}
+            fields = [
+                {"name": column.name, "type": column.kind, "description": column.description}
+                | ({"unit": column.unit} if column.unit else {})
+                for column in columns
+            ]
+            return {"fields": fields, "missingValues": [""]}
     raise ValueError(f"{file.name}: nothing describes the columns {header}")
-
-
-def _field(column) -> dict:
-    field = {"name": column.name, "type": column.kind, "description": column.description}
-    return field | ({"unit": column.unit} if column.unit else {})

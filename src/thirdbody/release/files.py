@@ -6,43 +6,31 @@ import json
 import mimetypes
 import subprocess
 import tempfile
-from os import PathLike
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Any
 
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without the files of the system
 
 
-def media_type(path: str | PathLike) -> str:
-    """Media type of a file by its suffix; unknown suffixes give plain text.
-
-    Examples
-    --------
-    >>> media_type("results/datasets/fig03.nc"), media_type("LICENSE")
-    ('application/x-netcdf', 'text/plain')
-    """
-    return KNOWN_TYPES.guess_type(PurePath(path).name)[0] or "text/plain"
+def media_type(name: str) -> str:
+    """Media type of a file by its suffix; unknown suffixes give plain text."""
+    return KNOWN_TYPES.guess_type(name)[0] or "text/plain"
 
 
 def source_files() -> list[str]:
     """Sorted paths of the sources, relative to the current folder, the root of the project.
 
     They are the files that git tracks, or would track: new files which ``.gitignore`` does not name.
-    In a folder without a repository, such as an unpacked archive, ``.gitignore`` alone counts.
-
-    Raises
-    ------
-    OSError
-        If git is not installed, or cannot read the folder.
+    In a folder without a repository, such as an unpacked archive, ``.gitignore`` alone counts.  Raises
+    ``OSError`` if git is not installed, or cannot read the folder.
     """
     listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
-    if Path(".git").exists():
-        names = _git(*listing)
-    else:
-        with tempfile.TemporaryDirectory() as empty:
+    with tempfile.TemporaryDirectory() as empty:
+        if not Path(".git").exists():
             _git("init", "--quiet", "--bare", empty)
-            names = _git(f"--git-dir={empty}", "--work-tree=.", *listing)
-    return sorted({name for name in names.split("\0") if name and Path(name).is_file()})
+            listing = [f"--git-dir={empty}", "--work-tree=.", *listing]
+        names = _git(*listing).split("\0")
+    return sorted({name for name in names if name and Path(name).is_file()})
 
 
 def _git(*arguments: str) -> str:

@@ -128,7 +128,7 @@ def mutations() -> list[Mutation]:
         before = (ROOT / file).read_bytes()
         for name, added in SYNTAX.items():
             content = before + added if added.startswith(b"\n") else added
-            words = file.rpartition("/")[2], "'x'"
+            words = file.rpartition("/")[2], "'x'", "'__use_yte__'"
             made.append(Mutation(f"{file}: {name}", file, content, words))
         changes = list(_changes(yaml.safe_load(before)))
         for way, what, new in chance.sample(changes, count):

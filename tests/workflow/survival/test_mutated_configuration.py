@@ -11,8 +11,7 @@ from mutations import Mutation, mutations, slips
 from workspace import ROOT, run_side_by_side
 
 from thirdbody.configuration import schema
-from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.settings import read_plain, require_surfaces, workflow_settings
+from thirdbody.configuration.settings import read_settings
 from thirdbody.data.scene import Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
@@ -49,13 +48,7 @@ def in_folder(folder, monkeypatch):
 def outcome(mutation: Mutation) -> str:
     """How the file is taken, read as the Snakefile reads it: ``read``, or the line of its refusal."""
     try:
-        files = "config/config.yaml", "config/scenes.yaml"
-        read_plain(*files)
-        merged = {}
-        for file in files:
-            merged |= read_yaml(file)
-        settings = workflow_settings(merged)
-        require_surfaces(settings)
+        settings = read_settings({}, "config")
         if mutation.file == CLAIMS:  # else they are as they were
             load_claims(CLAIMS)
     except ValueError as error:
