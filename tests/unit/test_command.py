@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -9,7 +10,6 @@ import sys
 import pytest
 
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.command import main as command
 from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, NOT_WRITTEN, STOPPED, main
 from thirdbody.command.questions import EXAMPLES
 
@@ -22,9 +22,9 @@ REFUSED = {
     "": "QUESTION is missing; allowed: state, viscosity, size",
     "answer": "QUESTION is 'answer'; allowed: state, viscosity, size",
     "state --load-N ten": "--load-N is 'ten'; allowed: a number, without unit",
-    f"{STATE} --load-N 0": "--load-N is 0; allowed: positive numbers",
-    f"{STATE} --load-N nan": "--load-N is nan; allowed: positive numbers",
-    f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1.0; allowed: zero or positive numbers",
+    f"{STATE} --load-N 0": "--load-N is 0; allowed: positive finite numbers",
+    f"{STATE} --load-N nan": "--load-N is nan; allowed: positive finite numbers",
+    f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1; allowed: zero or positive finite numbers",
     "state --load-N 1": "--viscosity-cSt is missing",
     "state --load 1": "there is no option --load (Possible options: --load-N)",
     f"{STATE} --inputs absent.yaml": "--inputs is 'absent.yaml'",
@@ -163,6 +163,8 @@ def test_help_needs_neither_the_solver_nor_what_the_extras_bring():
 
 
 def test_a_terminal_gets_tables_as_wide_as_it_is(monkeypatch, capsys):
-    monkeypatch.setattr(command, "WIDTH", 60)
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
     assert run(BEARING) == ANSWERED
-    assert max(map(len, capsys.readouterr().out.splitlines())) <= 60
+    lines = re.sub(r"\x1b\[\d*m", "", capsys.readouterr().out).splitlines()
+    assert 50 < max(map(len, lines)) <= 60
