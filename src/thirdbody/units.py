@@ -54,10 +54,9 @@ class Unit:
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """Values in SI in this unit."""
-        return np.divide(values, self.scale / self._per_load(newtons_per_load))
-
-    def _per_load(self, newtons_per_load: float) -> float:
-        return newtons_per_load if self.key == LOAD_IN_NEWTONS else 1.0
+        if self.key == LOAD_IN_NEWTONS:
+            return np.divide(values, 1.0 / newtons_per_load)
+        return np.divide(values, self.scale)
 
 
 LOAD_IN_NEWTONS = "load_N"
@@ -114,23 +113,10 @@ WANTED = {
 
 
 def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
-    """Bare numbers, in the unit of an argument of ``solve``.
+    """Bare numbers in SI of a quantity, a list or an array of some; anything else is returned as it is.
 
-    Parameters
-    ----------
-    name : str
-        The condition, an argument of ``solve``.
-    given : object
-        A quantity, a list or an array of some, or anything else, which is returned.
-    newtons_per_load : float
-        F_t/F_t* [N], for a load that is given as a force.
-
-    Raises
-    ------
-    ValueError
-        In one line: for a unit that is unknown or of another dimension, and for uncertainties.
-    ModuleNotFoundError
-        In one line, if pint is not installed, which reads units of other packages.
+    ``newtons_per_load`` turns a force into a load.  Raises ``ValueError`` for a unit that is unknown or
+    of another dimension, and for uncertainties; ``ModuleNotFoundError`` if pint is not installed.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data

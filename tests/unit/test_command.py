@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -21,9 +22,9 @@ REFUSED = {
     "": "QUESTION is missing; allowed: state, viscosity, size",
     "answer": "QUESTION is 'answer'; allowed: state, viscosity, size",
     "state --load-N ten": "--load-N is 'ten'; allowed: a number, without unit",
-    f"{STATE} --load-N 0": "--load-N is 0; allowed: positive numbers",
-    f"{STATE} --load-N nan": "--load-N is nan; allowed: positive numbers",
-    f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1.0; allowed: zero or positive numbers",
+    f"{STATE} --load-N 0": "--load-N is 0; allowed: positive finite numbers",
+    f"{STATE} --load-N nan": "--load-N is nan; allowed: positive finite numbers",
+    f"{STATE} --viscosity-cSt -1": "--viscosity-cSt is -1; allowed: zero or positive finite numbers",
     "state --load-N 1": "--viscosity-cSt is missing",
     "state --load 1": "there is no option --load (Possible options: --load-N)",
     f"{STATE} --inputs absent.yaml": "--inputs is 'absent.yaml'",

@@ -11,7 +11,6 @@ from thirdbody.data.spread import spread
 
 if TYPE_CHECKING:
     import pandas as pd
-    from rich.console import Group
 
 Value = float | str | None  # a number, the name of a regime or mode, or nothing: it does not occur
 DIGITS = 4
@@ -115,9 +114,10 @@ class Answer:
         """The value of the first row of a name; ``KeyError`` if there is no such row."""
         return {row.name: row.value for row in reversed(self.rows)}[name]
 
-    def __rich__(self) -> Group:
+    def as_text(self, width: int = WIDTH, on_terminal: bool = False) -> str:
+        """The title, a table and the notes, at most ``width`` columns wide."""
         from rich.box import Box
-        from rich.console import Group
+        from rich.console import Console
         from rich.table import Table
 
         compares = any(row.other is not None for row in self.rows)
@@ -130,15 +130,16 @@ class Answer:
             values = [row.value, row.other] if compares else [row.value]
             table.add_row(row.quantity, *map(text_of, values), row.range_text, row.unit)
         notes = ["", *(f"  {note}" for note in self.notes)] if self.notes else []
-        return Group(self.title, "", table, *notes)
+        text = StringIO()
+        console = Console(
+            file=text, width=width, force_terminal=on_terminal, markup=False, highlight=False
+        )
+        for part in (self.title, "", table, *notes):
+            console.print(part)
+        return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
 
     def __str__(self) -> str:
-        """The title, a table and the notes."""
-        from rich.console import Console
-
-        text = StringIO()
-        Console(file=text, width=WIDTH, markup=False, highlight=False).print(self)
-        return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+        return self.as_text()
 
     def _repr_html_(self) -> str:
         return self.to_dataframe().to_html(index=False)

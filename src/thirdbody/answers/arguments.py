@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_points
+from thirdbody.conditions.checks import check_points, checked_array
 from thirdbody.conditions.in_si import in_si
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
@@ -52,19 +52,13 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
     if not isinstance(variable, str) or variable not in QUANTITIES:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
-    allowed = f"allowed: numbers, in {quantity.units}"
+    allowed = f"numbers, in {quantity.units}"
     several = level if isinstance(level, (list, tuple)) else [level]
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
-        raise ValueError(f"level is a {type(level).__name__}; {allowed}")
-    try:
-        levels = np.asarray(level)
-    except ValueError:
-        raise ValueError(f"level is a ragged list; {allowed}") from None
-    check_points({"level": levels})
-    numbers = levels.dtype.kind in "iuf" or all(map(_is_number, levels.flat))
-    if not numbers or not np.isfinite(levels.astype(float, copy=False)).all():
-        raise ValueError(f"level is {shown(level)}; {allowed}")
-    levels = levels.astype(float, copy=False)
+        raise ValueError(f"level is a {type(level).__name__}; allowed: {allowed}")
+    levels = checked_array("level", level, allowed)
+    if not np.isfinite(levels).all():
+        raise ValueError(f"level is {shown(level)}; allowed: {allowed}")
     impossible = levels[(levels < 0.0) | (levels > quantity.largest)]
     if impossible.size:
         most = f"0 to {quantity.largest:g}" if quantity.largest < math.inf else "zero or positive"

@@ -29,6 +29,7 @@ USUAL = {  # usual ends and unit of the numbers of ``bearing``
     "modulus": ((1e8, 2e12), "Pa"),
     "hardness": ((1e7, 2e11), "Pa"),
 }
+BODIES = "ball", "flat", "particle"
 
 
 @dataclass(frozen=True)
@@ -142,31 +143,23 @@ def bearing(
     >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
     134.1
     """
-    numbers = {
-        "ball_radius_mm": ball_radius_mm,
-        "speed_m_per_s": speed_m_per_s,
-        "oil_density_kg_per_m3": oil_density_kg_per_m3,
-        "dynamic_viscosity_mPa_s": dynamic_viscosity_mPa_s,
-        "viscosity_cSt": viscosity_cSt,
-        "pressure_viscosity_per_GPa": pressure_viscosity_per_GPa,
-    }
+    arguments = locals()
     parameters = checked_parameters(parameters)
-    given = {name: value for name, value in numbers.items() if value is not None}
+    given = {name: arguments[name] for name in USUAL if arguments.get(name) is not None}
     for name, value in given.items():
         check_number(name, value)
     warn_outside({name: (value, *USUAL[name]) for name, value in given.items()})
-    bodies = {"ball": ball, "flat": flat, "particle": particle}
+    bodies = {name: arguments[name] for name in BODIES if arguments[name] is not None}
     for name, body in bodies.items():
-        if body is not None and not isinstance(body, Material):
+        if not isinstance(body, Material):
             allowed = f"a Material, as MATERIALS of {', '.join(MATERIALS)}"
             raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
     modulus = parameters.elastic_modulus_surfaces
     changes = {}
-    if (ball, flat, particle) != (None, None, None):
-        is_given = particle is not None
-        ball, flat, particle = (each or MATERIALS["steel"] for each in (ball, flat, particle))
+    if bodies:
+        ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)
         harder = max(ball.hardness, flat.hardness)
-        if is_given and particle.hardness < harder:
+        if "particle" in bodies and particle.hardness < harder:
             raise ValueError(
                 f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least that of "
                 f"both surfaces, {1e-9 * harder:g} GPa, as the model's particles keep their shape"
@@ -183,9 +176,7 @@ def bearing(
     radius = parameters.ball_radius if ball_radius_mm is None else 1e-3 * ball_radius_mm
     density = oil_density_kg_per_m3
     if dynamic_viscosity_mPa_s is not None and viscosity_cSt is not None:
-        density = (
-            1e-3 * dynamic_viscosity_mPa_s / float(UNITS["viscosity_cSt"].to_si(viscosity_cSt))
-        )
+        density = 1e-3 * dynamic_viscosity_mPa_s / (1e-6 * viscosity_cSt)
     if (speed_m_per_s is None) != (density is None):
         raise ValueError(
             f"speed_m_per_s is {speed_m_per_s} and the oil's density {density}; allowed: both, or "
@@ -207,9 +198,7 @@ def bearing(
     try:
         return replace(parameters, **changes)
     except ValueError as error:
-        used = [name for name, body in bodies.items() if body is not None]
-        names = ", ".join([*given, *used])
-        raise ValueError(f"from {names} follows: {error}") from None
+        raise ValueError(f"from {', '.join([*given, *bodies])} follows: {error}") from None
 
 
 # what each derived input is, and the formula that it follows from

@@ -213,23 +213,8 @@ def crossings(
 ) -> list[tuple]:
     """Find the crossings of several variables, which are solved together.
 
-    Parameters
-    ----------
-    limits : sequence
-        Pairs of a variable and its level for each query, shape (queries,).
-    unit : Unit
-        The axis, and the unit of the result.
-    swept : array
-        Increasing values of the axis [SI].
-    others : mapping
-        The other axes [SI], each of shape (queries,).
-    parameters, rtol, progress
-        As of ``find``.
-
-    Returns
-    -------
-    list of tuple
-        For each limit the fields of ``Crossings`` from ``query`` on.
+    ``limits`` are pairs of a variable and its level for each query; ``swept`` values of the axis and
+    the ``others`` are in SI.  Returns for each limit the fields of ``Crossings`` from ``query`` on.
     """
     check_rtol(rtol)
     names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])

@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.answers.answer import Answer, Row, Value
-from thirdbody.answers.arguments import check_count, check_ends, check_number
+from thirdbody.answers.arguments import check_count, check_ends
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import NEVER_ZERO, check_names, checked_parameters
+from thirdbody.conditions.checks import check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import OutOfRangeWarning
 from thirdbody.curves.turning_point import PROMINENCE
@@ -90,14 +90,12 @@ class Interface:
 
     def __post_init__(self):
         object.__setattr__(self, "parameters", checked_parameters(self.parameters))
-        for name, key in ENGINEERING.items():
-            if not has_unit(getattr(self, key)):
-                check_number(key, getattr(self, key), name in NEVER_ZERO)
         given = in_si(self.conditions, self.parameters)
         for name, key in ENGINEERING.items():
+            if given[name].ndim:
+                raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
             if has_unit(getattr(self, key)):
                 number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
-                check_number(key, number[()], name in NEVER_ZERO)
                 object.__setattr__(self, key, float(f"{number:.12g}"))
 
     @property

@@ -9,7 +9,6 @@ import sys
 import warnings
 from collections.abc import Sequence
 from inspect import signature
-from io import StringIO
 from shutil import get_terminal_size
 from typing import Any
 
@@ -18,7 +17,6 @@ import typer
 from thirdbody.command.questions import EXAMPLES, questions
 
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130
-WIDTH = 200  # columns of a text that is not on a terminal
 # messages of typer, and the same as messages of the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
@@ -97,14 +95,9 @@ def _text(answer: Any, as_json: bool) -> str:
         return json.dumps(answer.as_dict())
     if hasattr(answer, "as_csv"):
         return answer.as_csv().rstrip("\n")
-    from rich.console import Console
-
-    text, terminal = StringIO(), sys.stdout.isatty()
-    width = get_terminal_size().columns if terminal else WIDTH
-    Console(file=text, width=width, force_terminal=terminal, markup=False, highlight=False).print(
-        answer
-    )
-    return "\n".join(line.rstrip() for line in text.getvalue().splitlines())
+    if sys.stdout.isatty():
+        return answer.as_text(get_terminal_size().columns, on_terminal=True)
+    return str(answer)
 
 
 def _print(name: str, text: str) -> int:

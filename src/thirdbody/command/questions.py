@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from inspect import Parameter, Signature
 from typing import Annotated, Any
 
 import typer
 
 from thirdbody.units import ENGINEERING, SEARCHED
 
+REGIME, MODE = "lubrication_regime", "contact_mode"
 SURFACE, LAYER = "--roughness-nm 300", "--particle-density-per-m2 1e11"
 PARTICLES = f"--particle-diameter-nm 500 {SURFACE} {LAYER}"
 _OPTIONS = {
@@ -61,6 +63,7 @@ AnyLoad, AnyViscosity, AnyDiameter, AnyRoughness, AnyDensity = (
 OtherLoad, OtherViscosity, OtherDiameter, OtherRoughness, OtherDensity = (
     _optional(f"other-{name}", f"of the second: {text}") for name, text in _CONDITIONS.items()
 )
+CONDITIONS = dict(zip(ENGINEERING, (Load, Viscosity, Diameter, Roughness, Density)))
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
 File = Annotated[str | None, typer.Option(metavar="FILE")]
@@ -118,79 +121,42 @@ def _state(
     return _interface(locals()).state(), json
 
 
-@_question("viscosity")
-def _viscosity(
-    load_N: Load,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
-    first: First = SEARCHED["viscosity"][0],
-    last: Last = SEARCHED["viscosity"][1],
-    inputs: Inputs = None,
-    json: Json = False,
-):
-    """Which viscosity leaves boundary lubrication."""
-    return _changes("viscosity", [REGIME], locals()), json
+# name: the condition along which it searches, the flags that change, the question in words
+CHANGES = {
+    "viscosity": ("viscosity", [REGIME], "Which viscosity leaves boundary lubrication."),
+    "size": ("particle_diameter", [MODE], "Which particle size a filter has to keep out."),
+    "roughness": ("roughness", [REGIME, MODE], "At which roughness regime or mode change."),
+    "density": (
+        "particle_density",
+        [MODE],
+        "Which density of debris is too much: the mode changes.",
+    ),
+    "transitions": ("load", [REGIME, MODE], "At which load the regime or the mode changes."),
+}
 
 
-@_question("size")
-def _size(
-    load_N: Load,
-    viscosity_cSt: Viscosity,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
-    first: First = SEARCHED["particle_diameter"][0],
-    last: Last = SEARCHED["particle_diameter"][1],
-    inputs: Inputs = None,
-    json: Json = False,
-):
-    """Which particle size a filter has to keep out."""
-    return _changes("particle_diameter", [MODE], locals()), json
+def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
+    """Add the question at which value of one condition flags change: it has the options of the others."""
+
+    def changes(**given: Any):
+        between = _increasing(given["first"], given["last"])
+        return _interface(given).transitions(along, flags, between), given["json"]
+
+    options = {ENGINEERING[each]: (kind, Parameter.empty) for each, kind in CONDITIONS.items()}
+    del options[ENGINEERING[along]]
+    first, last = SEARCHED[along]
+    options |= {"first": (First, first), "last": (Last, last)}
+    options |= {"inputs": (Inputs, None), "json": (Json, False)}
+    changes.__doc__ = text
+    changes.__signature__ = Signature(
+        Parameter(name, Parameter.KEYWORD_ONLY, annotation=kind, default=default)
+        for name, (kind, default) in options.items()
+    )
+    _question(name)(changes)
 
 
-@_question("roughness")
-def _roughness(
-    load_N: Load,
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    particle_density_per_m2: Density,
-    first: First = SEARCHED["roughness"][0],
-    last: Last = SEARCHED["roughness"][1],
-    inputs: Inputs = None,
-    json: Json = False,
-):
-    """At which roughness regime or mode change."""
-    return _changes("roughness", [REGIME, MODE], locals()), json
-
-
-@_question("density")
-def _density(
-    load_N: Load,
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    first: First = SEARCHED["particle_density"][0],
-    last: Last = SEARCHED["particle_density"][1],
-    inputs: Inputs = None,
-    json: Json = False,
-):
-    """Which density of debris is too much: the mode changes."""
-    return _changes("particle_density", [MODE], locals()), json
-
-
-@_question("transitions")
-def _transitions(
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
-    first: First = SEARCHED["load"][0],
-    last: Last = SEARCHED["load"][1],
-    inputs: Inputs = None,
-    json: Json = False,
-):
-    """At which load the regime or the mode changes."""
-    return _changes("load", [REGIME, MODE], locals()), json
+for name, question in CHANGES.items():
+    _add_changes(name, *question)
 
 
 @_question("turning-point")
@@ -319,15 +285,6 @@ def _compare(
     changes["parameters"] = _inputs(other_inputs, "--other-inputs") if other_inputs else None
     other = one.changed(**{key: each for key, each in changes.items() if each is not None})
     return one.compare(other), json
-
-
-REGIME, MODE = "lubrication_regime", "contact_mode"
-
-
-def _changes(along: str, flags: list[str], given: Mapping[str, Any]) -> Any:
-    """Where flags change along a condition, with the arguments of a sub-command."""
-    between = _increasing(given["first"], given["last"])
-    return _interface(given).transitions(along, flags, between)
 
 
 def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:

@@ -42,14 +42,8 @@ def _published_parameters():
     return load_parameters()
 
 
-def check_variables(variables: Any, known: Collection[str]) -> None:
-    """Raises ``ValueError`` unless ``variables`` is a collection of names out of ``known``."""
-    check_names("variables", variables, known)
-
-
 def check_names(argument: str, given: Any, known: Collection[str]) -> None:
-    """Raises ``ValueError`` unless what an ``argument`` is given is a collection of names out of
-    ``known``."""
+    """Raises ``ValueError`` unless an ``argument`` is a collection of names out of ``known``."""
     if given is known:
         return
     allowed = f"allowed: a list out of {', '.join(known)}"
@@ -102,14 +96,7 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
 def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
     """The values of a condition, float64 in SI; a ``ValueError`` names it and its first bad value.
 
-    Parameters
-    ----------
-    name : str
-        The condition, an argument of ``solve``.
-    values : array_like
-        Numbers or quantities; of an array with named dimensions its values.
-    parameters : Parameters
-        Say how many newtons a load is.
+    Quantities are converted; of an array with named dimensions its values are taken.
     """
     zero_allowed = name not in NEVER_ZERO
     least = 0.0 if zero_allowed else LEAST
@@ -117,23 +104,10 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
         return np.asarray(float(values))  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
-        ways = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
-        raise ValueError(f"{name} is a {kind} of pandas; allowed: {ways} of it")
+        instead = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
+        raise ValueError(f"{name} is a {kind} of pandas; allowed: {instead} of it")
     given = without_unit(name, values, parameters.newtons_per_load)
-    given = given.data if is_labelled(given) else given
-    if np.ma.is_masked(given):
-        raise ValueError(f"{name} has masked values; allowed: numbers at every point")
-    try:
-        array = np.asarray(given)
-    except ValueError:
-        raise ValueError(f"{name} is a ragged list; allowed: numbers of one shape") from None
-    if array.dtype.kind == "O" and all(type(each) in (int, float) for each in array.flat):
-        array = _of_long_integers(name, array)
-    check_points({name: array})
-    if array.dtype.kind not in "iuf":
-        kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
-        raise ValueError(f"{name} is of type {kind}; allowed: numbers")
-    array = np.asarray(array, float)
+    array = checked_array(name, given.data if is_labelled(given) else given)
     if not (array.min(initial=MOST) >= least and array.max(initial=0.0) < np.inf):
         bad = array[~((array >= least) & np.isfinite(array))].flat[0]
         sign = "zero or positive" if zero_allowed else "positive"
@@ -141,10 +115,22 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
     return array
 
 
-def _of_long_integers(name, array):
-    """An array of Python's integers, which numpy takes for objects where they are long."""
+def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
+    """Real numbers of one shape as float64, which may be infinite or nan."""
+    if np.ma.is_masked(given):
+        raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     try:
-        return array.astype(float)
-    except OverflowError:
-        told = "has an integer beyond 1.8e308; allowed: finite numbers"
-        raise ValueError(f"{name} {told}") from None
+        array = np.asarray(given)
+    except ValueError:
+        raise ValueError(f"{name} is a ragged list; allowed: {allowed} of one shape") from None
+    check_points({name: array})
+    if array.dtype.kind == "O" and all(type(each) in (int, float) for each in array.flat):
+        try:
+            return array.astype(float)  # of integers that are long
+        except OverflowError:
+            told = "has an integer beyond 1.8e308; allowed: finite numbers"
+            raise ValueError(f"{name} {told}") from None
+    if array.dtype.kind not in "iuf":
+        kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
+        raise ValueError(f"{name} is of type {kind}; allowed: {allowed}")
+    return np.asarray(array, float)

@@ -22,13 +22,12 @@ def in_si(
     but: str | None = None,
     check: Callable[[str, NDArray], NDArray] = lambda key, values: values,
 ) -> dict[str, NDArray]:
-    """Conditions by the arguments of ``solve``.
+    """Conditions [SI] by the arguments of ``solve``; warns as ``solve``, in the units that were given.
 
     Parameters
     ----------
     given : mapping
-        A value of each condition, by its name in SI or in engineering units; quantities have their
-        own unit.
+        A value of each condition, by its name in SI or in engineering units, or a quantity.
     parameters : Parameters
         Inputs of the model.
     but : str, optional
@@ -41,11 +40,6 @@ def in_si(
     ValueError
         If a condition is missing, given twice, unknown, or the one that is not to be given, and for
         numbers that ``solve`` refuses.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        As ``solve``, in the units that were given.
 
     Examples
     --------

@@ -20,13 +20,8 @@ if TYPE_CHECKING:
 
 
 def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[str, Any]:
-    """The ``arrays`` of conditions, SI, with the dimensions and coordinates of what was ``given``.
-
-    Raises
-    ------
-    ValueError
-        In one line: for an array without names among others.
-    """
+    """The ``arrays`` of conditions [SI] with the dimensions and coordinates of what was ``given``;
+    ``ValueError`` for an array without names among others."""
     import xarray as xr
 
     named = [name for name, each in given.items() if is_labelled(each)]
@@ -42,25 +37,8 @@ def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[
 
 
 def broadcast_by_name(conditions: Mapping[str, Any]) -> tuple[dict[str, NDArray], xr.DataArray]:
-    """Arrays that broadcast by position as ``conditions`` do by the names of their dimensions.
-
-    Parameters
-    ----------
-    conditions : mapping
-        What ``with_names`` returns.
-
-    Returns
-    -------
-    arrays : dict
-        The values by the names of the conditions; scalars as they are, all others of one shape.
-    pattern : xarray.DataArray
-        Has the dimensions and coordinates of what they broadcast to.
-
-    Raises
-    ------
-    ValueError
-        In one line: for coordinates that differ.
-    """
+    """Arrays of one shape from ``conditions`` that broadcast by the names of their dimensions, and an
+    array with the dimensions and coordinates of that shape; ``ValueError`` for coordinates that differ."""
     import xarray as xr
 
     named = {name: each for name, each in conditions.items() if is_labelled(each)}

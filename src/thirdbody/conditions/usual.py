@@ -50,27 +50,14 @@ def warn_unusual(
     units: Mapping[str, Unit] = UNITS,
     newtons_per_load: float = 1.0,
 ) -> None:
-    """Issue one ``OutOfRangeWarning``, at the caller of the package.
-
-    Parameters
-    ----------
-    conditions : mapping
-        Values [SI] by the names of conditions.
-    units : mapping
-        By the same names: the units in which the values were given.
-    newtons_per_load : float
-        F_t/F_t* [N].
-    """
-    ranges = {
-        units[name].key: (
-            units[name].from_si(values, newtons_per_load),
-            ends,
-            units[name].text,
-        )
-        for name, values in conditions.items()
-        for ends in [units[name].from_si(USUAL[name], newtons_per_load)]
-    }
-    warn_outside(ranges)
+    """Issue one ``OutOfRangeWarning``, at the caller of the package, for ``conditions`` [SI] in the
+    ``units`` in which they were given."""
+    given = {}
+    for name, values in conditions.items():
+        unit = units[name]
+        values, ends = (unit.from_si(each, newtons_per_load) for each in (values, USUAL[name]))
+        given[unit.key] = values, ends, unit.text
+    warn_outside(given)
 
 
 def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import check_rtol, check_variables, checked_parameters
+from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.data.attributes import (
     coordinate_attributes,
@@ -124,7 +124,7 @@ def grid(
 
 def with_status(variables: Collection[str]) -> list[str]:
     """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
-    check_variables(variables, VARIABLES)
+    check_names("variables", variables, VARIABLES)
     return [name for name in VARIABLES if name in variables or name == STATUS]
 
 

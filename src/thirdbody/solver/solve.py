@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import (
     check_named_points,
+    check_names,
     check_points,
     check_rtol,
-    check_variables,
     checked_parameters,
 )
 from thirdbody.conditions.in_si import CONDITIONS, in_si
@@ -118,7 +118,7 @@ def solve(
     """
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
-    check_variables(variables, VARIABLES)
+    check_names("variables", variables, VARIABLES)
     check_progress(progress)
     arrays = in_si(conditions, parameters)  # copies, which the caller does not change later
     if not any(map(is_labelled, conditions.values())):
