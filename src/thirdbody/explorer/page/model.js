@@ -192,6 +192,14 @@ function momentTable(inputs, sizes) {
   return (alpha) => (alpha >= most ? 0 : alpha <= least ? all : table(most - alpha));
 }
 
+// Mean of alpha over all particles, whose sizes are m + alpha x_a spread_ratio.
+function meanOf(inputs, sizes) {
+  const [low, high] = [Math.max(sizes.least, LOWEST), inputs.truncation];
+  const density = (alpha) => Math.exp(-0.5 * alpha ** 2);
+  const count = (high - low) * d3.sum(NODES, ([node, weight]) => weight * density(low + (high - low) * node));
+  return (density(low) - density(high)) / count;
+}
+
 // Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
 const ELASTIC_SIDE = { printed: -1, physical: 1 };
 
@@ -296,7 +304,7 @@ const FILM_LOADS = {
 export function modelOf(inputs) {
   const sizes = SIZES[inputs.size_distribution](inputs);
   const moment = momentTable(inputs, sizes);
-  const surfaces = new Map();
+  const meanSize = meanOf(inputs, sizes);
   const factor = elasticFactor(inputs);
   const side = ELASTIC_SIDE[inputs.elastic_limits];
   const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
@@ -311,21 +319,15 @@ export function modelOf(inputs) {
       : Infinity; // F_t* up to which no more than one separation balances it
   const filmLoad = FILM_LOADS[inputs.film_load];
 
-  function surfaceAt(roughness) {
-    if (!surfaces.has(roughness)) {
-      const surface = surfaceOf(inputs, roughness);
-      surfaces.set(roughness, { ...surface, table: summitTable(inputs, surface) });
-    }
-    return surfaces.get(roughness);
-  }
-
-  // The interface of a condition: `at` tells everything at a separation d, `solve` finds d for a load.
+  // The interface of a condition: `at` gives the state at a separation d, `solve` finds d for a load.
   function contact({ viscosity, particle_diameter: diameter, roughness, particle_density: density }) {
-    const surface = surfaceAt(roughness);
+    const surface = surfaceOf(inputs, roughness);
+    const summits = summitTable(inputs, surface);
     const twoBody = !(diameter ** 2 * density > 0);
     const film = viscosity > 0 ? filmOf(inputs, viscosity, roughness) : null;
     const [mean, spread] = sizes.place(diameter, roughness);
     const plane = mean + (inputs.particle_plane === "summit" ? surface.offset : 0);
+    const scatter = inputs.spread_ratio * diameter;
     const depth = (inputs.elastic_depth_ratio * diameter) / spread; // h_e/S
     const share = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
     const all = share * inputs.hardness_surface_1 * moment(-Infinity);
@@ -333,8 +335,8 @@ export function modelOf(inputs) {
 
     function solids(d) {
       const t = (d - surface.offset) / surface.deviation;
-      const summitLoad = t < FARTHEST ? Math.exp(surface.table(t, 0)) : 0;
-      const summitArea = t < FARTHEST ? Math.exp(surface.table(t, 1)) : 0;
+      const summitLoad = t < FARTHEST ? Math.exp(summits(t, 0)) : 0;
+      const summitArea = t < FARTHEST ? Math.exp(summits(t, 1)) : 0;
       if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
       const alpha = (d - plane) / spread;
       const here = moment(alpha); // I(d, X_max)
@@ -469,7 +471,8 @@ export function modelOf(inputs) {
       return state(found[found.length - 1], load, found.length);
     }
 
-    return { at: state, loadAt, solids, solve, twoBody, surface };
+    const ownSizes = { mean: mean + meanSize * scatter, largest: mean + inputs.truncation * scatter }; // [m]
+    return { at: state, loadAt, solids, solve, twoBody, surface, reach, sizes: ownSizes };
   }
 
   return { inputs, contact, newtonsPerLoad: inputs.apparent_area * inputs.elastic_modulus_surfaces };
