@@ -12,12 +12,15 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_csv
 from thirdbody.model.bounds import BOUNDS
 
+NODES = 48  # of the integrals that the page computes
 DIGITS = 5  # of places in panels
 RANGE_STEP = 2  # of the points around an ensemble range, one is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
@@ -87,6 +90,7 @@ def page_content(
         "axes": [_axis(axis, ranges[axis.symbol.rstrip("*")]) for axis in AXES.values()],
         "quantities": list(QUANTITIES),
         "statuses": dict(STATUS_MEANINGS),
+        "quadrature": _quadrature(),
         "inputs": {name: _input(name, entry) for name, entry in inputs.items()},
         "interpretation": verdicts["interpretation"],
         "interpretations": dict(interpretations),
@@ -106,6 +110,12 @@ def _axis(axis, ends):
         "key": "load_N" if is_load else axis.key,
         "unit": "N" if is_load else axis.unit,
     }
+
+
+def _quadrature():
+    """Nodes and weights of Gauss and Legendre on the interval from 0 to 1."""
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist()
 
 
 def _input(name, entry):

@@ -18,7 +18,6 @@ import { inputWords, letterOf, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant } from "./text.js";
 
 const STEPS = 1000; // of a slider
-const THUMB = 8; // half the width of a slider's thumb [pixels]
 const BACK = '<button type="button" class="back" title="back to the default">↺</button>';
 // engineering units of inputs that are given in SI
 const SHOWN_IN = { Pa: ["GPa", 1e9], m: ["µm", 1e-6], m2: ["mm²", 1e-6], "s m-2": ["s m⁻²", 1], 1: ["", 1] };
@@ -65,19 +64,13 @@ function newtonsNote() {
 }
 
 // A slider with a field beside it. `axis` maps values to [0, 1] and back, `shown` to the unit of the
-// field; `marks` are the ends of the marked range, and `note` says what it is.
-function rangeControl({ id, label, hint, note, axis, value, original, set, marks, shown }) {
+// field; `note` gives the range.
+function rangeControl({ id, label, hint, note, axis, value, original, set, shown }) {
   const control = Object.assign(document.createElement("div"), { className: "control", title: hint });
-  const place = (part) => `calc(${THUMB}px + (100% - ${2 * THUMB}px) * ${Math.min(Math.max(part, 0), 1)})`;
-  const [low, high] = marks.map(axis.to);
   control.innerHTML = `
     <label for="${id}">${label}</label>
     <input type="text" inputmode="decimal" id="${id}">${BACK}
-    <div class="slider">
-      <span class="range" style="left: ${place(low)}; right: ${place(1 - high)}"></span>
-      <span class="default" style="left: ${place(axis.to(original))}"></span>
-      <input type="range" min="0" max="${STEPS}">
-    </div>
+    <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
     <small class="note">${note}</small>`;
   const [field, slider, back] = ["[type=text]", "[type=range]", ".back"].map((each) => control.querySelector(each));
   const words = control.querySelector("label").textContent;
@@ -119,7 +112,7 @@ function conditionControl(axis) {
   const { name, range } = axis;
   const [low, high] = range.map((end) => fromUnit(name, end));
   const log = name === "load" || name === "particle_density";
-  // a little beyond the paper's range, which is marked
+  // a little beyond the paper's range
   const first = log ? low / 4 : name === "roughness" ? 0.3 * low : 0;
   const rounded = (value) => fromUnit(name, roundTo(toUnit(name, value), 3));
   const dry = name === "viscosity" ? ", 0 is dry" : "";
@@ -137,7 +130,6 @@ function conditionControl(axis) {
       setCondition(name, value);
       return true;
     },
-    marks: [low, high],
     shown: { to: (value) => toUnit(name, value), from: (value) => fromUnit(name, value), unit: unitOf(name) },
   });
 }
@@ -165,7 +157,6 @@ function numberControl(name) {
       setInputs({ [name]: found });
       return true;
     },
-    marks: ends,
     shown: { to: (value) => value / factor, from: (value) => value * factor, unit: text },
   });
 }

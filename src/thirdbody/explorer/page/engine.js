@@ -1,25 +1,12 @@
 // The model at the inputs that are chosen, and its curves, each computed once.
 
-import { modelOf } from "./model.js";
+import { modelOf, remembered } from "./model.js";
 import { curveOf, turningPointOf } from "./curves.js";
 import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const NEWTONS = axes[0].range;
 export const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-
-// A function that keeps its results, up to `most` of them.
-export function remembered(find, most = 600) {
-  const kept = new Map();
-  return (asked) => {
-    const key = JSON.stringify(asked);
-    if (!kept.has(key)) {
-      if (kept.size >= most) kept.clear();
-      kept.set(key, find(asked));
-    }
-    return kept.get(key);
-  };
-}
 
 function engineOf(inputs) {
   const model = modelOf(inputs);

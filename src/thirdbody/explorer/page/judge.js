@@ -1,9 +1,8 @@
 // Whether the paper's statements hold under the inputs of the page: the checks of
 // thirdbody.study.checks, on curves of the page's own model. config/claims.yaml explains the kinds.
 
-import { LIMITS } from "./model.js";
+import { LIMITS, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum, turningWindow } from "./curves.js";
-import { remembered } from "./engine.js";
 import { significant } from "./text.js";
 
 const LOADS = 240; // on a curve

@@ -17,7 +17,6 @@ import { turningPointBetween } from "./curves.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
-const TABS = { figures: "Figures", axes: "Any axes", map: "Map", section: "Cut" };
 const CAPTIONS = {
   axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
   map:
@@ -177,67 +176,42 @@ function ask() {
 
 // --- tabs and toolbar ---
 
-function makeTabs() {
-  for (const [view, text] of Object.entries(TABS)) {
-    const button = `<button type="button" role="tab" id="tab-${view}" aria-controls="view">${text}</button>`;
-    $("tabs").insertAdjacentHTML("beforeend", button);
-    $(`tab-${view}`).addEventListener("click", () => change({ view }));
-  }
-  $("tabs").addEventListener("keydown", (event) => {
-    const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-    if (!move) return;
-    const names = Object.keys(TABS);
-    const view = names[(names.indexOf(state.view) + move + names.length) % names.length];
-    change({ view });
-    $(`tab-${view}`).focus();
-  });
-}
+const tabs = [...$("tabs").children];
+$("tabs").addEventListener("click", ({ target }) => target.dataset.view && change({ view: target.dataset.view }));
+$("tabs").addEventListener("keydown", (event) => {
+  const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!move) return;
+  const tab = tabs[(tabs.indexOf(event.target) + move + tabs.length) % tabs.length];
+  change({ view: tab.dataset.view });
+  tab.focus();
+});
 
 function showTabs() {
-  for (const view of Object.keys(TABS)) {
-    const isShown = view === state.view;
-    $(`tab-${view}`).setAttribute("aria-selected", isShown);
-    $(`tab-${view}`).tabIndex = isShown ? 0 : -1;
+  for (const tab of tabs) {
+    const isShown = tab.dataset.view === state.view;
+    tab.setAttribute("aria-selected", isShown);
+    tab.tabIndex = isShown ? 0 : -1;
   }
   $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
 }
 
-// A list in the toolbar that sets a field of the state, in the views where it applies.
-function addChoice(id, label, options, views) {
-  const made = document.createElement("label");
-  made.dataset.views = views;
-  made.innerHTML = `${label} <select id="${id}"></select>`;
-  $("toolbar").append(made);
-  for (const [word, text] of options) $(id).append(new Option(text, word));
-  $(id).addEventListener("change", () => change({ [id]: $(id).value, ...(id === "figure" ? { claim: "" } : {}) }));
+function fillToolbar() {
+  const quantities = content.quantities.map((name) => [`${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`, name]);
+  const conditions = axes.map(({ name }) => [`${wordOf(name)} ${letterOf(name)}`, name]);
+  const figures = content.figures.map(({ name, title }) => [title.split(". ")[0], name]);
+  const options = { figure: figures, y: quantities, x: [...conditions, ...quantities] };
+  for (const id of ["by", "map_x", "map_y"]) options[id] = conditions;
+  for (const [id, texts] of Object.entries(options)) $(id).replaceChildren(...texts.map((each) => new Option(...each)));
 }
 
-function makeToolbar() {
-  const quantities = content.quantities.map((name) => [name, `${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`]);
-  const conditions = axes.map(({ name }) => [name, `${wordOf(name)} ${letterOf(name)}`]);
-  const scales = [["auto", "as usual"], ["log", "logarithmic"], ["linear", "linear"]];
-  const areas = [["own", "as it is"], ["over_two_body", "over dry two-body"]];
-  addChoice("figure", "Show", content.figures.map(({ name, title }) => [name, title.split(". ")[0]]), "figures");
-  addChoice("y", "Show", quantities, "axes");
-  addChoice("x", "over", [...conditions, ...quantities], "axes");
-  addChoice("by", "for several values of", conditions, "axes");
-  addChoice("map_x", "Across", conditions, "map");
-  addChoice("map_y", "upwards", conditions, "map");
-  addChoice("x_scale", "x scale", scales, "figures axes");
-  addChoice("y_scale", "y scale", scales, "figures axes");
-  addChoice("area", "Aₜ*", areas, "figures axes");
-  const buttons = `<span class="push">
-    <button type="button" id="add-data" title="Draw a CSV file over the curves; or drop it on the page">Your data</button>
-    <button type="button" id="save-csv" title="Download what is shown as CSV">CSV</button>
-    <button type="button" id="save-svg" title="Download what is shown as SVG">SVG</button></span>`;
-  $("toolbar").insertAdjacentHTML("beforeend", buttons);
-  $("add-data").addEventListener("click", () => $("file").click());
-  $("save-csv").addEventListener("click", () => save(`${shown.name}.csv`, "text/csv", shown.csv()));
-  $("save-svg").addEventListener("click", () => {
-    const parts = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
-    save(`${shown.name}.svg`, "image/svg+xml", svgOf(...parts.map((found) => [...found])));
-  });
-}
+$("toolbar").addEventListener("change", ({ target: { id, value } }) =>
+  change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
+);
+$("save-csv").addEventListener("click", () => save(`${shown.name}.csv`, "text/csv", shown.csv()));
+$("save-svg").addEventListener("click", () => {
+  const parts = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
+  save(`${shown.name}.svg`, "image/svg+xml", svgOf(...parts.map((found) => [...found])));
+});
 
 function showToolbar() {
   for (const label of $("toolbar").querySelectorAll("label")) {
@@ -257,6 +231,7 @@ async function addMeasured([file]) {
   $("measured").hidden = false;
   ask();
 }
+$("add-data").addEventListener("click", () => $("file").click());
 $("file").addEventListener("change", () => addMeasured($("file").files));
 $("forget").addEventListener("click", () => {
   forgetMeasured();
@@ -310,12 +285,11 @@ addEventListener("resize", () => {
 });
 
 // a page that was saved as it stood has them already
-for (const id of ["tabs", "toolbar", "controls", "filter", "charts"]) $(id).replaceChildren();
+for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
 $("measured").hidden = true;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 setTheme();
-makeTabs();
-makeToolbar();
+fillToolbar();
 makeControls($("controls"));
 makeStatements(statements);
 onChange(ask);
