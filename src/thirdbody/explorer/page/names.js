@@ -68,11 +68,11 @@ export const axisTitle = (name) => {
   return { symbol, unit: percent ? "%" : unit };
 };
 
-export function numberText(name, value, digits = 4) {
+export function numberText(name, value) {
   const { factor = 1, unit = "", percent } = VARIABLES[name];
-  if (percent) return `${readable(100 * value, digits)} %`;
-  if (unit === "10⁻⁴") return readable(value, digits);
-  return `${readable(value * factor, digits)} ${unit}`.trim();
+  if (percent) return `${readable(100 * value)} %`;
+  if (unit === "10⁻⁴") return readable(value);
+  return `${readable(value * factor)} ${unit}`.trim();
 }
 
 export const spaced = (word) => word.replaceAll("_", " ");

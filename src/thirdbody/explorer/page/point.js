@@ -24,7 +24,7 @@ export function showPoint(parent) {
   const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
   const rows = VALUES.map((name) => {
     const [low, high] = d3.extent(members, (member) => member[name]);
-    const range = low === undefined ? "" : [low, high].map((end) => numberText(name, end, 3)).join(" to ");
+    const range = low === undefined ? "" : `${numberText(name, low)} to ${numberText(name, high)}`;
     return [`${VARIABLES[name].words}, ${plainSymbol(VARIABLES[name].symbol)}`, numberText(name, found[name]), range];
   });
   const words = found.mode < 0 ? [] : [["Contact mode", MODE_TEXT[found.mode]], ["Lubrication", REGIME_TEXT[found.regime]]];
