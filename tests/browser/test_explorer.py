@@ -11,7 +11,9 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from thirdbody import solve
+from thirdbody import load_parameters, solve
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import Condition
 
 LARGEST = 3e6  # bytes of the page
@@ -26,6 +28,7 @@ VIEWS = {
     "map": "view=map",
     "section": "view=section",
 }
+NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
 
@@ -256,11 +259,87 @@ def test_a_chosen_statement_stands_out_in_its_figure(explorer):
 
 def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
     explorer.open("figure=fig11&viscosity_cSt=100")
+    texts = [each.get_attribute("textContent").strip() for each in explorer.all("#claims button")]
+    assert any(text.endswith("would not hold at 100 cSt") for text in texts)
+    assert any(text.endswith("holds") for text in texts)
     assert explorer.curve("ν = 100 cSt")
     assert "added: curves at ν = 100 cSt" in explorer.one("#notes").text
     at_100 = statements(explorer)
     explorer.open("figure=fig11")
     assert at_100 and at_100 != statements(explorer)
+
+
+# --- ranges and measured values ---
+
+
+def test_ranges_stand_beside_inputs_and_answers(explorer):
+    explorer.open()
+    unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
+    for name, unknown in unknowns.items():
+        if name not in ("apparent_area", "summit_radius"):  # shown in other units
+            (control,) = explorer.all(f".control:has(#input-{name})")
+            low, high = unknown["bounds"]
+            assert f"searched {low:g} to {high:g};".replace("-", "−") in control.text
+    ensemble = explorer.run(
+        "return JSON.parse(document.getElementById('content').textContent).ensemble"
+    )
+    point = dict(load_N=10.0, viscosity=90e-6, particle_diameter=500e-9)
+    point |= dict(roughness=300e-9, particle_density=1e11)
+    found = [
+        float(solve(**point, parameters=load_parameters(**member)).particle_contact_area_ratio)
+        for member in ensemble
+    ]
+    (row,) = [each.text for each in explorer.all("#point tr") if "Asa,t*" in each.text]
+    low, high = map(float, re.search(r"([\d.]+) to ([\d.]+)$", row).groups())
+    assert (low, high) == pytest.approx((min(found), max(found)), rel=1e-3)
+    explorer.enter("#input-spread_ratio", "0.4")
+    assert not any(" to " in each.text for each in explorer.all("#point table:first-child td"))
+
+
+def test_the_sizes_behind_x_a_are_given(explorer, defaults):
+    explorer.open("particle_diameter_nm=500")
+    text = explorer.one("#point p").text
+    mean, largest, _ = map(float, re.findall(r"([\d.]+) nm", text.partition(":")[2]))
+    scatter = 500.0 * defaults.spread_ratio
+    assert largest == pytest.approx(defaults.truncation * scatter, rel=1e-3)
+    assert mean == pytest.approx(math.sqrt(2.0 / math.pi) * scatter, rel=0.02)
+
+
+DROP = """const data = new DataTransfer();
+data.items.add(new File([arguments[0]], 'mine.csv', { type: 'text/csv' }));
+dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));"""
+MEASURED = """load [N];viscosity [cSt];solid load fraction [%];run
+0,5;0;99,5;a
+2;120;22;b
+5;120;20;c
+"""
+
+
+def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer):
+    explorer.open("figure=fig11")
+    before = explorer.curve("dry", 1)
+    explorer.run(DROP, MEASURED)
+    explorer.wait("return document.querySelectorAll('circle.measured').length === 3")
+    assert len(explorer.all("#charts figure:nth-child(2) .measured")) == 3
+    assert "3 rows" in explorer.one("#measured").text and "run" in explorer.one("#measured").text
+    rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
+    drawn = [float(row["y"]) for row in rows if row["curve"] == "measured"]
+    assert drawn == pytest.approx([0.995, 0.22, 0.20])
+    explorer.one("#forget").click()
+    explorer.settle()
+    assert not explorer.all(".measured") and explorer.curve("dry", 1) == before
+
+
+@pytest.mark.parametrize(
+    ("text", "named"),
+    [("load [lbf],solid load fraction\n1,2", "load [lbf]"), ("time,place\n1,2", "two columns")],
+)
+def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, named):
+    explorer.open("figure=fig11")
+    explorer.run(DROP, text)
+    explorer.wait("return !document.getElementById('measured').hidden")
+    assert named in explorer.one("#measured").text
+    assert not explorer.all(".measured") and explorer.console() == []
 
 
 # --- other views ---
@@ -311,6 +390,28 @@ def test_the_map_has_modes_regimes_and_turning_points(explorer):
     explorer.choose("#map_x", "viscosity")
     assert "viscosity" in explorer.one("#charts figcaption").text
     assert explorer.console() == []
+
+
+def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
+    """Every corner of the border between boundary and mixed lubrication has L_s = 0.9."""
+    explorer.open("view=map")
+    path, left, top, width, height = explorer.run(
+        """const [border, rect] = ['path.regime', 'rect'].map((each) => document.querySelector(`#charts ${each}`));
+        return [border.getAttribute('d'), ...['x', 'y', 'width', 'height'].map((key) => Number(rect.getAttribute(key)))]"""
+    )
+    corners = np.array(re.findall(r"([\d.]+),([\d.]+)", path), dtype=float)
+    across, down = ((corners - [left, top]) / [width, height]).T
+    newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** across
+    found = solve(
+        load=newtons / defaults.newtons_per_load,
+        viscosity=90e-6,
+        particle_diameter=SIZES[1] + (SIZES[0] - SIZES[1]) * down,
+        roughness=300e-9,
+        particle_density=1e11,
+        parameters=defaults,
+    )
+    assert len(corners) > 30
+    np.testing.assert_allclose(found.solid_load_fraction, 0.9, atol=0.01)
 
 
 def test_the_cut_is_drawn_to_scale(explorer):

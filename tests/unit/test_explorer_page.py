@@ -5,11 +5,10 @@ import json
 import re
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from thirdbody.explorer import page as building
-from thirdbody.explorer.content import figure_content, thinned
+from thirdbody.explorer.content import figure_content
 from thirdbody.explorer.page import page_text
 
 HERE = Path(building.__file__).parent
@@ -37,7 +36,7 @@ def figure(tmp_path):
 
 def test_a_figure_is_told_by_its_conditions_marks_and_caption(figure):
     assert (figure["name"], figure["title"]) == ("fig99", "Figure 99. A title")
-    assert (figure["caption"], figure["seen"]) == ("What it tells.", "What is seen.")
+    assert figure["caption"] == "What it tells."
     (condition,) = figure["curves"]
     assert condition == {
         "viscosity": 9e-5, "particle_diameter": 3e-7, "roughness": 3e-7, "particle_density": 1e11,
@@ -50,20 +49,7 @@ def test_a_figure_is_told_by_its_conditions_marks_and_caption(figure):
         "at": [1e-5, 3.1235e-7],
         "ends": [[1e-5, 2e-7], [1e-5, 4e-7]],
     }
-    assert panel["bands"] == {0: [[1e-6, 3e-7], [1e-5, 4e-7]]}
-
-
-def test_an_outline_keeps_what_is_seen_of_it():
-    load = np.geomspace(1e-7, 1e-4, 400)
-    outline = np.column_stack([load, 1.0 / (1.0 + (load / 1e-5) ** 2)])
-    few = thinned(outline)
-    assert 10 < len(few) < 80
-    seen = np.interp(np.log(load), np.log(few[:, 0]), few[:, 1])
-    assert np.abs(seen - outline[:, 1]).max() < 2e-3
-
-
-def test_a_flat_outline_is_its_ends():
-    assert thinned([(1.0, 2.0), (2.0, 2.0), (3.0, 2.0)]).tolist() == [[1.0, 2.0], [3.0, 2.0]]
+    assert panel["ranges"] == {0: [[1e-6, 3e-7], [1e-5, 4e-7]]}
 
 
 def test_content_cannot_end_its_script():

@@ -29,6 +29,7 @@ rule build_explorer:
     params:
         parameters=settings["parameters"],
         calibration=settings["calibration"],
+        ensemble=settings["ensemble"],
         sources=sources_of("build_explorer.py"),
     message:
         "Building the explorer"

@@ -1,7 +1,6 @@
 """Build the explorer: one page for a browser, from figures, statements and inputs of the run."""
 
 import json
-from dataclasses import asdict
 from pathlib import Path
 
 from thirdbody.configuration.inputs import read_entries
@@ -13,11 +12,14 @@ from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 
 
-def build(points, captions, claims, verdicts, calibrated, parameters, calibration, tables, page):
+def build(
+    points, captions, claims, verdicts, calibrated, parameters, calibration, ensemble, tables, page
+):
     """Write the ``page`` from the ``points`` and ``captions`` of all figures of curves, the
     ``claims`` with their ``verdicts``, and the inputs of the run beside the ``calibrated`` ones.
 
-    ``calibration`` are the settings of the search for inputs, ``tables`` the paper's as printed.
+    ``calibration`` are the settings of the search for inputs, ``ensemble`` the members of the
+    ensemble, ``tables`` the paper's as printed.
     """
     entries = read_entries()
     interpretations = [read_yaml(path) for path in calibrated]
@@ -27,10 +29,11 @@ def build(points, captions, claims, verdicts, calibrated, parameters, calibratio
     }
     content = page_content(
         zip(points, captions, strict=True),
-        [asdict(claim) for claim in load_claims(claims)],
+        load_claims(claims),
         json.loads(Path(verdicts).read_text(encoding="utf-8")),
         inputs,
         {each["interpretation"]: each["inputs"] for each in interpretations},
+        ensemble,
         {row["symbol"]: row["printed"] for row in read_yaml(tables)["table2"]},
     )
     with atomic_write(page) as part:
@@ -48,6 +51,7 @@ if __name__ == "__main__":
             snakemake.input.calibrated,
             snakemake.params.parameters,
             snakemake.params.calibration,
+            snakemake.params.ensemble,
             snakemake.input.tables,
             snakemake.output.page,
         )

@@ -1,11 +1,11 @@
 // Any variable against any condition or variable, for several values of another condition.
 
-import { axes, currentPoint, state } from "./state.js";
-import { currentEngine, placesAlong } from "./engine.js";
-import { described, domainOf, isLog } from "./chart.js";
-import { ink, mineColour, pointsOf, shade, yName } from "./figures.js";
-import { changesAlong } from "./curves.js";
-import { MODE_TEXT, VARIABLES, conditionText, conditionWord, valueText } from "./names.js";
+import { axes, axisNamed, currentPoint, state } from "./state.js";
+import { DRY_TWO_BODY, currentEngine, placesAlong } from "./engine.js";
+import { axisFor, ink, mineColour, shade } from "./chart.js";
+import { pointsOf, specOf, yName } from "./figures.js";
+import { measuredPoints } from "./measured.js";
+import { VARIABLES, conditionText, conditionWord } from "./names.js";
 
 const COUNT = 120; // points on a curve
 const LEVELS = {
@@ -16,7 +16,6 @@ const LEVELS = {
   particle_density: [0, 1e10, 1e11, 5e11, 1e12, 5e12],
 };
 const isAxis = (name) => axes.some((axis) => axis.name === name);
-const close = (a, b) => Math.abs(a - b) <= 1e-9 * Math.abs(b);
 
 // The spec of the chart, and the conditions that its curves have in common.
 export function axesView() {
@@ -24,91 +23,62 @@ export function axesView() {
   const point = currentPoint();
   const [x, y, by] = [state.x, yName(state.y), state.by];
   const along = isAxis(x) ? x : "load";
-  const own = by === along ? [point[by]] : [...LEVELS[by].filter((level) => !close(level, point[by])), point[by]];
-  const levels = own.sort((a, b) => a - b);
+  const mine = point[by];
+  const others = LEVELS[by].filter((level) => Math.abs(level - mine) > 1e-9 * mine);
+  const levels = by === along ? [mine] : d3.sort([...others, mine]);
   const lines = levels.map((level, rank) => {
-    const mine = close(level, point[by]);
-    const condition = { ...point, [by]: level };
-    const curve = curveAlong(along, condition, engine);
-    const color = mine ? mineColour() : level === 0 ? ink() : shade(rank / Math.max(levels.length - 1, 1));
+    const { load, ...condition } = { ...point, [by]: level };
+    const curve = along === "load" ? engine.curve(condition) : null;
     return {
       label: by === along ? conditionText(point, [along]) : conditionWord(by, level),
-      points: curve.points(x, y),
-      turningPoint: curve.turningPoint,
-      color,
-      mine,
-      width: mine ? 2.6 : 1.6,
-      ...(mine || level === 0 ? { dash: level === 0 && !mine ? "5 3" : undefined } : { marker: rank }),
+      condition,
+      points: curve ? pointsOf(x, y, curve, engine) : pointsAlong(x, y, { load, ...condition }, engine),
+      turningPoint: curve?.turningPoint,
+      ...styleOf(level, rank, levels.length, level === mine),
     };
   });
-  const [xLog, yLog] = [isLog(x, state.x_scale), isLog(y, state.y_scale)];
-  const all = (pick) => lines.flatMap((line) => line.points.map(pick));
-  const spec = {
-    letter: "",
+  const measured = measuredPoints(x, y, lines, engine);
+  const points = [...lines.flatMap((line) => line.points), ...measured];
+  const turns = along === "load" && y === "particle_contact_area_ratio";
+  const spec = specOf({
     title: `${VARIABLES[y].words} over ${VARIABLES[x].words.toLowerCase()}`,
-    x: { name: x, log: xLog, domain: domainOf(x, all((each) => each.x), xLog) },
-    y: { name: y, log: yLog, domain: domainOf(y, all((each) => each.y), yLog) },
-    top: x === "load" ? engine.newtonsPerLoad : null,
+    x: axisFor(x, state.x_scale, points.map((each) => each.x)),
+    y: axisFor(y, state.y_scale, points.map((each) => each.y)),
+    newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     lines,
-    ghosts: [],
-    bands: [],
-    printed: [],
-    stars:
-      along === "load" && VARIABLES[y].symbol === "A_sa,t*" && x in (lines[0].points[0]?.state ?? {})
-        ? lines.filter(({ turningPoint }) => turningPoint).map(({ turningPoint, color }) => ({ x: turningPoint[x], y: turningPoint[y], color }))
-        : [],
-    locus: false,
-    diamonds: [],
-    here: isAxis(x) ? (x === "load" ? point.load / engine.newtonsPerLoad : point[x]) : undefined,
-  };
-  spec.description = described(spec);
-  const shared = axes.map(({ name }) => name).filter((name) => name !== along && name !== by);
-  const notes = shared.map((name) => conditionWord(name, point[name]));
-  return { specs: [spec], notes, key: lines, parameter: { name: by } };
+    measured,
+    stars: lines
+      .filter(({ turningPoint }) => turns && turningPoint)
+      .map(({ turningPoint, color }) => ({ x: turningPoint[x], y: turningPoint[y], color })),
+    here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
+  });
+  const shared = axes.filter(({ name }) => name !== along && name !== by);
+  const notes = shared.map(({ name }) => conditionWord(name, point[name]));
+  const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
+  return { specs: [spec], notes, key };
 }
 
-// States along an axis at conditions of a point; over the load they are a curve.
-function curveAlong(name, point, engine) {
-  const condition = { ...point };
-  delete condition.load;
-  if (name === "load") {
-    const curve = engine.curve(condition);
-    return { turningPoint: curve.turningPoint, points: (x, y) => pointsOf(x, y, curve, engine) };
-  }
-  const places = placesAlong(name, shownRange(name, point), COUNT);
-  const states = places.map((place) => engine.state({ ...point, [name]: place }));
-  const reference = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-  const value = (which, i) => {
-    if (which === name) return places[i];
-    if (which === "total_contact_area_over_two_body") {
-      const at = { ...point, [name]: places[i], ...reference };
-      return states[i].total_contact_area / engine.state(at).total_contact_area;
-    }
-    return which in point && which !== "load" ? point[which] : states[i][which];
-  };
-  return {
-    turningPoint: null,
-    points: (x, y) => states.map((each, i) => ({ x: value(x, i), y: value(y, i), state: each })),
-  };
+function styleOf(level, rank, count, mine) {
+  if (mine) return { color: mineColour(), mine };
+  if (level === 0) return { color: ink(), dash: "5 3" };
+  return { color: shade(rank / Math.max(count - 1, 1)), marker: rank };
 }
 
-// The paper's range of a condition, and that of the point if it lies outside.
+// Points along a condition other than the load.
+function pointsAlong(x, y, point, engine) {
+  return placesAlong(x, shownRange(x, point), COUNT).map((place) => {
+    const at = { ...point, [x]: place };
+    const found = engine.state(at);
+    if (y !== "total_contact_area_over_two_body") return { x: place, y: found[y], state: found };
+    const reference = engine.state({ ...at, ...DRY_TWO_BODY });
+    return { x: place, y: found.total_contact_area / reference.total_contact_area, state: found };
+  });
+}
+
+// The paper's range of a condition, and the chosen value if it is outside.
 export function shownRange(name, point) {
-  const { range } = axes.find((axis) => axis.name === name);
-  const ends = range.map((end) => (name === "load" ? end : end * axes.find((axis) => axis.name === name).scale));
-  if (name === "viscosity") ends[0] = 1e-6; // thinner films are outside of what Eq. 7 means
-  if (name === "particle_diameter") ends[0] = 10e-9;
-  return [Math.min(ends[0], point[name] || ends[0]), Math.max(ends[1], point[name])];
-}
-
-// Where the interface at a point changes its mode along each axis, as text.
-export function changesOf(name, point, engine) {
-  const stateAt = (place) => engine.state({ ...point, [name]: place });
-  const changes = changesAlong(stateAt, placesAlong(name, shownRange(name, point), name === "roughness" ? 24 : 60), "mode");
-  if (!changes.length) {
-    const { mode } = stateAt(point[name]);
-    return mode < 0 ? "no solution" : `${MODE_TEXT[mode]} throughout`;
-  }
-  const parts = changes.map(({ at, to }) => `${MODE_TEXT[to]} from ${valueText(name, at)}`);
-  return [`${MODE_TEXT[changes[0].from]}`, ...parts].join(", ");
+  const { range, scale } = axisNamed(name);
+  const [low, high] = range.map((end) => end * scale);
+  const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
+  return [Math.min(first, point[name] || first), Math.max(high, point[name])];
 }

@@ -1,10 +1,13 @@
 // What is shown as a file: numbers as CSV, drawings as SVG.
 
-const INLINED = ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "fill-opacity", "font-size", "font-family", "font-style", "paint-order"];
-const GAP = 24;
+const INLINED = [
+  ...["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "opacity"],
+  ...["font-size", "font-family", "font-style", "paint-order"],
+];
+const GAP = 24; // above each drawing, for its title, and between entries of the key
 const ENTRY = 260; // width of an entry of the key
 
-function save(name, type, text) {
+export function save(name, type, text) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type }));
   link.download = name;
@@ -14,82 +17,71 @@ function save(name, type, text) {
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
-const field = (value) => {
-  const text = typeof value === "number" ? (Number.isNaN(value) ? "" : String(value)) : String(value);
-  return /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-};
+const csvText = (rows) =>
+  d3.csvFormatRows(rows.map((row) => row.map((value) => (Number.isNaN(value) ? "" : value)))) + "\n";
 
 // The points of all charts: columns as those of the CSV files beside the figures.
 export function csvOf(specs) {
-  const rows = [["panel", "curve", "x_name", "x", "y_name", "y"]];
-  for (const { letter, x, y, lines, printed, stars } of specs) {
-    const add = (label, points) => points.forEach((point) => rows.push([letter, label, x.name, point.x, y.name, point.y]));
-    lines.forEach((line) => add(line.label, line.points));
-    add("turning points", stars);
-    printed.forEach((mark) => add(`printed; ${mark.id}`, [{ x: mark.at[0], y: mark.at[1] }]));
-  }
-  return rows.map((row) => row.map(field).join(",")).join("\n") + "\n";
+  const rows = specs.flatMap(({ letter, x, y, lines, printed, stars, measured }) => {
+    const row = (label, point) => [letter, label, x.name, point.x, y.name, point.y];
+    return [
+      ...lines.flatMap(({ label, points }) => points.map((point) => row(label, point))),
+      ...stars.map((star) => row("turning points", star)),
+      ...printed.map(({ id, at }) => row(`printed; ${id}`, { x: at[0], y: at[1] })),
+      ...measured.map((point) => row("measured", point)),
+    ];
+  });
+  return csvText([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]);
 }
 
 export function csvOfMap({ x, y, columns, rows, cells }) {
   const names = Object.keys(cells.find((cell) => cell.mode >= 0) ?? cells[0]);
-  const own = names.filter((name) => name !== x && name !== y);
+  const variables = names.filter((name) => name !== x && name !== y);
+  const heading = [x, y].map((name) => (name === "load" ? "load_N" : name));
   const lines = cells.map((cell, index) => {
     const place = [columns[index % columns.length], rows[Math.floor(index / columns.length)]];
-    return [...place, ...own.map((name) => cell[name] ?? "")];
+    return [...place, ...variables.map((name) => cell[name])];
   });
-  return [[x === "load" ? "load_N" : x, y === "load" ? "load_N" : y, ...own], ...lines].map((row) => row.map(field).join(",")).join("\n") + "\n";
+  return csvText([[...heading, ...variables], ...lines]);
 }
 
-export const saveCsv = (name, text) => save(`${name}.csv`, "text/csv", text);
-
-const SVG = "http://www.w3.org/2000/svg";
-
-function element(name, attributes, text = "") {
-  const made = document.createElementNS(SVG, name);
-  Object.entries(attributes).forEach(([key, value]) => made.setAttribute(key, value));
-  made.textContent = text;
-  return made;
-}
-
-// A copy of a drawing that keeps its look without the style of the page.
-function copyOf(svg) {
-  const copy = svg.cloneNode(true);
+// A copy of a drawing at a place, which keeps its look without the style of the page.
+function copyOf(svg, attributes) {
+  const copy = d3.select(svg.cloneNode(true));
   const originals = [svg, ...svg.querySelectorAll("*")];
-  [copy, ...copy.querySelectorAll("*")].forEach((each, i) => {
+  [copy.node(), ...copy.node().querySelectorAll("*")].forEach((element, i) => {
     const style = getComputedStyle(originals[i]);
-    for (const property of INLINED) each.style.setProperty(property, style.getPropertyValue(property));
+    for (const property of INLINED) element.style.setProperty(property, style.getPropertyValue(property));
   });
-  return copy;
+  for (const [name, value] of Object.entries(attributes)) copy.attr(name, value);
+  return copy.node();
 }
 
 // All drawings in one, two side by side, with the entries of their key below.
 export function svgOf(figures, entries) {
+  const style = getComputedStyle(document.documentElement);
   const sizes = figures.map((figure) => figure.querySelector("svg").viewBox.baseVal);
   const columns = figures.length > 1 ? 2 : 1;
-  const width = Math.max(...sizes.map((size) => size.width));
-  const height = Math.max(...sizes.map((size) => size.height)) + GAP;
-  const inRow = Math.max(Math.floor((columns * width) / ENTRY), 1);
-  const drawn = Math.ceil(figures.length / columns) * height;
-  const total = [columns * width, drawn + GAP * (Math.ceil(entries.length / inRow) + 0.5)];
-  const whole = element("svg", { xmlns: SVG, viewBox: `0 0 ${total.join(" ")}`, width: total[0], height: total[1] });
-  const root = getComputedStyle(document.documentElement);
-  const font = { "font-family": "sans-serif", "font-size": 13, fill: root.getPropertyValue("--ink") };
-  whole.append(element("rect", { width: "100%", height: "100%", fill: root.getPropertyValue("--paper") }));
+  const [cellWidth, cellHeight] = [d3.max(sizes, ({ width }) => width), d3.max(sizes, ({ height }) => height) + GAP];
+  const width = columns * cellWidth;
+  const drawn = Math.ceil(figures.length / columns) * cellHeight;
+  const inRow = Math.max(Math.floor(width / ENTRY), 1);
+  const height = drawn + GAP * (Math.ceil(entries.length / inRow) + 0.5);
+  const svg = d3.create("svg:svg").attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
+  svg.append("rect").attr("width", "100%").attr("height", "100%").attr("fill", style.getPropertyValue("--paper"));
+  svg.attr("font-family", "sans-serif").attr("font-size", 13);
+  const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", style.getPropertyValue("--ink")).text(text);
   figures.forEach((figure, i) => {
-    const [x, y] = [(i % columns) * width, Math.floor(i / columns) * height];
+    const [x, y] = [(i % columns) * cellWidth, Math.floor(i / columns) * cellHeight];
     const parts = [...figure.querySelector("figcaption").childNodes].map((node) => node.textContent);
-    const copy = copyOf(figure.querySelector("svg"));
-    Object.entries({ x, y: y + GAP, width: sizes[i].width, height: sizes[i].height }).forEach(([name, value]) => copy.setAttribute(name, value));
-    whole.append(element("text", { x: x + 10, y: y + 16, ...font }, parts.filter(Boolean).join("  ")), copy);
+    write(x + 10, y + 16, parts.filter(Boolean).join("  "));
+    const place = { x, y: y + GAP, width: sizes[i].width, height: sizes[i].height };
+    svg.append(() => copyOf(figure.querySelector("svg"), place));
   });
   entries.forEach((entry, i) => {
     const [x, y] = [10 + (i % inRow) * ENTRY, drawn + GAP * (Math.floor(i / inRow) + 0.5)];
-    const copy = copyOf(entry.querySelector("svg"));
-    Object.entries({ x, y }).forEach(([name, value]) => copy.setAttribute(name, value));
-    whole.append(copy, element("text", { x: x + 38, y: y + 11, ...font }, entry.textContent.trim()));
+    svg.append(() => copyOf(entry.querySelector("svg"), { x, y }));
+    write(x + 38, y + 11, entry.textContent.trim());
   });
-  return new XMLSerializer().serializeToString(whole);
+  return new XMLSerializer().serializeToString(svg.node());
 }
-
-export const saveSvg = (name, text) => save(`${name}.svg`, "image/svg+xml", text);

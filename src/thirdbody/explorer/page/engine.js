@@ -1,84 +1,61 @@
-// The model at the inputs that are chosen, and every curve of it once.
+// The model at the inputs that are chosen, and its curves, each computed once.
 
-import { modelOf } from "./model.js";
+import { modelOf, remembered } from "./model.js";
 import { curveOf, turningPointOf } from "./curves.js";
-import { axes, currentInputs, defaultInputs } from "./state.js";
+import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
-const MOST_KEPT = 600; // curves
+const SLICE = 12; // milliseconds
 const NEWTONS = axes[0].range;
+export const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
 
-class Engine {
-  constructor(inputs) {
-    this.inputs = inputs;
-    this.model = modelOf(inputs);
-    this.contacts = new Map();
-    this.curves = new Map();
-  }
-
-  get newtonsPerLoad() {
-    return this.model.newtonsPerLoad;
-  }
-
-  // first and last load F_t* of curves
-  get loads() {
-    return NEWTONS.map((force) => force / this.newtonsPerLoad);
-  }
-
-  contact(condition) {
-    return kept(this.contacts, keyOf(condition), () => this.model.contact(condition));
-  }
-
-  curve(condition) {
-    return kept(this.curves, keyOf(condition), () => {
-      const contact = this.contact(condition);
-      const states = curveOf(contact, ...this.loads);
-      return { condition, states, turningPoint: turningPointOf(contact, states) };
-    });
-  }
-
-  // the state at all five conditions, the load in newtons
-  state({ load, ...condition }) {
-    return this.contact(condition).solve(load / this.newtonsPerLoad);
-  }
-
-  // what dry contact without particles has on the same surface, at the loads of a curve
-  twoBodyArea(condition) {
-    const dry = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-    return this.curve({ ...condition, ...dry }).states.map((state) => state.total_contact_area);
-  }
+function engineOf(inputs) {
+  const model = modelOf(inputs);
+  const { newtonsPerLoad } = model;
+  const loads = NEWTONS.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
+  const contact = remembered(model.contact);
+  const curve = remembered((condition) => {
+    const states = curveOf(contact(condition), ...loads);
+    return { condition, states, turningPoint: turningPointOf(contact(condition), states) };
+  });
+  return {
+    model,
+    newtonsPerLoad,
+    loads,
+    contact,
+    curve,
+    // the state at all five conditions, the load in newtons
+    state: ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad),
+    // A_t* of dry contact without particles on the same surface, at the loads of a curve
+    twoBodyArea: (condition) =>
+      curve({ ...condition, ...DRY_TWO_BODY }).states.map((each) => each.total_contact_area),
+  };
 }
 
-const keyOf = ({ viscosity, particle_diameter, roughness, particle_density }) =>
-  `${viscosity} ${particle_diameter} ${roughness} ${particle_density}`;
-
-function kept(all, key, make) {
-  if (!all.has(key)) {
-    if (all.size > MOST_KEPT) all.clear();
-    all.set(key, make());
-  }
-  return all.get(key);
-}
-
-let engine = null;
-let engineKey = "";
-export const defaultEngine = new Engine(defaultInputs);
-
-// The engine of the inputs that are chosen now.
-export function currentEngine() {
+const engineFor = remembered(engineOf, 20);
+export const defaultEngine = engineOf(defaultInputs);
+export const currentEngine = () => {
   const inputs = currentInputs();
-  const key = JSON.stringify(inputs);
-  if (key !== engineKey) {
-    engine = key === JSON.stringify(defaultInputs) ? defaultEngine : new Engine(inputs);
-    engineKey = key;
-  }
-  return engine;
+  return JSON.stringify(inputs) === JSON.stringify(defaultInputs) ? defaultEngine : engineFor(inputs);
+};
+let members = null;
+export function ensembleEngines() {
+  members ??= content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
+  return members;
 }
 
-// Values along an axis between two ends [SI; the load in newtons], evenly seen.
-export function placesAlong(name, [low, high], count) {
+// A value along an axis, at a part from 0 to 1 of the way between two ends [SI; the load in newtons].
+export function placeAlong(name, [low, high], part) {
   const log = name === "load" || name === "particle_density";
-  const share = (i) => i / (count - 1);
-  return Array.from({ length: count }, (_, i) =>
-    log ? low * (high / low) ** share(i) : low + (high - low) * share(i),
-  );
+  return log ? low * (high / low) ** part : low + (high - low) * part;
+}
+
+export const placesAlong = (name, ends, count) =>
+  d3.range(count).map((i) => placeAlong(name, ends, i / (count - 1)));
+
+// Run the steps of a generator in slices, between which the page answers, as long as they are wanted.
+export function inSlices(steps, isWanted) {
+  if (!isWanted()) return;
+  const start = performance.now();
+  while (performance.now() - start < SLICE) if (steps.next().done) return;
+  setTimeout(inSlices, 0, steps, isWanted);
 }

@@ -2,31 +2,39 @@
 
 import { axes, change, content, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
-import { figureView, verdicts } from "./figures.js";
+import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { drawMap, mapKey, mapView } from "./map.js";
 import { drawSection, sectionKey } from "./section.js";
-import { chartIn } from "./chart.js";
+import { MARKERS, chartIn, sizeIn } from "./chart.js";
+import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
-import { csvOf, csvOfMap, saveCsv, saveSvg, svgOf } from "./download.js";
+import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, conditionWord, letterOf, numberText, plainSymbol, statusText, wordOf } from "./names.js";
 import { modelOf } from "./model.js";
 import { turningPointBetween } from "./curves.js";
-import { readable } from "./text.js";
+import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
-const TABS = { figures: "Figures", axes: "Any axes", map: "Map", section: "Cut" };
+const CAPTIONS = {
+  axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
+  map:
+    "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes. " +
+    "Heavy line: turning points of the contact area. The cross is at your conditions.",
+  section:
+    "Surfaces and particles are drawn at random, always the same, from the distributions that the model assumes, " +
+    "at the separation that it finds.",
+};
 const statements = { filter: $("filter"), list: $("claims"), tally: $("tally") };
 let charts = [];
 let shown = null; // what can be downloaded
 
-// --- reading a chart ---
+// --- values under the pointer ---
 
-function showReading({ at, label, rows, event }) {
+function showTooltip({ at, label, rows, event }) {
   const tooltip = $("tooltip");
-  tooltip.replaceChildren(Object.assign(document.createElement("b"), { textContent: label }));
-  for (const row of rows) tooltip.append(Object.assign(document.createElement("div"), { textContent: row }));
+  tooltip.innerHTML = `<b>${escaped(label)}</b>${rows.map((row) => `<div>${escaped(row)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
@@ -35,86 +43,76 @@ function showReading({ at, label, rows, event }) {
   if (event.type === "keydown") $("live").textContent = [label, ...rows].join(", ");
 }
 
-const hideReading = () => {
+const hideTooltip = () => {
   $("tooltip").hidden = true;
 };
 
-const stateRows = (found) =>
-  !found || found.mode < 0
-    ? [found ? statusText(found.status) : ""].filter(Boolean)
-    : [`${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication`, statusText(found.status)].filter(Boolean);
+const valueRow = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
+
+function stateRows(found) {
+  if (!found) return [];
+  const words = found.mode < 0 ? "" : `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication`;
+  return [words, statusText(found.status)].filter(Boolean);
+}
 
 function readChart({ chart, line, point, at, event }) {
   const { x, y } = chart.spec;
-  const value = (name, number) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, number)}`;
   const newtons = x.name === "load" ? ` (${readable(point.state.normal_load)} N)` : "";
-  showReading({ at, event, label: line.label, rows: [value(x.name, point.x) + newtons, value(y.name, point.y), ...stateRows(point.state)] });
+  const rows = [valueRow(x.name, point.x) + newtons, valueRow(y.name, point.y), ...stateRows(point.state)];
+  showTooltip({ at, event, label: line.label, rows });
 }
 
 function readMap({ label, cell, at, event }) {
-  const names = ["particle_contact_area_ratio", "solid_load_fraction"];
-  const rows = names.map((name) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, cell[name])}`);
-  showReading({ at, event, label, rows: cell.mode < 0 ? stateRows(cell) : [...rows, ...stateRows(cell)] });
+  const names = cell.mode < 0 ? [] : ["particle_contact_area_ratio", "solid_load_fraction"];
+  showTooltip({ at, event, label, rows: [...names.map((name) => valueRow(name, cell[name])), ...stateRows(cell)] });
 }
 
 // --- drawing ---
 
-function drawCharts(view) {
+function drawCharts({ specs, notes, key }, name) {
   const parent = $("charts");
-  if (charts.length !== view.specs.length || parent.dataset.kind !== "charts") {
+  if (charts.length !== specs.length || parent.dataset.kind !== "charts") {
     parent.replaceChildren();
     parent.dataset.kind = "charts";
-    charts = view.specs.map(() => chartIn(parent, { onRead: readChart, onLeave: hideReading }));
+    charts = specs.map(() => chartIn(parent, { onRead: readChart, onLeave: hideTooltip }));
   }
-  const rooms = charts.map((chart) => chart.room());
-  view.specs.forEach((spec, i) => charts[i].update(spec, rooms[i]));
-  shown = { csv: () => csvOf(view.specs), name: state.view === "figures" ? state.figure : "thirdbody" };
-  showKey(view.key.map(({ label, color, dash, marker, mine }) => ({ text: mine ? `${label} (yours)` : label, stroke: color, dash, marker })), view.parameter);
+  const sizes = charts.map(({ figure }) => sizeIn(figure)); // before any of them changes
+  specs.forEach((spec, i) => charts[i].update(spec, sizes[i]));
+  shown = { csv: () => csvOf(specs), name };
+  $("notes").textContent = notes.join("; ");
+  showKey(key);
 }
 
-const MARKERS = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolWye];
-
+// The key: an entry has a text and a colour with dashes and marker, or a fill.
 function showKey(entries) {
-  const html = entries.map(({ stroke, fill, dash, marker }) => {
-    const line = stroke ? `<path d="M0,7H30" stroke="${stroke}" stroke-width="2.2" stroke-dasharray="${dash ?? ""}"/>` : "";
+  const html = entries.map(({ text, color, fill, dash, marker }) => {
+    const line = color ? `<path d="M0,7H30" stroke="${color}" stroke-width="2.2" stroke-dasharray="${dash ?? "none"}"/>` : "";
     const box = fill ? `<rect x="4" y="1" width="22" height="12" fill="${fill}" stroke="var(--soft)"/>` : "";
-    const mark = marker === undefined ? "" : `<path d="${d3.symbol(MARKERS[marker % MARKERS.length], 40)()}" fill="${stroke}" transform="translate(15,7)"/>`;
-    return `<span class="entry"><svg width="30" height="14" aria-hidden="true">${line}${box}${mark}</svg><span></span></span>`;
+    const shape = marker === undefined ? "" : d3.symbol(MARKERS[marker % MARKERS.length], 40)();
+    const mark = `<path d="${shape}" fill="${color}" transform="translate(15,7)"/>`;
+    const drawing = `<svg width="30" height="14" aria-hidden="true">${line}${box}${mark}</svg>`;
+    return `<span class="entry">${drawing}<span>${escaped(text)}</span></span>`;
   });
   $("key").innerHTML = html.join("");
-  $("key").querySelectorAll(".entry > span").forEach((span, i) => {
-    span.textContent = entries[i].text;
-  });
 }
-
-const CAPTIONS = {
-  axes: () => "The curve of your conditions is drawn heavy; move the sliders, or choose other variables above.",
-  map: () =>
-    "Colours: contact mode (A_sa,t* of 0.05 and 0.95); blue lines: lubrication regime (L_s of 0.90 and 0.03); the heavy line joins the turning points of the contact area. The cross is at your conditions.",
-  section: () =>
-    "Surfaces and particles are drawn by chance, always the same, from the distributions that the model assumes, at the separation that it finds.",
-};
 
 const VIEWS = {
   figures() {
     const view = figureView();
-    drawCharts(view);
+    drawCharts(view, state.figure);
     $("heading").textContent = view.figure.title;
-    $("notes").textContent = view.notes.join("; ");
     $("caption").textContent = view.figure.caption;
   },
   axes() {
     const view = axesView();
-    drawCharts(view);
+    drawCharts(view, "thirdbody");
     $("heading").textContent = view.specs[0].title;
-    $("notes").textContent = view.notes.join(", ");
   },
   map() {
     $("heading").textContent = "Map of modes and regimes";
-    const { map_x: x, map_y: y } = state;
     const point = currentPoint();
-    const held = axes.map(({ name }) => name).filter((name) => name !== x && name !== y);
-    $("notes").textContent = held.map((name) => conditionWord(name, point[name])).join(", ");
+    const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
+    $("notes").textContent = others.map(({ name }) => conditionWord(name, point[name])).join(", ");
     if ($("charts").dataset.kind !== "map") {
       $("charts").replaceChildren("Solving all points of the map …");
       $("key").replaceChildren();
@@ -123,8 +121,8 @@ const VIEWS = {
     $("charts").dataset.kind = "map";
     mapView((found) => {
       if (state.view !== "map") return;
-      const drawn = drawMap($("charts"), found, { onRead: readMap, onLeave: hideReading });
-      showKey(mapKey(drawn.fills));
+      drawMap($("charts"), found, { onRead: readMap, onLeave: hideTooltip });
+      showKey(mapKey());
       shown = { csv: () => csvOfMap(found), name: "map" };
       $("charts").dataset.done = toFragment();
       showToolbar();
@@ -133,8 +131,7 @@ const VIEWS = {
   section() {
     $("heading").textContent = "The interface at your conditions";
     $("charts").dataset.kind = "section";
-    const { words = "No separation balances the load." } = drawSection($("charts"));
-    $("notes").textContent = words;
+    $("notes").textContent = drawSection($("charts"));
     showKey(sectionKey());
     shown = { csv: null, name: "section" };
   },
@@ -142,12 +139,10 @@ const VIEWS = {
 
 let asked = false;
 let addressing = 0;
-export function draw() {
-  const start = performance.now();
-  hideReading();
+function draw() {
+  hideTooltip();
   VIEWS[state.view]();
-  if (CAPTIONS[state.view]) $("caption").textContent = CAPTIONS[state.view]();
-  $("view").dataset.milliseconds = (performance.now() - start).toFixed(1);
+  if (CAPTIONS[state.view]) $("caption").textContent = CAPTIONS[state.view];
 }
 
 function render() {
@@ -164,7 +159,7 @@ function render() {
     if (state.view === "figures" && state.claim) draw();
   });
   clearTimeout(addressing);
-  addressing = setTimeout(showAddress, 100); // browsers count how often it changes
+  addressing = setTimeout(showAddress, 100); // browsers limit how often it changes
 }
 
 function showAddress() {
@@ -172,81 +167,51 @@ function showAddress() {
   if (location.hash.slice(1) !== fragment) history.replaceState(null, "", `#${fragment}`);
 }
 
-const ask = () => {
+function ask() {
   $("claims").dataset.judged = "not yet";
   if (asked) return;
   asked = true;
   requestAnimationFrame(render);
-};
+}
 
 // --- tabs and toolbar ---
 
-function makeTabs() {
-  for (const [view, text] of Object.entries(TABS)) {
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: text, id: `tab-${view}` });
-    button.setAttribute("role", "tab");
-    button.setAttribute("aria-controls", "view");
-    button.addEventListener("click", () => change({ view }));
-    $("tabs").append(button);
-  }
-  $("tabs").addEventListener("keydown", (event) => {
-    const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-    if (!move) return;
-    const names = Object.keys(TABS);
-    const view = names[(names.indexOf(state.view) + move + names.length) % names.length];
-    change({ view });
-    $(`tab-${view}`).focus();
-  });
-}
+const tabs = [...$("tabs").children];
+$("tabs").addEventListener("click", ({ target }) => target.dataset.view && change({ view: target.dataset.view }));
+$("tabs").addEventListener("keydown", (event) => {
+  const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+  if (!move) return;
+  const tab = tabs[(tabs.indexOf(event.target) + move + tabs.length) % tabs.length];
+  change({ view: tab.dataset.view });
+  tab.focus();
+});
 
 function showTabs() {
-  for (const view of Object.keys(TABS)) {
-    const button = $(`tab-${view}`);
-    button.setAttribute("aria-selected", view === state.view);
-    button.tabIndex = view === state.view ? 0 : -1;
-    if (view === state.view) $("view").setAttribute("aria-labelledby", button.id);
+  for (const tab of tabs) {
+    const isShown = tab.dataset.view === state.view;
+    tab.setAttribute("aria-selected", isShown);
+    tab.tabIndex = isShown ? 0 : -1;
   }
+  $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
 }
 
-function choice(id, label, options, views) {
-  const made = document.createElement("label");
-  made.append(`${label} `);
-  const select = Object.assign(document.createElement("select"), { id });
-  for (const [word, text] of options) select.append(new Option(text, word));
-  select.addEventListener("change", () => change({ [id]: select.value, ...(id === "figure" ? { claim: "" } : {}) }));
-  made.append(select);
-  made.dataset.views = views;
-  return made;
+function fillToolbar() {
+  const quantities = content.quantities.map((name) => [`${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`, name]);
+  const conditions = axes.map(({ name }) => [`${wordOf(name)} ${letterOf(name)}`, name]);
+  const figures = content.figures.map(({ name, title }) => [title.split(". ")[0], name]);
+  const options = { figure: figures, y: quantities, x: [...conditions, ...quantities] };
+  for (const id of ["by", "map_x", "map_y"]) options[id] = conditions;
+  for (const [id, texts] of Object.entries(options)) $(id).replaceChildren(...texts.map((each) => new Option(...each)));
 }
 
-function makeToolbar() {
-  const quantities = Object.keys(content.quantities).map((name) => [name, `${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`]);
-  const conditions = axes.map(({ name }) => [name, `${wordOf(name)} ${letterOf(name)}`]);
-  const scales = [["auto", "as usual"], ["log", "logarithmic"], ["linear", "linear"]];
-  const figures = content.figures.map(({ name, title }) => [name, title.split(". ")[0]]);
-  $("toolbar").append(
-    choice("figure", "Show", figures, "figures"),
-    choice("y", "Show", quantities, "axes"),
-    choice("x", "over", [...conditions, ...quantities], "axes"),
-    choice("by", "for several values of", conditions, "axes"),
-    choice("map_x", "Across", conditions, "map"),
-    choice("map_y", "upwards", conditions, "map"),
-    choice("x_scale", "x scale", scales, "figures axes"),
-    choice("y_scale", "y scale", scales, "figures axes"),
-    choice("area", "Aₜ*", [["own", "as it is"], ["over_two_body", "over dry two-body"]], "figures axes"),
-  );
-  const push = Object.assign(document.createElement("span"), { className: "push" });
-  const buttons = [
-    ["csv", "CSV", () => saveCsv(shown.name, shown.csv())],
-    ["svg", "SVG", () => saveSvg(shown.name, svgOf(...[$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")].map((found) => [...found])))],
-  ];
-  for (const [id, text, act] of buttons) {
-    const button = Object.assign(document.createElement("button"), { type: "button", id: `save-${id}`, textContent: text, title: `Download what is shown as ${text}` });
-    button.addEventListener("click", act);
-    push.append(button);
-  }
-  $("toolbar").append(push);
-}
+$("toolbar").addEventListener("change", ({ target: { id, value } }) =>
+  change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
+);
+$("save-csv").addEventListener("click", () => save(`${shown.name}.csv`, "text/csv", shown.csv()));
+$("save-svg").addEventListener("click", () => {
+  const parts = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
+  save(`${shown.name}.svg`, "image/svg+xml", svgOf(...parts.map((found) => [...found])));
+});
 
 function showToolbar() {
   for (const label of $("toolbar").querySelectorAll("label")) {
@@ -258,6 +223,28 @@ function showToolbar() {
   $("save-svg").disabled = !shown;
 }
 
+// --- measured values ---
+
+async function addMeasured([file]) {
+  if (!file) return;
+  $("measured-text").textContent = readMeasured(file.name, await file.text());
+  $("measured").hidden = false;
+  ask();
+}
+$("add-data").addEventListener("click", () => $("file").click());
+$("file").addEventListener("change", () => addMeasured($("file").files));
+$("forget").addEventListener("click", () => {
+  forgetMeasured();
+  $("measured").hidden = true;
+  $("file").value = "";
+  ask();
+});
+addEventListener("dragover", (event) => event.preventDefault());
+addEventListener("drop", (event) => {
+  event.preventDefault();
+  addMeasured(event.dataTransfer.files);
+});
+
 // --- theme, link, print ---
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
@@ -265,30 +252,22 @@ function setTheme() {
   const wish = $("theme").value;
   const dark = wish === "auto" ? prefersDark.matches : wish === "dark";
   document.documentElement.dataset.theme = dark ? "dark" : "light";
+  if (charts.length) ask();
 }
-$("theme").addEventListener("change", () => {
-  setTheme();
-  ask();
-});
-prefersDark.addEventListener("change", () => {
-  setTheme();
-  ask();
-});
+$("theme").addEventListener("change", setTheme);
+prefersDark.addEventListener("change", setTheme);
 addEventListener("beforeprint", () => {
   document.documentElement.dataset.theme = "light";
   draw();
 });
-addEventListener("afterprint", () => {
-  setTheme();
-  draw();
-});
+addEventListener("afterprint", setTheme);
 $("copy-link").addEventListener("click", async () => {
   const link = `${location.href.split("#")[0]}#${toFragment()}`;
   try {
     await navigator.clipboard.writeText(link);
     $("live").textContent = $("copy-link").textContent = "Link copied";
   } catch {
-    prompt("The link that restores this page:", link); // where a browser keeps its clipboard to itself
+    prompt("The link that restores this page:", link); // where the clipboard is not allowed
   }
   setTimeout(() => {
     $("copy-link").textContent = "Copy link";
@@ -306,17 +285,16 @@ addEventListener("resize", () => {
 });
 
 // a page that was saved as it stood has them already
-for (const id of ["tabs", "toolbar", "controls", "filter", "charts"]) $(id).replaceChildren();
-if (innerWidth <= 780) document.querySelectorAll("#inputs .pane, #statements .pane").forEach((pane) => (pane.open = false));
+for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
+$("measured").hidden = true;
+if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 setTheme();
-makeTabs();
-makeToolbar();
+fillToolbar();
 makeControls($("controls"));
 makeStatements(statements);
 onChange(ask);
 fromFragment(location.hash);
-// For whoever wants to compute with the page, in the console or in a test: inputs and conditions in SI,
-// load F_t*.
+// To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.
 globalThis.thirdbody = {
   inputs: defaultInputs,
   solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),

@@ -1,57 +1,52 @@
-// The equations of Chen & Horng (2024), doi:10.3389/fmech.2024.1390335, at a given separation d;
-// and `solve`, which finds d for a given load.  All of the page's numbers come from here.
+// The equations of Chen & Horng (2024), doi:10.3389/fmech.2024.1390335, at a given separation d, and
+// `solve`, which finds d for a given load. All of the page's numbers come from here.
 //
-// For given particles and surface everything is explicit in d: the load F_s of the solids and the
-// contact areas (Eqs. 2-6), and the load F_f of the fluid by Eq. 7 turned around.  SI units; loads
-// are over A_n E_ss, areas over A_n.  `inputs` has the names of config/inputs.yaml, `condition`
-// viscosity, particle_diameter, roughness, particle_density.
+// For given particles and surface, d gives everything: the load F_s of the solids and the contact areas
+// (Eqs. 2-6), and the load F_f of the film by Eq. 7, solved for it. SI units; loads are over A_n E_ss,
+// areas over A_n. `inputs` has the names of config/inputs.yaml, `condition` has viscosity,
+// particle_diameter, roughness, particle_density.
 
+import { content } from "./state.js";
+
+const NODES = content.quadrature; // nodes and weights on the interval from 0 to 1
 const NEGLIGIBLE = 40; // exp(-40) of the largest weight is nothing in float64
-const FARTHEST = 60; // t from which on summits bear nothing in float64
-const NEAREST = -8; // t of surfaces that cut across each other's mean planes, whatever they are
+const FARTHEST = 60; // t from which on summits carry nothing in float64
+const NEAREST = -8; // t of surfaces that cut across each other's mean planes
 const LOWEST = -9; // alpha below which sizes add nothing to a moment in float64
-const SUMMIT_STEP = 1 / 32; // of tables in t: so fine that their errors are below 1e-9
-const SIZE_STEP = 1 / 256; // and in alpha, where the moment vanishes
-const FILM_STEP = 1 / 256; // of tables in ln H_c
-const FILM_SPAN = 20; // on either side of where both terms of Eq. 7 are equal
+const SUMMIT_STEP = 1 / 32; // of tables in t, for errors below 1e-9
+const SIZE_STEP = 1 / 256; // of tables in alpha
 const MOST_TABLES = 200; // surfaces whose tables are kept
 const EPSILON = 2 ** -52;
 const BOUNDED = 3.4; // times rounding of d is the bound of the library, which adds up several such errors
-const LEFT_ROUNDED = 1.5; // the same where the film bears what the solids leave, and
-const SOLIDS_ROUNDED = 240; // rounding of their load at a separation [EPSILON]
+const LEFT_ROUNDED = 1.5; // the same where the film carries what the solids leave
+const SOLIDS_ROUNDED = 240; // rounding of the load of the solids at a separation [EPSILON]
 const ROOT_TOLERANCE = 1e-13; // of d
 const SLOPE_STEP = 1e-6; // of d, for the slope of the solids' load
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
 const RTOL = 1e-9; // the relative error that is promised where the status is not `not_converged`
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
-const FILM_COUNTS = 1e-3; // L_f; what a film is like that bears less matters to nothing else
+const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
 
 export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
 export const NO_SUMMITS = "no_summits"; // the library refuses such inputs
 
-// --- quadrature and tables ---
+// --- tables ---
 
-// Nodes and weights of Gauss and Legendre on the interval from 0 to 1, by Newton's method.
-function gaussLegendre(count) {
-  return Array.from({ length: count }, (_, i) => {
-    let x = Math.cos((Math.PI * (i + 0.75)) / (count + 0.5));
-    let slope = 1;
-    for (let step = 0; step < 8; step++) {
-      let [before, here] = [1, x];
-      for (let n = 2; n <= count; n++) {
-        [before, here] = [here, ((2 * n - 1) * x * here - (n - 1) * before) / n];
-      }
-      slope = (count * (x * here - before)) / (x * x - 1);
-      x -= here / slope;
+// A function that keeps its results, up to `most` of them.
+export function remembered(find, most = 600) {
+  const kept = new Map();
+  return (asked) => {
+    const key = JSON.stringify(asked);
+    if (!kept.has(key)) {
+      if (kept.size >= most) kept.clear();
+      kept.set(key, find(asked));
     }
-    return [0.5 * (x + 1), 1 / ((1 - x * x) * slope * slope)];
-  });
+    return kept.get(key);
+  };
 }
 
-const NODES = gaussLegendre(48);
-
-// Smooth functions by cubic pieces between nodes from `first` on, each computed when first needed.
-// `exact(x, node)` fills in value and slope of each; the result tells the value of the `which`th.
+// Smooth functions by cubic pieces between nodes from `first` to `last`, each computed when first needed.
+// `exact(x, node)` fills in value and slope of each function; the result gives the value of the `which`th.
 function tabulated(exact, { step, first, last, functions }) {
   const width = 2 * functions;
   const nodes = new Float64Array(width * (Math.ceil((last - first) / step) + 2)).fill(NaN);
@@ -92,13 +87,11 @@ export function surfaceOf(inputs, roughness) {
   return { roughness, density, radius, deviation, offset };
 }
 
-const summitTables = new Map();
-
 // ln F_ss* and ln(A_ss/A_n) over t = (d - y_s)/sigma_s: eta_s times the integrals of Eq. 6 (left) over
 // all heights above d, of the asperity of Zhao, Maietta & Chang (2000) at the interference w sigma_s,
-// which yields first at w1 and is fully plastic from w2 on.  The largest weight of a summit is left
+// which yields first at w1 and is fully plastic from w2 on. The largest weight of a summit is left
 // out of the integrals and enters as a logarithm.
-function summitTable(inputs, surface) {
+function summitsOf(inputs, surface) {
   const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
   const hardness = softer / inputs.elastic_modulus_surfaces;
   const radius = surface.radius / surface.deviation;
@@ -106,7 +99,10 @@ function summitTable(inputs, surface) {
   const w1 = (0.75 * Math.PI * k * hardness) ** 2 * radius;
   const w2 = w1 * inputs.plastic_interference_ratio;
   const density = (surface.density * surface.deviation ** 2) / Math.sqrt(2 * Math.PI);
+  return summitTable({ hardness, radius, k, w1, w2, density });
+}
 
+const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
   const area = (w) => {
     const u = Math.min(Math.max((w - w1) / (w2 - w1), 0), 1);
     return Math.PI * radius * w * (1 - 2 * u ** 3 + 3 * u ** 2);
@@ -116,10 +112,6 @@ function summitTable(inputs, surface) {
     if (w >= w2) return itsArea * hardness;
     return itsArea * hardness * (1 - (1 - k) * (Math.log(w2 / w) / Math.log(w2 / w1)));
   };
-
-  // the same surface keeps its table, whatever else changes
-  const key = [hardness, radius, k, w2, density].join();
-  if (summitTables.has(key)) return summitTables.get(key);
 
   function exact(t, node) {
     const root = Math.sqrt(2 * NEGLIGIBLE);
@@ -142,12 +134,8 @@ function summitTable(inputs, surface) {
     const log = (sum) => Math.log(density * sum) - 0.5 * Math.max(t, 0) ** 2;
     node.set([log(loads), -t - fartherLoads / loads, log(areas), -t - fartherAreas / areas]);
   }
-  const span = { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST, functions: 2 };
-  const table = tabulated(exact, span);
-  if (summitTables.size >= MOST_TABLES) summitTables.clear();
-  summitTables.set(key, table);
-  return table;
-}
+  return tabulated(exact, { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST, functions: 2 });
+}, MOST_TABLES);
 
 // --- third particles ---
 
@@ -192,6 +180,14 @@ function momentTable(inputs, sizes) {
   return (alpha) => (alpha >= most ? 0 : alpha <= least ? all : table(most - alpha));
 }
 
+// Mean of alpha over all particles, whose sizes are m + alpha x_a spread_ratio.
+function meanOf(inputs, sizes) {
+  const [low, high] = [Math.max(sizes.least, LOWEST), inputs.truncation];
+  const density = (alpha) => Math.exp(-0.5 * alpha ** 2);
+  const count = (high - low) * d3.sum(NODES, ([node, weight]) => weight * density(low + (high - low) * node));
+  return (density(low) - density(high)) / count;
+}
+
 // Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
 const ELASTIC_SIDE = { printed: -1, physical: 1 };
 
@@ -204,31 +200,6 @@ export function elasticFactor(inputs) {
 }
 
 // --- film ---
-
-// The x at which e^(a x) + e^(b x) = e^y, over y: by Newton's method on the logarithm, which is convex in
-// x, from where one term has the value by itself; between nodes of a table where y is usual.
-const inverseFilms = new Map();
-
-function inverseFilm(a, b) {
-  const key = [a, b].join();
-  if (inverseFilms.has(key)) return inverseFilms.get(key);
-  const slopeAt = (x) => (a * Math.exp(a * x) + b * Math.exp(b * x)) / (Math.exp(a * x) + Math.exp(b * x));
-  const exact = (y) => {
-    let x = Math.max(y / a, y / b);
-    for (let step = 0; step < 7; step++) {
-      x -= (Math.log(Math.exp(a * x) + Math.exp(b * x)) - y) / slopeAt(x);
-    }
-    return x;
-  };
-  const fill = (y, node) => {
-    const x = exact(y);
-    node.set([x, 1 / slopeAt(x)]);
-  };
-  const table = tabulated(fill, { step: FILM_STEP, first: -FILM_SPAN, last: FILM_SPAN, functions: 1 });
-  const found = (y) => (Math.abs(y) < FILM_SPAN ? table(y) : exact(y));
-  inverseFilms.set(key, found);
-  return found;
-}
 
 // Eq. 7: H_c = smooth film and what roughness adds, each as logarithm over ln W (Eq. 8).
 function filmOf(inputs, viscosity, roughness) {
@@ -250,18 +221,22 @@ function filmOf(inputs, viscosity, roughness) {
     0.884 * lnU -
     0.977 * lnG; // Eq. 7, all but W of the roughness term
   const thickness = (lnW) => Math.exp(smooth + a * lnW) + Math.exp(rough + b * lnW);
-  // where both terms are equal: seen from there, all films of one ellipticity are one curve
-  const middle = (smooth - rough) / (b - a);
-  const level = smooth + a * middle;
   const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
   const pressed = (softer * inputs.apparent_area) / inputs.elastic_modulus_surfaces;
   const greatest = Math.log(pressed / inputs.ball_radius ** 2); // ln W
-  const inverse = inverseFilm(a, b);
   return {
     thickness,
     // ln W under which the film is as thick as H_c
-    loadParameter: (target) => middle + inverse(Math.log(target) - level),
-    // error that rounding leaves in ln H_c, a sum of so large terms [EPSILON]
+    loadParameter(target) {
+      const y = Math.log(target);
+      let lnW = Math.max((y - smooth) / a, (y - rough) / b); // where one term has the value alone
+      for (let step = 0; step < 7; step++) {
+        const [first, second] = [Math.exp(smooth + a * lnW), Math.exp(rough + b * lnW)];
+        lnW -= ((Math.log(first + second) - y) * (first + second)) / (a * first + b * second); // Newton
+      }
+      return lnW;
+    },
+    // error that rounding leaves in ln H_c, by the size of its terms [EPSILON]
     rounding: (lnW) => Math.abs(smooth) + Math.abs(rough) + 2 * Math.abs(b * lnW),
     // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0; and the softer surface is as
     // hard as the mean pressure of the load
@@ -270,21 +245,21 @@ function filmOf(inputs, viscosity, roughness) {
   };
 }
 
-// Which load stands in W of Eq. 8: that of the fluid, or the total load as it is printed;
-// `total` is F_t* at a separation where solids bear one load and the film in W another (Eq. 1),
-// `shares` are L_s and L_f (Eq. 9), `inW` is the load in W, which `dependsOnShares` or is known before d.
+// Which load stands in W of Eq. 8: that of the film, or the total load as printed. `total` is F_t* at a
+// separation where solids carry one load and the film in W another (Eq. 1), `fractions` are L_s and L_f
+// (Eq. 9), `inW` is the load in W, which depends on the fractions or is known before d.
 const FILM_LOADS = {
   fluid: {
-    dependsOnShares: true,
+    dependsOnFractions: true,
     total: (solid, film) => solid + film,
-    shares: (solid, film) => [solid / (solid + film), film / (solid + film)],
-    inW: (load, fluidShare) => load * fluidShare,
+    fractions: (solid, film) => [solid / (solid + film), film / (solid + film)],
+    inW: (load, filmFraction) => load * filmFraction,
   },
   total: {
-    dependsOnShares: false,
+    dependsOnFractions: false,
     total: (solid, film) => Math.max(solid, film),
-    // a thinner film than that of the load holds nothing
-    shares: (solid, film, load) =>
+    // a film that is thinner than that of the load carries nothing
+    fractions: (solid, film, load) =>
       film > (1 - ROUNDED) * load ? [solid / load, 1 - solid / load] : [1, 0],
     inW: (load) => load,
   },
@@ -292,11 +267,11 @@ const FILM_LOADS = {
 
 // --- all together ---
 
-// What conditions have in common under the same inputs: tables, which are made when first needed.
+// The model under some inputs; what conditions have in common is computed once.
 export function modelOf(inputs) {
   const sizes = SIZES[inputs.size_distribution](inputs);
   const moment = momentTable(inputs, sizes);
-  const surfaces = new Map();
+  const meanSize = meanOf(inputs, sizes);
   const factor = elasticFactor(inputs);
   const side = ELASTIC_SIDE[inputs.elastic_limits];
   const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
@@ -311,36 +286,30 @@ export function modelOf(inputs) {
       : Infinity; // F_t* up to which no more than one separation balances it
   const filmLoad = FILM_LOADS[inputs.film_load];
 
-  function surfaceAt(roughness) {
-    if (!surfaces.has(roughness)) {
-      const surface = surfaceOf(inputs, roughness);
-      surfaces.set(roughness, { ...surface, table: summitTable(inputs, surface) });
-    }
-    return surfaces.get(roughness);
-  }
-
-  // The interface of a condition: `at` tells everything at a separation d, `solve` finds d for a load.
+  // The interface of a condition: `at` gives the state at a separation d, `solve` finds d for a load.
   function contact({ viscosity, particle_diameter: diameter, roughness, particle_density: density }) {
-    const surface = surfaceAt(roughness);
+    const surface = surfaceOf(inputs, roughness);
+    const summits = summitsOf(inputs, surface);
     const twoBody = !(diameter ** 2 * density > 0);
     const film = viscosity > 0 ? filmOf(inputs, viscosity, roughness) : null;
     const [mean, spread] = sizes.place(diameter, roughness);
     const plane = mean + (inputs.particle_plane === "summit" ? surface.offset : 0);
+    const scatter = inputs.spread_ratio * diameter;
     const depth = (inputs.elastic_depth_ratio * diameter) / spread; // h_e/S
-    const share = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
-    const all = share * inputs.hardness_surface_1 * moment(-Infinity);
+    const covering = ((Math.PI * inputs.participation) / hardness) * density * diameter ** 2;
+    const all = covering * inputs.hardness_surface_1 * moment(-Infinity);
     const reach = twoBody ? 0 : plane + (inputs.truncation + Math.max(-side, 0) * depth) * spread;
 
     function solids(d) {
       const t = (d - surface.offset) / surface.deviation;
-      const summitLoad = t < FARTHEST ? Math.exp(surface.table(t, 0)) : 0;
-      const summitArea = t < FARTHEST ? Math.exp(surface.table(t, 1)) : 0;
+      const summitLoad = t < FARTHEST ? Math.exp(summits(t, 0)) : 0;
+      const summitArea = t < FARTHEST ? Math.exp(summits(t, 1)) : 0;
       if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
       const alpha = (d - plane) / spread;
       const here = moment(alpha); // I(d, X_max)
       const there = moment(alpha + side * depth);
-      const particles = share * inputs.hardness_surface_2 * Math.max(above * here + beyond * there, 0);
-      const covered = share * inputs.hardness_surface_1 * here;
+      const particles = covering * inputs.hardness_surface_2 * Math.max(above * here + beyond * there, 0);
+      const covered = covering * inputs.hardness_surface_1 * here;
       const bare = Math.max(1 - (contacting ? covered : all), 0);
       return {
         load: summitLoad * bare + pressure * particles, // Eqs. 2 and 4
@@ -351,19 +320,19 @@ export function modelOf(inputs) {
     }
 
     // F_f* under which the film is d thick (Eqs. 7 and 8)
-    const filmBears = (d) => Math.exp(film.loadParameter(d / inputs.ball_radius)) / wRatio;
+    const filmLoadAt = (d) => Math.exp(film.loadParameter(d / inputs.ball_radius)) / wRatio;
 
     // Total load F_t* at which the surfaces are d apart (Eq. 1)
     function loadAt(d) {
       const solid = solids(d).load;
-      return film ? filmLoad.total(solid, filmBears(d)) : solid;
+      return film ? filmLoad.total(solid, filmLoadAt(d)) : solid;
     }
 
     // All variables at a separation d that balances the load F_t*.
     function state(d, load, count = 1) {
       const solid = solids(d);
       const total = solid.particles + solid.summits; // Eq. 3
-      const shares = film ? filmLoad.shares(solid.load, filmBears(d), load) : [1, 0];
+      const fractions = film ? filmLoad.fractions(solid.load, filmLoadAt(d), load) : [1, 0];
       const ratio = twoBody ? 0 : solid.particles / total;
       const found = {
         load,
@@ -371,11 +340,11 @@ export function modelOf(inputs) {
         total_contact_area: total,
         particle_contact_area_ratio: ratio, // Eq. 10
         surface_contact_area_ratio: solid.summits / total, // Eq. 10
-        solid_load_fraction: shares[0], // Eq. 9
-        fluid_load_fraction: shares[1],
+        solid_load_fraction: fractions[0], // Eq. 9
+        fluid_load_fraction: fractions[1],
         separation: d,
         film_thickness: d / inputs.ball_radius, // Eq. 7
-        regime: shares[0] > LIMITS.boundary ? 0 : shares[0] < LIMITS.full_film ? 2 : 1,
+        regime: fractions[0] > LIMITS.boundary ? 0 : fractions[0] < LIMITS.full_film ? 2 : 1,
         mode: twoBody ? 0 : ratio > LIMITS.particle ? 3 : ratio < LIMITS.surface ? 1 : 2,
       };
       found.status = statusOf(found, solid, count);
@@ -394,26 +363,26 @@ export function modelOf(inputs) {
       return count > 1 ? "several_separations" : "converged";
     }
 
-    // Whether rounding of d, and of the film's load behind it if that is sought with d, moves the particles'
-    // area by more than is promised: their area vanishes at their reach.  Or the share of a film that is
-    // known from the total load: it is what the solids leave, and the less, the fewer digits it has.
-    function uncertain({ separation: d, fluid_load_fraction: share }) {
+    // Whether rounding changes a result by more than RTOL. That of d, and of the film's load where it is
+    // found with d, changes the particles' area, which vanishes at their reach. Where the film carries
+    // what the solids leave of the total load, a small fraction has few digits.
+    function uncertain({ separation: d, fluid_load_fraction: fraction }) {
       const rounding = () => film.rounding(film.loadParameter(d / inputs.ball_radius));
-      const sought = film && filmLoad.dependsOnShares;
-      if (film && !sought && share > 0) {
+      const isFoundWithD = film && filmLoad.dependsOnFractions;
+      if (film && !isFoundWithD && fraction > 0) {
         const ofSolids = LEFT_ROUNDED * (8 + rounding()) * steepness(d) + SOLIDS_ROUNDED;
-        if (EPSILON * ofSolids * (1 - share) > RTOL * share) return true;
+        if (EPSILON * ofSolids * (1 - fraction) > RTOL * fraction) return true;
       }
       if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
-      const ofFilm = sought ? rounding() * partOfFilm(d, share) : 0;
+      const ofFilm = isFoundWithD ? rounding() * partOfFilm(d, fraction) : 0;
       return BOUNDED * EPSILON * (8 + ofFilm) * reach > RTOL * (reach - d);
     }
 
-    // the part of a film of this share in |d ln F_t/d ln d|: where solids are stiffer, its rounding moves d less
-    function partOfFilm(d, share) {
+    // the part of the film in |d ln F_t/d ln d|: where solids are stiffer, its rounding moves d less
+    function partOfFilm(d, fraction) {
       const [here, there] = [d, d * (1 + SLOPE_STEP)].map((each) => film.loadParameter(each / inputs.ball_radius));
-      const ofFilm = (share * Math.abs(there - here)) / SLOPE_STEP;
-      return ofFilm / (ofFilm + (1 - share) * steepness(d));
+      const ofFilm = (fraction * Math.abs(there - here)) / SLOPE_STEP;
+      return ofFilm / (ofFilm + (1 - fraction) * steepness(d));
     }
 
     // |d ln F_s/d ln d|
@@ -422,7 +391,7 @@ export function modelOf(inputs) {
     const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
 
     // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
-    // It is sought between the separations `near` and `far` first, where these are given.
+    // It is searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
       if (!(surface.deviation > 0)) return nothing(load, NO_SUMMITS);
       let low = film ? filmAlone(load) : 0;
@@ -432,7 +401,7 @@ export function modelOf(inputs) {
         return nothing(load, solids(0).bare <= EPSILON ? "coverage_exceeded" : "load_exceeded");
       }
       if (!twoBody && load > onlyOne) return solveSeveral(load, low, held);
-      if (held || excess(low) <= 0) return state(low, load); // a film that bears all but nothing
+      if (held || excess(low) <= 0) return state(low, load); // the film carries all
       let high = far > low ? far : Math.max(2 * low, surface.deviation);
       if (near > low && near < high && excess(near) > 0) low = near;
       while (excess(high) > 0) {
@@ -469,7 +438,8 @@ export function modelOf(inputs) {
       return state(found[found.length - 1], load, found.length);
     }
 
-    return { at: state, loadAt, solids, solve, twoBody, surface };
+    const ownSizes = { mean: mean + meanSize * scatter, largest: mean + inputs.truncation * scatter }; // [m]
+    return { at: state, loadAt, solids, solve, twoBody, surface, reach, sizes: ownSizes };
   }
 
   return { inputs, contact, newtonsPerLoad: inputs.apparent_area * inputs.elastic_modulus_surfaces };

@@ -1,9 +1,10 @@
-// What holds at the chosen conditions, and where the contact mode changes from there.
+// The state at the chosen conditions, and where the contact mode changes from there.
 
 import { axes, currentPoint, state } from "./state.js";
-import { currentEngine } from "./engine.js";
-import { changesOf } from "./axes.js";
-import { MODE_TEXT, REGIME_TEXT, VARIABLES, conditionWord, numberText, plainSymbol, statusText, wordOf } from "./names.js";
+import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
+import { shownRange } from "./axes.js";
+import { modeChanges } from "./curves.js";
+import { MODE_TEXT, REGIME_TEXT, VARIABLES, conditionWord, numberText, plainSymbol, statusText, valueText, wordOf } from "./names.js";
 
 const VALUES = [
   ...["particle_contact_area_ratio", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"],
@@ -18,31 +19,65 @@ export function showPoint(parent) {
   if (key === shownFor) return;
   shownFor = key;
   const found = engine.state(point);
-  const rows = VALUES.map((name) => [`${VARIABLES[name].words}, ${plainSymbol(VARIABLES[name].symbol)}`, numberText(name, found[name])]);
+  // the ensemble belongs to the calibrated inputs
+  const isCalibrated = Object.keys(state.inputs).length === 0;
+  const members = isCalibrated ? ensembleEngines().map((each) => each.state(point)) : [];
+  const rows = VALUES.map((name) => {
+    const [low, high] = d3.extent(members, (member) => member[name]);
+    const range = low === undefined ? "" : `${numberText(name, low)} to ${numberText(name, high)}`;
+    return [`${VARIABLES[name].words}, ${plainSymbol(VARIABLES[name].symbol)}`, numberText(name, found[name]), range];
+  });
   const words = found.mode < 0 ? [] : [["Contact mode", MODE_TEXT[found.mode]], ["Lubrication", REGIME_TEXT[found.regime]]];
   if (found.status !== "converged") words.push(["Status", statusText(found.status)]);
   const conditions = axes.map(({ name }) => conditionWord(name, point[name])).join(", ");
-  const first = table(`At ${conditions}`, [...words, ...rows]);
-  const second = table("Contact mode as one condition changes", axes.map(({ name }) => [wordOf(name), "…"]));
-  parent.replaceChildren(first, second);
-  // the second table may need other surfaces, which take a moment
-  const cells = [...second.querySelectorAll("td")];
-  const fill = (i) => {
-    if (shownFor !== key || i >= axes.length) return;
-    cells[i].textContent = changesOf(axes[i].name, point, engine);
-    setTimeout(fill, 0, i + 1);
-  };
-  setTimeout(fill, 120, 0);
+  const heading = ["", "", isCalibrated ? "ensemble" : ""];
+  const values = table(`At ${conditions}`, [heading, ...words, ...rows]);
+  const changes = table("Contact mode as one condition changes", axes.map(({ name }) => [wordOf(name), "…"]));
+  const sizes = Object.assign(document.createElement("p"), { textContent: sizesText(engine, point) });
+  parent.replaceChildren(values, changes, sizes);
+  const cells = changes.querySelectorAll("td");
+  // these may need other surfaces, which take a moment
+  function* fill() {
+    for (const [i, { name }] of axes.entries()) {
+      cells[i].textContent = changesText(name, point, engine);
+      yield;
+    }
+  }
+  setTimeout(inSlices, 120, fill(), () => shownFor === key);
+}
+
+// What the particles of a size x_a are like.
+function sizesText(engine, { load, ...condition }) {
+  const contact = engine.contact(condition);
+  if (contact.twoBody) return "";
+  const text = (length) => numberText("separation", length);
+  const { mean, largest } = contact.sizes;
+  return (
+    `${conditionWord("particle_diameter", condition.particle_diameter)} is a scale: with these inputs the particles ` +
+    `are ${text(mean)} large on average and ${text(largest)} at most, and carry load where the separation is below ${text(contact.reach)}.`
+  );
+}
+
+// Where the contact mode changes along a condition.
+function changesText(name, point, engine) {
+  const stateAt = (value) => engine.state({ ...point, [name]: value });
+  const count = name === "roughness" ? 24 : 60;
+  const changes = modeChanges(stateAt, placesAlong(name, shownRange(name, point), count));
+  if (!changes.length) {
+    const { mode } = stateAt(point[name]);
+    return mode < 0 ? "no solution" : `${MODE_TEXT[mode]} throughout`;
+  }
+  const parts = changes.map(({ at, to }) => `${MODE_TEXT[to]} from ${valueText(name, at)}`);
+  return [MODE_TEXT[changes[0].from], ...parts].join(", ");
 }
 
 function table(title, rows) {
   const made = document.createElement("table");
   made.createCaption().textContent = title;
-  for (const [name, text] of rows) {
+  for (const [name, ...texts] of rows) {
     const row = made.insertRow();
     row.append(Object.assign(document.createElement("th"), { textContent: name, scope: "row" }));
-    row.insertCell().textContent = text;
+    for (const text of texts) row.insertCell().textContent = text;
   }
   return made;
 }
-

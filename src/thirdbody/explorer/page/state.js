@@ -17,22 +17,31 @@ export const START = {
   roughness: 300e-9,
   particle_density: 1e11,
 };
-const PLAIN = {
-  view: "figures",
-  figure: (content.figures.find(({ name }) => name === "fig11") ?? content.figures[0]).name,
-  x: "load",
-  y: "particle_contact_area_ratio",
-  by: "particle_diameter",
-  map_x: "load",
-  map_y: "particle_diameter",
-  x_scale: "auto",
-  y_scale: "auto",
-  area: "own",
-  claim: "",
-  show: "here",
+
+// What can be chosen; the first is the default.
+const names = axes.map(({ name }) => name);
+const figures = content.figures.map(({ name }) => name);
+const SCALES = ["auto", "log", "linear"];
+const CHOICES = {
+  view: ["figures", "axes", "map", "section"],
+  figure: [...figures.filter((name) => name === "fig11"), ...figures],
+  x: [...names, ...content.quantities],
+  y: ["particle_contact_area_ratio", ...content.quantities],
+  by: ["particle_diameter", ...names],
+  map_x: names,
+  map_y: ["particle_diameter", ...names],
+  x_scale: SCALES,
+  y_scale: SCALES,
+  area: ["own", "over_two_body"],
+  claim: ["", ...content.claims.map(({ id }) => id)],
+  show: ["here", "all", "fails", "changed"],
 };
 
-const fresh = () => ({ ...PLAIN, conditions: {}, inputs: {} });
+const fresh = () => ({
+  ...Object.fromEntries(Object.entries(CHOICES).map(([name, [first]]) => [name, first])),
+  conditions: {},
+  inputs: {},
+});
 export const state = fresh();
 const listeners = [];
 export const onChange = (listener) => listeners.push(listener);
@@ -40,36 +49,33 @@ export const onChange = (listener) => listeners.push(listener);
 // Change what is shown: `what` has fields of the state.
 export function change(what) {
   Object.assign(state, what);
-  listeners.forEach((listener) => listener(state));
+  listeners.forEach((listener) => listener());
 }
 
 export function setCondition(name, value) {
-  const conditions = { ...state.conditions };
-  if (value === undefined) delete conditions[name];
-  else conditions[name] = value;
-  change({ conditions });
+  const { [name]: _, ...others } = state.conditions;
+  change({ conditions: value === undefined ? others : { ...others, [name]: value } });
 }
 
 export function setInputs(values) {
-  const inputs = { ...state.inputs, ...values };
-  for (const name of Object.keys(inputs)) {
-    if (inputs[name] === undefined || inputs[name] === defaultInputs[name]) delete inputs[name];
-  }
-  change({ inputs });
+  const inputs = Object.entries({ ...state.inputs, ...values });
+  const differs = ([name, value]) => value !== undefined && value !== defaultInputs[name];
+  change({ inputs: Object.fromEntries(inputs.filter(differs)) });
 }
 
 export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...START, ...state.conditions });
 
-const axisNamed = (name) => axes.find((axis) => axis.name === name);
-export const toUnit = (name, value) => (name === "load" ? value : value / axisNamed(name).scale);
-export const fromUnit = (name, value) =>
-  name === "load" ? value : Number((value * axisNamed(name).scale).toPrecision(12));
+export const axisNamed = (name) => axes.find((axis) => axis.name === name);
+export const toUnit = (name, value) => value / axisNamed(name).scale;
+export const fromUnit = (name, value) => Number((value * axisNamed(name).scale).toPrecision(12));
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const name of Object.keys(PLAIN)) if (state[name] !== PLAIN[name]) given.set(name, state[name]);
+  for (const [name, [first]] of Object.entries(CHOICES)) {
+    if (state[name] !== first) given.set(name, state[name]);
+  }
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }
@@ -77,41 +83,23 @@ export function toFragment() {
   return given.toString();
 }
 
-// What a fragment says; what it says wrongly is left out.
+// Show what a fragment says; what is not allowed in it is left out.
 export function fromFragment(text) {
   const found = fresh();
-  const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12, no space
+  const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12 is not a space
   for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
     const number = numberIn(word);
-    if (name in PLAIN) found[name] = word;
-    else if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
-    else if (name in defaultInputs) {
+    if (Object.hasOwn(CHOICES, name)) {
+      if (CHOICES[name].includes(word)) found[name] = word;
+    } else if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
+    else if (Object.hasOwn(defaultInputs, name)) {
       const value = inputNamed(name, word);
       if (value !== undefined && value !== defaultInputs[name]) found.inputs[name] = value;
     }
   }
-  for (const name of Object.keys(PLAIN)) if (!isKnown(name, found[name])) found[name] = PLAIN[name];
   change(found);
 }
-
-const quantities = Object.keys(content.quantities);
-const names = axes.map(({ name }) => name);
-const KNOWN = {
-  view: ["figures", "axes", "map", "section"],
-  figure: content.figures.map(({ name }) => name),
-  x: [...names, ...quantities],
-  y: quantities,
-  by: names,
-  map_x: names,
-  map_y: names,
-  x_scale: ["auto", "log", "linear"],
-  y_scale: ["auto", "log", "linear"],
-  area: ["own", "over_two_body"],
-  claim: ["", ...content.claims.map(({ id }) => id)],
-  show: ["here", "all", "fails", "changed"],
-};
-const isKnown = (name, word) => KNOWN[name].includes(word);
 
 export function isAllowed({ name }, value) {
   const positive = name === "load" || name === "roughness";

@@ -1,25 +1,26 @@
-// The paper's statements with their verdicts under the inputs at hand.
+// The paper's statements with their verdicts under the inputs and conditions of the page.
 
 import { axes, change, conditionAxes, content, state } from "./state.js";
-import { currentEngine } from "./engine.js";
-import { conditionsOf, evidenceOf, judge } from "./judge.js";
+import { currentEngine, inSlices } from "./engine.js";
+import { evidenceOf, judge, replacedConditions } from "./judge.js";
 import { verdicts } from "./figures.js";
 import { modelOf } from "./model.js";
-import { wordOf } from "./names.js";
-import { readable } from "./text.js";
+import { spaced, valueText, wordOf } from "./names.js";
+import { escaped, readable } from "./text.js";
 
-const SLICE = 12; // milliseconds of work before the page may answer
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
 const GLYPHS = { holds: "✓", fails: "✗" };
 const FILTERS = { here: "of this figure", all: "all", fails: "that fail", changed: "changed by your inputs" };
-const original = new Map(content.claims.map(({ id, verdict }) => [id, verdict]));
-const figureOf = ({ part }) => {
-  const found = part.match(/^Figure (\d+)$/);
-  return found ? `fig${found[1].padStart(2, "0")}` : "";
-};
+const NEWTONS = axes[0].range;
+const original = new Map(verdicts);
 let running = 0;
 let judged = "";
 let finished = false;
+
+function figureOf({ part }) {
+  const found = part.match(/^Figure (\d+)$/);
+  return found ? `fig${found[1].padStart(2, "0")}` : "";
+}
 
 export function makeStatements({ filter, list }) {
   for (const [word, text] of Object.entries(FILTERS)) filter.append(new Option(text, word));
@@ -27,15 +28,14 @@ export function makeStatements({ filter, list }) {
   list.addEventListener("click", (event) => {
     const id = event.target.closest("button")?.dataset.claim;
     if (id === undefined) return;
-    const claim = content.claims.find((each) => each.id === id);
     if (state.claim === id) return change({ claim: "" });
-    const figure = figureOf(claim);
-    const known = content.figures.some(({ name }) => name === figure);
-    change({ claim: id, ...(known ? { view: "figures", figure } : {}) });
+    const figure = figureOf(content.claims.find((claim) => claim.id === id));
+    const isDrawn = content.figures.some(({ name }) => name === figure);
+    change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
   });
 }
 
-// Judge all statements anew, in slices, those in view first; calls `done` when all are.
+// Judge all statements again, those in view first; calls `done` when all are judged.
 export function judgeAll(done) {
   const key = JSON.stringify([state.inputs, state.conditions]);
   if (key === judged) return finished ? done() : undefined;
@@ -43,43 +43,34 @@ export function judgeAll(done) {
   finished = false;
   const mine = ++running;
   const changes = { ...state.conditions };
-  delete changes.load;
-  if (key === JSON.stringify([{}, {}])) {
-    for (const { id, verdict, measured } of content.claims) verdicts.set(id, { verdict, measured });
-    finished = true;
-    return done();
-  }
-  const evidence = evidenceOf(currentEngine().model, axes[0].range);
-  const waiting = [...content.claims].sort((a, b) => isHere(b) - isHere(a));
-  const work = () => {
-    if (mine !== running) return undefined;
-    const start = performance.now();
-    while (waiting.length && performance.now() - start < SLICE) {
-      const claim = waiting.shift();
-      verdicts.set(claim.id, judge(claim, evidence, conditionAxes, changes));
+  function* steps() {
+    const evidence = evidenceOf(currentEngine().model, NEWTONS);
+    const isDefault = key === JSON.stringify([{}, {}]);
+    for (const claim of d3.sort(content.claims, (each) => !isHere(each))) {
+      verdicts.set(claim.id, isDefault ? original.get(claim.id) : judge(claim, evidence, changes));
+      yield;
     }
-    if (waiting.length) return setTimeout(work);
     finished = true;
-    return done();
-  };
-  setTimeout(work, PAUSE);
+    done();
+  }
+  setTimeout(inSlices, PAUSE, steps(), () => mine === running);
 }
 
 // Verdicts on all statements under any inputs, by their ids.
 export function judgedUnder(inputs) {
-  const evidence = evidenceOf(modelOf(inputs), axes[0].range);
-  return Object.fromEntries(
-    content.claims.map((claim) => [claim.id, judge(claim, evidence, conditionAxes)]),
-  );
+  const evidence = evidenceOf(modelOf(inputs), NEWTONS);
+  return Object.fromEntries(content.claims.map((claim) => [claim.id, judge(claim, evidence)]));
 }
 
 const isHere = (claim) => state.view !== "figures" || figureOf(claim) === state.figure;
+const verdictOf = ({ id }) => verdicts.get(id).verdict;
+const verdictBefore = ({ id }) => original.get(id).verdict;
 
 const SHOWN = {
   here: isHere,
   all: () => true,
-  fails: ({ id }) => verdicts.get(id).verdict === "fails",
-  changed: ({ id }) => verdicts.get(id).verdict !== original.get(id),
+  fails: (claim) => verdictOf(claim) === "fails",
+  changed: (claim) => verdictOf(claim) !== verdictBefore(claim),
 };
 
 export function showStatements({ filter, list, tally }) {
@@ -88,58 +79,56 @@ export function showStatements({ filter, list, tally }) {
   if (key === list.dataset.shown) return;
   list.dataset.shown = key;
   filter.value = show;
-  const shown = content.claims.filter(SHOWN[state.show]);
-  const count = (word, claims) => claims.filter(({ id }) => verdicts.get(id).verdict === word).length;
-  const [holds, fails] = ["holds", "fails"].map((word) => count(word, shown));
-  const all = ["holds", "fails"].map((word) => count(word, content.claims));
+  const shown = content.claims.filter(SHOWN[show]);
+  const counts = (claims) => ["holds", "fails"].map((word) => claims.filter((each) => verdictOf(each) === word).length);
+  const [[holds, fails], [allHold, allFail]] = [counts(shown), counts(content.claims)];
   const chosen = conditionAxes.filter(({ name }) => name in state.conditions).map(({ name }) => wordOf(name).toLowerCase());
-  const how = chosen.length ? ` Those that name one ${chosen.join(" or ")} are judged at yours.` : "";
-  tally.textContent = `${shown.length} statements: ${holds} hold, ${fails} fail (of all ${content.claims.length}: ${all[0]} hold, ${all[1]} fail).${how}`;
+  const note = chosen.length ? ` Statements for one ${chosen.join(" or ")} are judged at yours.` : "";
+  tally.textContent = `${shown.length} statements: ${holds} hold, ${fails} fail (of all ${content.claims.length}: ${allHold} hold, ${allFail} fail).${note}`;
   list.replaceChildren(...shown.map(item));
 }
 
+// The conditions that replace those of the paper, as text.
+function replacedText(claim) {
+  const replaced = Object.entries(replacedConditions(claim, state.conditions));
+  return replaced.map(([name, value]) => valueText(name, value)).join(", ");
+}
+
+// The verdict in words. At other conditions than the paper's it is not one on the paper.
+function verdictText(claim) {
+  const verdict = verdictOf(claim);
+  const conditions = replacedText(claim);
+  if (conditions && verdict === "holds") return `would hold at ${conditions}`;
+  if (conditions && verdict === "fails") return `would not hold at ${conditions}`;
+  return verdict === verdictBefore(claim) ? verdict : `${verdict}, ${verdictBefore(claim)} by default`;
+}
+
 function item(claim) {
-  const { verdict, measured } = verdicts.get(claim.id);
-  const before = original.get(claim.id);
+  const verdict = verdictOf(claim);
   const chosen = state.claim === claim.id;
   const li = document.createElement("li");
-  const button = document.createElement("button");
-  button.type = "button";
-  button.dataset.claim = claim.id;
-  button.setAttribute("aria-pressed", chosen);
-  button.className = `${verdict.split(" ")[0]}${verdict === before ? "" : " changed"}`;
-  const changed = verdict === before ? "" : `, ${before} by default`;
-  button.innerHTML = `<span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span><span><span class="text"></span> <span class="place"></span></span>`;
-  button.querySelector(".text").textContent = claim.statement;
-  button.querySelector(".place").textContent = `${claim.place.replace(", section 3.3", "")} — ${verdict}${changed}`;
-  li.append(button);
-  if (chosen) li.append(more(claim, measured));
+  const changed = verdict === verdictBefore(claim) ? "" : " changed";
+  const place = `${claim.place.replace(", section 3.3", "")} — ${verdictText(claim)}`;
+  li.innerHTML = `<button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${verdict.split(" ")[0]}${changed}">
+    <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span>
+    <span>${escaped(claim.statement)} <span class="place">${escaped(place)}</span></span></button>`;
+  if (chosen) li.insertAdjacentHTML("beforeend", more(claim));
   return li;
 }
 
-function more(claim, measured) {
-  const box = document.createElement("div");
-  box.className = "more";
-  const quote = document.createElement("blockquote");
-  quote.textContent = claim.quote;
+function more(claim) {
+  const { measured } = verdicts.get(claim.id);
   const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
+  const conditions = replacedText(claim);
   const lines = [
     `Computed: ${measured || "nothing"}`,
-    claim.published == null ? "" : `Printed: ${printed(claim.published)}`,
+    claim.published === null ? "" : `Printed: ${printedText([claim.published].flat())}`,
     `Tolerance: ${tolerance}, ${claim.reason}`,
-    replaced(claim),
+    conditions && `Judged at ${conditions}, not at the paper's conditions.`,
   ];
-  box.append(quote, ...lines.filter(Boolean).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-  return box;
+  const paragraphs = lines.filter(Boolean).map((line) => `<p>${escaped(line)}</p>`);
+  return `<div class="more"><blockquote>${escaped(claim.quote)}</blockquote>${paragraphs.join("")}</div>`;
 }
 
-const printed = (published) =>
-  [published].flat().map((each) => (typeof each === "number" ? readable(each) : each.replaceAll("_", " "))).join(typeof published[0] === "string" ? ", then " : " to ");
-
-// which of the chosen conditions the statement is judged at
-function replaced(claim) {
-  const plain = conditionsOf(claim, conditionAxes);
-  const mine = conditionsOf(claim, conditionAxes, state.conditions);
-  const names = conditionAxes.filter(({ name }) => plain.some((each, i) => !Object.is(each[name], mine[i][name])));
-  return names.length ? `Judged at your ${names.map(({ name }) => name.replaceAll("_", " ")).join(" and ")}, not at the paper's.` : "";
-}
+const printedText = (published) =>
+  typeof published[0] === "string" ? published.map(spaced).join(", then ") : published.map((each) => readable(each)).join(" to ");

@@ -1,0 +1,81 @@
+// Measured values from a CSV file, which are drawn over the curves.
+
+import { conditionAxes } from "./state.js";
+import { ink } from "./chart.js";
+import { VARIABLES } from "./names.js";
+import { numberIn } from "./text.js";
+
+const LENGTH = { nm: 1e-9, um: 1e-6, "µm": 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
+const NUMBER = { "": 1, 1: 1, "%": 0.01 };
+// Units of the columns that are read, in SI. The same heading can stand for two variables.
+const COLUMNS = [
+  ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
+  ["load", "load", NUMBER],
+  ["viscosity", "viscosity", { cSt: 1e-6, "mm2/s": 1e-6, "mm²/s": 1e-6, "m2/s": 1 }],
+  ["particle diameter", "particle_diameter", LENGTH],
+  ["particle size", "particle_diameter", LENGTH],
+  ["roughness", "roughness", LENGTH],
+  ["particle density", "particle_density", { "m-2": 1, "1/m2": 1, "mm-2": 1e6, "1/mm2": 1e6 }],
+  ["separation", "separation", LENGTH],
+  ["film thickness", "separation", LENGTH],
+  ["film thickness", "film_thickness", NUMBER],
+  ...["total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"].map(fractionColumn),
+  ...["solid_load_fraction", "fluid_load_fraction"].map(fractionColumn),
+];
+
+function fractionColumn(name) {
+  return [name.replaceAll("_", " "), name, NUMBER];
+}
+
+let rows = []; // values in SI by the names of variables
+
+// The variable of a heading such as "load [N]" and the size of its unit; null if no heading is called so.
+function columnOf(heading) {
+  const [, words, unit = ""] = heading.match(/^(.*?)(?:\s*[[(](.*)[\])])?$/);
+  const name = words.trim().toLowerCase().replaceAll("_", " ").replace(/^normal /, "");
+  const known = COLUMNS.filter(([each]) => each === name);
+  const column = known.find(([, , units]) => unit.trim() in units);
+  if (!known.length) return null;
+  if (column) return { name: column[1], size: column[2][unit.trim()] };
+  const allowed = known.flatMap(([, , units]) => Object.keys(units)).filter(Boolean);
+  throw new Error(`“${heading}”: the unit is one of ${allowed.join(", ")}`);
+}
+
+// Read a table; returns a line that says what was read, or why nothing was.
+export function readMeasured(file, text) {
+  const [first] = text.split("\n", 1);
+  const separator = [";", "\t"].find((each) => first.includes(each)) ?? ",";
+  const [headings, ...lines] = d3.dsvFormat(separator).parseRows(text.replace(/^\uFEFF/, "").trim());
+  try {
+    const columns = headings.map((heading) => columnOf(heading.trim()));
+    const found = lines.map((cells) =>
+      Object.fromEntries(
+        columns.flatMap((column, i) => (column ? [[column.name, numberIn(cells[i] ?? "") * column.size]] : [])),
+      ),
+    );
+    const ignored = headings.filter((_, i) => !columns[i]);
+    const used = columns.filter(Boolean).map(({ name }) => VARIABLES[name].words.toLowerCase());
+    if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
+    rows = found;
+    return `${file}: ${rows.length} rows of ${used.join(", ")}${ignored.length ? `; not read: ${ignored.join(", ")}` : ""}`;
+  } catch (error) {
+    return `${file}: ${error.message}`;
+  }
+}
+
+export const forgetMeasured = () => {
+  rows = [];
+};
+
+// Points of the table that a panel can show, in the colour of the curve at their conditions.
+export function measuredPoints(x, y, curves, { newtonsPerLoad }) {
+  const isAt = (row, condition) =>
+    conditionAxes.every(({ name }) => !(name in row) || Math.abs(row[name] - condition[name]) <= 1e-6 * row[name]);
+  return rows
+    .map((row) => ({ load: row.normal_load / newtonsPerLoad, ...row }))
+    .filter((row) => Number.isFinite(row[x]) && Number.isFinite(row[y]))
+    .map((row) => {
+      const curve = curves.find(({ condition }) => isAt(row, condition));
+      return { x: row[x], y: row[y], color: curve?.color ?? ink() };
+    });
+}
