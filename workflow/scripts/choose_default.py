@@ -12,6 +12,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
+from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.results import mixed_ensemble, price_front
 from thirdbody.study.search import search
 from thirdbody.study.verdicts import compare, count_once, predict
@@ -22,7 +23,9 @@ def choose(calibrated, claims, settings, parameters, chosen):
     statements, base = load_claims(claims), Parameters(**parameters)
     judge_all = Judge(statements, base, settings["newtons"])
     contents = {content["interpretation"]: content for content in map(read_yaml, calibrated)}
-    verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
+    verdicts = {
+        name: judge_all(content["inputs"], FULL_EFFORT) for name, content in contents.items()
+    }
     predicted = {name: predict(judge_all, content) for name, content in contents.items()}
     table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
     print(

@@ -79,8 +79,12 @@ def judge_everything(
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
             some = {**inputs, unknown.name: unknown.value(position)}
             with suppress(ValueError):  # no surface has these inputs
-                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(some)
-    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
+                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
+                    some, FULL_EFFORT
+                )
+    interpretations = {
+        each["interpretation"]: judge_all(each["inputs"], FULL_EFFORT) for each in contents
+    }
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
@@ -88,7 +92,7 @@ def judge_everything(
         default,
         judge_all(inputs, FULL_EFFORT),
         judge_all(inputs, FULL_EFFORT, FAINT),
-        tuple(judge_all({**inputs, **member}) for member in default["ensemble"]),
+        tuple(judge_all({**inputs, **member}, FULL_EFFORT) for member in default["ensemble"]),
         changed,
         interpretations,
         predicted,
@@ -105,7 +109,7 @@ def predict(judge_all: Judge, content: Mapping[str, Any]) -> dict[str, Verdict]:
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
     for fold, entry in zip(folds, entries, strict=True):
-        verdicts = judge_all(entry["inputs"], claims=fold.judged)
+        verdicts = judge_all(entry["inputs"], FULL_EFFORT, claims=fold.judged)
         found |= {claim.id: verdict for claim, verdict in zip(fold.judged, verdicts, strict=True)}
     return found
 
