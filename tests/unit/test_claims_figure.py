@@ -72,22 +72,30 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
         assert text == (row["id"] if is_named else f"{part}: {held} of {judged} hold")
 
 
-def test_a_statement_that_is_not_predicted_is_a_diamond(rows):
-    drawing = claims.plot(rows)
+def markers_at(drawing):
+    """Marker and filling of each statement, by its name."""
     (axes,), (panel,) = drawing.figure.axes, drawing.panels
-    markers = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "D")]
-    diamonds = [one.name for one, look in zip(panel.series, markers, strict=True) if look == "D"]
-    assert set(diamonds) == {row["id"] for row in rows if row["predicted"] == "fails"}
+    looks = {
+        place: (line.get_marker(), line.get_markerfacecolor())
+        for line in axes.lines
+        for place in zip(line.get_xdata(), line.get_ydata(), strict=True)
+    }
+    return {one.name: looks[float(one.x[0]), int(one.y[0])] for one in panel.series}
+
+
+def test_a_statement_that_is_not_predicted_is_a_diamond(rows):
+    markers = markers_at(claims.plot(rows))
+    diamonds = {name for name, (marker, _) in markers.items() if marker == "D"}
+    assert diamonds == {row["id"] for row in rows if row["predicted"] == "fails"}
 
 
 def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
     few = rows[:20]
     sure = [row | {"ensemble_agree": 12.0} for row in few]
     for some, hollow in ((few, True), (sure, False)):
-        (axes,) = claims.plot(some).figure.axes
-        marked = [line for line in axes.lines if line.get_marker() in ("o", "D")]
-        assert len(marked) == len(few)
-        assert all((line.get_markerfacecolor() == "white") == hollow for line in marked)
+        fillings = [filling for _, filling in markers_at(claims.plot(some)).values()]
+        assert len(fillings) == len(few)
+        assert all((filling == "white") == hollow for filling in fillings)
 
 
 def test_distances_are_logarithmic_beyond_one_tolerance():

@@ -21,9 +21,10 @@ from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW, condition_key
 from thirdbody.figures.marks import TURNING_POINTS as STARS
+from thirdbody.figures.random_sections import sections
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import State, sections
+from thirdbody.figures.sections import State
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows
 

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.figures.sections import size_quantiles
+from thirdbody.figures.random_sections import size_quantiles
 from thirdbody.model.interpretations import INTERPRETATIONS
 
 

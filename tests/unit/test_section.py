@@ -7,13 +7,8 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.data.conditions import Condition
-from thirdbody.figures.sections import (
-    State,
-    read_sections,
-    section_through,
-    sections,
-    write_sections,
-)
+from thirdbody.figures.random_sections import section_through, sections
+from thirdbody.figures.sections import State, read_sections, write_sections
 
 # the s-s, p-s and hybrid modes of figure 2
 MODES = [

@@ -2,7 +2,8 @@
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
-from thirdbody.figures.sections import State, sections, write_sections
+from thirdbody.figures.random_sections import sections
+from thirdbody.figures.sections import State, write_sections
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve

@@ -50,6 +50,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     figure = Figure(figsize=(WIDTH, height), layout="constrained")
     axes = figure.add_subplot()
     series = []
+    places: dict[tuple, list] = {}  # scores and lines by colour, filling and marker
     for line, (text, found) in enumerate(lines):
         if text not in {row["id"] for row in found}:
             axes.axhspan(line - 0.5, line + 0.5, color="0.94", linewidth=0, zorder=0)
@@ -59,13 +60,17 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
             series.append(Series(CURVE, row["id"], np.array([score]), np.array([line])))
             colour = COLOURS[row["verdict"]]
             divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
-            look = {"color": colour, "markerfacecolor": "white" if divided else colour}
-            axes.plot(score, line, marker=_marker(row), zorder=2, **look)
+            look = colour, "white" if divided else colour, _marker(row)
+            places.setdefault(look, []).append((score, line))
+    for (colour, filling, marker), points in places.items():
+        look = {"color": colour, "markerfacecolor": filling, "marker": marker}
+        axes.plot(*np.transpose(points), linestyle="none", zorder=2, **look)
     axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
     axes.set(xlim=(2.0 * NO_SCORE, LAST - NO_SCORE), ylim=(len(lines) - 0.5, -0.5))
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
     axes.set_yticks(range(len(lines)), [text for text, _ in lines])
     axes.tick_params(axis="y", length=0)
+    axes.yaxis.set_label_coords(0.0, 0.5)  # none: it need not be placed beside all names
     axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
     return Drawing(figure, (Panel("A", "", "score", "line", tuple(series)),))

@@ -105,6 +105,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         top = axes.secondary_xaxis("top", functions=functions)
         top.xaxis.set_major_formatter(NEWTONS)
         top.xaxis.set_minor_locator(NullLocator())
+        top.xaxis.set_label_coords(*LABEL_PLACES["x"])
 
 
 def _draw_limits(axes, scale):

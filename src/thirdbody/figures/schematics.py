@@ -54,7 +54,7 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
     (axes,) = figure.axes
     facts = f"d = {state.separation / MICROMETRE:.2f} µm, $L_s$ = {state.solid_load_fraction:.0%}"
     panel = _panel("A", ", ".join((*shared_notes([condition]), facts)), section)
-    axes.set_title(panel.title, loc="left")
+    axes.set_title(panel.title, loc="left", y=1.0)
     _draw_section(axes, section)
     _draw_arrows(axes, section)
     add_key(figure, _entries(KEY), "", beside=False)

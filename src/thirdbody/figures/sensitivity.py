@@ -7,13 +7,13 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from thirdbody.data.readable import MEASURES, result_name
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 
-SIZE = 7.5, 1.9  # width, and height of what is not cells [inches]
-CELL_INCHES = 0.17  # height of a row
+WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
+MARGINS = 1.65, 0.1, 0.05, 0.22
+BELOW = 1.75  # inches for the names of the results and the note
 LETTERS = 110  # in a line of the note
 # measure: colour map, values of its ends, least value that is written
 SHADES = {"elasticity": ("RdBu", (-3.0, 3.0), 0.05), "sobol_total": ("Blues", (0.0, 0.6), 0.015)}
@@ -28,12 +28,10 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     rows = [row for row in rows if row["input"]]
     inputs = _by_weight(rows)
     results = list(dict.fromkeys(result_name(row) for row in rows))
-    figure = Figure(
-        figsize=(SIZE[0], SIZE[1] + 2 * CELL_INCHES * len(inputs)), layout="constrained"
-    )
+    cell = WIDTH, ROW * len(inputs) + MARGINS[2] + MARGINS[3]
+    figure = grid_of_axes(2, cell, MARGINS, columns=1, below=BELOW)
     panels = []
-    all_axes = figure.subplots(2, 1, sharex=True)
-    for letter, axes, (measure, title) in zip("AB", all_axes, MEASURES.items(), strict=True):
+    for letter, axes, (measure, title) in zip("AB", figure.axes, MEASURES.items(), strict=True):
         cells = {
             (inputs.index(row["input"]), results.index(result_name(row))): row["sensitivity"]
             for row in rows
@@ -50,12 +48,13 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
             values[place] = value
         _draw_cells(axes, values, measure)
         axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
+        axes.set_xticks([])
         title_axes(axes, panels[-1])
     style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, results, **style)
     if missing:
         text = textwrap.fill(f"Without a value at the default: {'; '.join(missing)}.", LETTERS)
-        figure.supxlabel(text, fontsize=7, x=0.02, ha="left")
+        figure.supxlabel(text, fontsize=7, x=0.02, y=0.01, ha="left", va="bottom")
     return Drawing(figure, tuple(panels))
 
 
