@@ -13,6 +13,7 @@ export const MARKERS = [
 ];
 const STAR = d3.symbol(d3.symbolStar, 90)();
 const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
+const CROSS = d3.symbol(d3.symbolCross, 110)();
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const TICKS = 6;
@@ -149,7 +150,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     const { left, right, top, bottom } = frame;
     svg.attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
     svg.attr("aria-label", spec.title);
-    description.text(described(spec));
+    description.text(spec.description ?? described(spec));
     title.html("").append("b").text(spec.letter);
     title.append("span").text(spec.title);
     clip.attr("x", left).attr("y", top).attr("width", right - left).attr("height", bottom - top);
@@ -159,10 +160,12 @@ export function chartIn(parent, { onRead, onLeave }) {
     cursor.html("");
   }
 
+  // what can be read: the points of curves, or the cells of a map
+  const rows = () => chart.spec.rows ?? chart.spec.lines;
   const isShown = (point) => canShow(chart.spec.x, point.x) && canShow(chart.spec.y, point.y);
 
   function read(event) {
-    const line = chart.spec.lines[place.line];
+    const line = rows()[place.line];
     const point = line.points[place.point];
     const [x, y] = [frame.x(point.x), frame.y(point.y)];
     const cross = `M${x},${frame.top}V${frame.bottom}M${frame.left},${y}H${frame.right}`;
@@ -178,7 +181,7 @@ export function chartIn(parent, { onRead, onLeave }) {
 
   svg.on("pointermove", (event) => {
     const [x, y] = d3.pointer(event, svg.node());
-    const found = chart.spec.lines.flatMap((line, number) =>
+    const found = rows().flatMap((line, number) =>
       line.points.map((point, index) => {
         const far = isShown(point) ? Math.hypot(frame.x(point.x) - x, frame.y(point.y) - y) : Infinity;
         return { far, line: number, point: index };
@@ -191,7 +194,7 @@ export function chartIn(parent, { onRead, onLeave }) {
   });
   svg.on("pointerleave", leave).on("blur", leave);
   svg.on("keydown", (event) => {
-    const { lines } = chart.spec;
+    const lines = rows();
     if (event.key === "Escape") return leave();
     const move = MOVES[event.key];
     if (!move || !lines.length) return undefined;
@@ -234,7 +237,10 @@ function marksOf(spec, frame, em) {
   const heldY = (value) => inY(spec.y.log ? Math.max(value, spec.y.domain[0] * 1e-3) : value);
   const isShown = (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
   const path = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(isShown).digits(1);
+  const border = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(({ onBorder }) => onBorder).digits(1);
   const classOf = ({ faded, chosen }) => (faded ? " faded" : "") + (chosen ? " chosen" : "");
+  const ring = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).digits(1);
+  const areas = spec.areas.map(({ rings, fill }) => `<path class="area" d="${rings.map((each) => `${ring(each)}Z`).join("")}" fill="${fill}"/>`);
   const shape = (mark, d, kind) =>
     `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})"/>`;
 
@@ -269,7 +275,17 @@ function marksOf(spec, frame, em) {
   });
   const stars = spec.stars.filter(isShown);
   const locus = spec.locus && stars.length > 1 ? `<path class="locus" d="${path(stars)}"/>` : "";
+  const borders = spec.borders.map(({ rings, kind, dash }) => {
+    const outline = rings.map((each) => border(each) ?? "").join("");
+    return `<path class="${kind}" d="${outline}" stroke-dasharray="${dash}"/>`;
+  });
+  const ground = `<rect x="${frame.left}" y="${frame.top}" width="${frame.right - frame.left}" height="${frame.bottom - frame.top}" fill="${spec.ground}"/>`;
+  const crosses = spec.crosses.filter(isShown).map((mark) => shape(mark, CROSS, "star"));
   return [
+    ground,
+    ...areas,
+    ...borders,
+    ...crosses,
     ...ranges,
     ghosts,
     ...lines,

@@ -34,15 +34,13 @@ export function csvOf(specs) {
   return csvText([["panel", "curve", "x_name", "x", "y_name", "y"], ...rows]);
 }
 
-export function csvOfMap({ x, y, columns, rows, cells }) {
-  const names = Object.keys(cells.find((cell) => cell.mode >= 0) ?? cells[0]);
-  const variables = names.filter((name) => name !== x && name !== y);
-  const heading = [x, y].map((name) => (name === "load" ? "load_N" : name));
-  const lines = cells.map((cell, index) => {
-    const place = [columns[index % columns.length], rows[Math.floor(index / columns.length)]];
-    return [...place, ...variables.map((name) => cell[name])];
-  });
-  return csvText([[...heading, ...variables], ...lines]);
+// The cells of a map with all their variables.
+export function csvOfMap({ x, y, rows }) {
+  const points = rows.flatMap((row) => row.points);
+  const { state } = points.find((point) => point.state.mode >= 0) ?? points[0];
+  const variables = Object.keys(state).filter((name) => name !== x.name && name !== y.name);
+  const lines = points.map((point) => [point.x, point.y, ...variables.map((name) => point.state[name])]);
+  return csvText([[x.name, y.name, ...variables], ...lines]);
 }
 
 // A copy of a drawing at a place, which keeps its look without the style of the page.

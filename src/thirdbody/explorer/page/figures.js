@@ -21,7 +21,7 @@ export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) =
 // a spec of a chart; what is not given is empty
 export const specOf = (given) => ({
   ...{ letter: "", newtonsPerLoad: null, lines: [], ghosts: [], ranges: [], printed: [] },
-  ...{ stars: [], measured: [], locus: false },
+  ...{ stars: [], measured: [], locus: false, ground: "none", areas: [], borders: [], crosses: [] },
   ...given,
 });
 

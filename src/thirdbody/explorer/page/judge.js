@@ -3,7 +3,6 @@
 
 import { LIMITS, remembered } from "./model.js";
 import { PROMINENCE, curveOf, highestMaximum, turningWindow } from "./curves.js";
-import { significant } from "./text.js";
 
 const LOADS = 240; // on a curve
 const WINDOW_DENSITY = 1e11; // eta_a [m-2] for which the paper gives its windows
@@ -25,28 +24,17 @@ const TURNING_POINT = {
   turning_point_solid_load_fraction: (point) => point.solid_load_fraction,
   turning_point_solid_load: (point) => point.solid_load_fraction * point.load,
 };
-const NO_TURNING_POINT = {
-  load: NaN,
-  particle_contact_area_ratio: NaN,
-  solid_load_fraction: NaN,
-  prominence: NaN,
-};
+const NO_TURNING_POINT = { load: NaN, particle_contact_area_ratio: NaN, solid_load_fraction: NaN };
 const BETWEEN_CURVES = ["total_contact_area_reversal_load", "bend_load", "bend_load_over_mixed_load"];
 
 const log = (values) => values.map((value) => Math.log(Math.max(value, TINY)));
 const negated = (values) => values.map((value) => -value);
 const most = (values) => Math.max(...values); // NaN if one is
 const least = (values) => Math.min(...values);
-const placeOf = (value, values) => values.findIndex((each) => Object.is(each, value));
 const difference = (a, b) => a.map((value, i) => value - b[i]);
 const last = (values) => values[values.length - 1];
 
-class NotReached extends Error {
-  constructor(shortfall) {
-    super("not reached");
-    this.shortfall = shortfall;
-  }
-}
+const NOT_REACHED = new Error("no load of the curve is within the bounds of the statement");
 
 // --- evidence: curves, turning points and windows, each found when first asked for ---
 
@@ -99,7 +87,7 @@ export function evidenceOf(model, newtons) {
     turningPoint: remembered((condition) => {
       const separations = states(condition).map(({ separation }) => separation);
       const found = highestMaximum(model.contact(condition), separations);
-      return found && found.prominence > 0 ? found : NO_TURNING_POINT;
+      return found && found.prominence > 0 ? found : { ...NO_TURNING_POINT, prominence: 0 };
     }),
     window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...ends)),
   };
@@ -127,31 +115,27 @@ export function replacedConditions(claim, changes) {
 export const referencesOf = (claim, curves) =>
   Object.keys(claim.reference).length ? curves.map((curve) => ({ ...curve, ...claim.reference })) : [];
 
-// The verdict on a statement, `holds`, `fails` or why it is neither, and what was computed.
+// The verdict on a statement, `holds`, `fails` or why it is neither, with the `numbers` that were compared
+// and their `distance` from the statement in tolerances.
 export function judge(claim, evidence, changes = {}) {
   const curves = curvesOf(claim, changes);
   const given = { ...claim, curves, references: referencesOf(claim, curves) };
-  let [measured, distance, tested] = measure(given, evidence);
-  if (claim.source === "turning_point") {
-    const points = [...curves, ...given.references].map(evidence.turningPoint);
-    const prominence = least(points.map((point) => point.prominence));
-    if (!(prominence >= PROMINENCE)) {
-      measured += Number.isNaN(prominence) ? "" : `; stands out by ${significant(prominence, 2)}`;
-      distance = NaN;
-    }
-  }
-  if (claim.aside) return { verdict: "contradicted by the paper itself", measured };
-  if (!tested) return { verdict: "not tested", measured };
-  return { verdict: distance <= 1 ? "holds" : "fails", measured };
+  const { numbers = [], distance, tested } = measure(given, evidence);
+  const points = claim.source === "turning_point" ? [...curves, ...given.references].map(evidence.turningPoint) : [];
+  const turns = points.every(({ prominence }) => prominence >= PROMINENCE);
+  const found = { numbers, distance: turns ? distance : NaN };
+  if (claim.aside) return { ...found, verdict: "contradicted by the paper itself" };
+  if (!tested) return { ...found, verdict: "not tested" };
+  return { ...found, verdict: found.distance <= 1 ? "holds" : "fails" };
 }
 
-// What was computed, its distance from the paper in tolerances, and whether the loads suffice.
+// What a check finds, and whether the loads suffice for it.
 function measure(claim, evidence) {
   try {
-    return [...CHECKS[claim.kind](claim, evidence), isWithinTheLoads(claim, evidence)];
+    return { ...CHECKS[claim.kind](claim, evidence), tested: isWithinTheLoads(claim, evidence) };
   } catch (error) {
-    if (!(error instanceof NotReached)) throw error;
-    return [`not reached, by ${significant(error.shortfall, 3)}`, Infinity, claim.must_be_reached];
+    if (error !== NOT_REACHED) throw error;
+    return { distance: Infinity, tested: claim.must_be_reached };
   }
 }
 
@@ -170,50 +154,38 @@ function isWithinTheLoads(claim, evidence) {
   return fromPublished(claim, loads.map((load) => Math.min(load, end))) > 1;
 }
 
-// --- one check for each kind of statement: what was computed, and its distance in tolerances ---
+// --- one check for each kind of statement: distance in tolerances, and the numbers compared ---
 
 const CHECKS = {
   value(claim, evidence) {
-    const values = scalars(claim, evidence);
-    const distance = claim.any_curve
-      ? least(values.map((value) => fromPublished(claim, [value])))
-      : fromPublished(claim, values);
-    return [textOf(claim, evidence, values), distance];
+    const numbers = scalars(claim, evidence);
+    const each = numbers.map((value) => fromPublished(claim, [value]));
+    return { numbers, distance: claim.any_curve ? least(each) : fromPublished(claim, numbers) };
   },
   reach(claim, evidence) {
-    const values = scalars(claim, evidence);
+    const numbers = scalars(claim, evidence);
     const sign = claim.extreme === "minimum" ? 1 : -1;
-    const lacks = values.map((value) => Math.max(sign * (value - claim.published), 0));
-    return [textOf(claim, evidence, values), most(lacks) / claim.tolerance];
+    const lacks = numbers.map((value) => Math.max(sign * (value - claim.published), 0));
+    return { numbers, distance: most(lacks) / claim.tolerance };
   },
   span(claim, evidence) {
-    const { load } = evidence.curve(claim.curves[0]);
-    const [course] = courses(claim, evidence);
-    const [low, high] = d3.extent(course);
+    const [low, high] = d3.extent(courses(claim, evidence)[0]);
     const nearest = claim.published.map((value) => Math.min(Math.max(value, low), high));
-    const loadAt = d3.scaleLinear(course, load).clamp(true);
-    const newtons = claim.published.map((value) => loadAt(value) * evidence.model.newtonsPerLoad);
-    const loads = newtons.map((force) => `${significant(force, 3)} N`).join(" and ");
-    const text = `${significant(low, 4)} to ${significant(high, 4)}; nearest to the printed ends at ${loads}`;
-    return [text, fromPublished(claim, nearest)];
+    return { numbers: [low, high], distance: fromPublished(claim, nearest) };
   },
   window(claim, evidence) {
-    const windows = claim.curves.map(({ roughness }) => evidence.window(roughness));
-    const text = windows.map(([low, high]) => `${low.toFixed(3)} to ${high.toFixed(3)}`).join(", ");
-    return [text, fromPublished(claim, windows.flat())];
+    const numbers = claim.curves.flatMap(({ roughness }) => evidence.window(roughness));
+    return { numbers, distance: fromPublished(claim, numbers) };
   },
   ordering(claim, evidence) {
     const sign = claim.direction === "decreasing" ? -1 : 1;
     const found = gaps(claim, evidence).map((gap) => gap.map((value) => sign * value));
     const against = -least(found.map(least));
     const apart = least(found.map(most));
-    const [wrong, right] = [Math.max(against, 0), apart].map((value) => significant(value, 3));
-    const miss = most([against, 2 * claim.step - apart]);
-    return [`against the order by ${wrong}, apart by ${right}`, miss / claim.step];
+    return { distance: most([against, 2 * claim.step - apart]) / claim.step };
   },
   coincidence(claim, evidence) {
-    const widest = most(gaps(claim, evidence).flat().map(Math.abs));
-    return [`apart by ${significant(widest, 3)} at most`, widest / claim.step];
+    return { distance: most(gaps(claim, evidence).flat().map(Math.abs)) / claim.step };
   },
   trend: checkCourse,
   absence: checkCourse,
@@ -222,23 +194,16 @@ const CHECKS = {
 };
 
 function checkCourse(claim, evidence) {
-  const alongCurves = claim.along === "curves";
-  const found = alongCurves ? [scalars(claim, evidence)] : courses(claim, evidence);
+  const numbers = claim.along === "curves" ? scalars(claim, evidence) : [];
+  const found = numbers.length ? [numbers] : courses(claim, evidence);
   const miss = COURSES[claim.direction || claim.kind];
   const misses = found.map((course) => miss(claim.relative ? log(course) : course, claim.step));
-  const worst = most(misses);
-  const course = found[placeOf(worst, misses)];
-  const numbers = [course[0], last(course), least(course), most(course)];
-  const [first, end, low, high] = numbers.map((value) => significant(value, 4));
-  const text = `${first} to ${end} within ${low} and ${high}`;
-  return [alongCurves ? textOf(claim, evidence, course) : text, worst / claim.step];
+  return { numbers, distance: most(misses) / claim.step };
 }
 
 function checkSequence(claim, evidence) {
-  const curves = claim.curves.map(evidence.curve);
-  const misses = curves.map((curve) => sequenceMiss(claim, curve));
-  const chosen = claim.any_curve ? least(misses) : most(misses);
-  return [passedStates(claim, curves[placeOf(chosen, misses)]), chosen / claim.step];
+  const misses = claim.curves.map((curve) => sequenceMiss(claim, evidence.curve(curve)));
+  return { distance: (claim.any_curve ? least(misses) : most(misses)) / claim.step };
 }
 
 // Distance of numbers from the published ones in tolerances; the largest counts.
@@ -367,7 +332,7 @@ function loadsOf(claim, curves, bounded, model) {
   const low = most([load_min, ...curves.map((curve) => curve.load[0])]);
   const heaviest = load_max ?? load_max_N / model.newtonsPerLoad;
   const high = least([heaviest, ...curves.map((curve) => last(curve.load))]);
-  if (!(low < high)) throw new NotReached(Math.log(low / high));
+  if (!(low < high)) throw NOT_REACHED;
   const loads = [low, ...grid.load.filter((each) => each > low && each < high), high];
   if (!limits.length) return loads;
   const shortfalls = d3.cross(limits, bounded, ({ name, end, limit }, curve) => {
@@ -375,7 +340,7 @@ function loadsOf(claim, curves, bounded, model) {
     return curve.at(name, loads).map((value) => sign * (limit - value));
   });
   const shortfall = d3.transpose(shortfalls).map(most);
-  if (least(shortfall) > 0) throw new NotReached(least(shortfall));
+  if (least(shortfall) > 0) throw NOT_REACHED;
   return loads.filter((_, i) => !(shortfall[i] > 0));
 }
 
@@ -454,28 +419,4 @@ function excursion(curve, step) {
   return curve.load.map((_, i) =>
     least(alternatives.map((names) => most(names.map((name) => outside(name, i))))),
   );
-}
-
-// The regimes, modes or both that a curve passes, as text.
-function passedStates(claim, curve) {
-  const named = claim.published.flatMap((step) => step.split(/ or | /));
-  const quantities = new Set(named.map((name) => STATES[name][0]));
-  const asked = Object.entries(STATES).filter(([, [quantity]]) => quantities.has(quantity));
-  const passed = curve.load.map((_, i) => {
-    const here = asked.filter(([, [name, low, high]]) => curve[name][i] > low && curve[name][i] <= high);
-    return here.map(([name]) => name).join(" ");
-  });
-  return passed.filter((state, i) => state !== passed[i - 1]).join(" > ").trim();
-}
-
-// Numbers as text; a load beyond those computed is shown as `> last` or `< first`.
-function textOf(claim, evidence, values) {
-  const isLoad = ["load", "bend_load", "total_contact_area_reversal_load"].includes(claim.quantity);
-  const [first, end] = d3.extent(evidence.curve(claim.curves[0]).load);
-  const text = (value) => {
-    if (isLoad && value >= end) return `> ${significant(end, 4)}`;
-    if (isLoad && value <= first) return `< ${significant(first, 4)}`;
-    return significant(value, 4);
-  };
-  return values.map(text).join(", ");
 }

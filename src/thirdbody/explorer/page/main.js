@@ -4,7 +4,7 @@ import { axes, change, content, currentPoint, defaultInputs, fromFragment, onCha
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
-import { drawMap, mapKey, mapView } from "./map.js";
+import { mapKey, mapView } from "./map.js";
 import { drawSection, sectionKey } from "./section.js";
 import { MARKERS, chartIn, sizeIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
@@ -58,28 +58,28 @@ function stateRows(found) {
 function readChart({ chart, line, point, at, event }) {
   const { x, y } = chart.spec;
   const newtons = x.name === "load" ? ` (${readable(point.state.normal_load)} N)` : "";
-  const rows = [valueRow(x.name, point.x) + newtons, valueRow(y.name, point.y), ...stateRows(point.state)];
+  const ofMap = chart.spec.rows && point.state.mode >= 0 ? ["particle_contact_area_ratio", "solid_load_fraction"] : [];
+  const rows = [
+    valueRow(x.name, point.x) + newtons,
+    valueRow(y.name, point.y),
+    ...ofMap.map((name) => valueRow(name, point.state[name])),
+    ...stateRows(point.state),
+  ];
   showTooltip({ at, event, label: line.label, rows });
-}
-
-function readMap({ label, cell, at, event }) {
-  const names = cell.mode < 0 ? [] : ["particle_contact_area_ratio", "solid_load_fraction"];
-  showTooltip({ at, event, label, rows: [...names.map((name) => valueRow(name, cell[name])), ...stateRows(cell)] });
 }
 
 // --- drawing ---
 
-function drawCharts({ specs, notes, key }, name) {
+function drawCharts({ specs, key }, name) {
   const parent = $("charts");
-  if (charts.length !== specs.length || parent.dataset.kind !== "charts") {
+  if (charts.length !== specs.length || parent.dataset.kind !== state.view) {
     parent.replaceChildren();
-    parent.dataset.kind = "charts";
+    parent.dataset.kind = state.view;
     charts = specs.map(() => chartIn(parent, { onRead: readChart, onLeave: hideTooltip }));
   }
   const sizes = charts.map(({ figure }) => sizeIn(figure)); // before any of them changes
   specs.forEach((spec, i) => charts[i].update(spec, sizes[i]));
   shown = { csv: () => csvOf(specs), name };
-  $("notes").textContent = notes.join("; ");
   showKey(key);
 }
 
@@ -100,12 +100,14 @@ const VIEWS = {
   figures() {
     const view = figureView();
     drawCharts(view, state.figure);
+    $("notes").textContent = view.notes.join("; ");
     $("heading").textContent = view.figure.title;
     $("caption").textContent = view.figure.caption;
   },
   axes() {
     const view = axesView();
     drawCharts(view, "thirdbody");
+    $("notes").textContent = view.notes.join(", ");
     $("heading").textContent = view.specs[0].title;
   },
   map() {
@@ -116,14 +118,14 @@ const VIEWS = {
     if ($("charts").dataset.kind !== "map") {
       $("charts").replaceChildren("Solving all points of the map …");
       $("key").replaceChildren();
+      charts = [];
       shown = null;
     }
     $("charts").dataset.kind = "map";
-    mapView((found) => {
+    mapView((spec) => {
       if (state.view !== "map") return;
-      drawMap($("charts"), found, { onRead: readMap, onLeave: hideTooltip });
-      showKey(mapKey());
-      shown = { csv: () => csvOfMap(found), name: "map" };
+      drawCharts({ specs: [spec], key: mapKey() }, "map");
+      shown.csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
       showToolbar();
     });

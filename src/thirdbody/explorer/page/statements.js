@@ -117,11 +117,13 @@ function item(claim) {
 }
 
 function more(claim) {
-  const { measured } = verdicts.get(claim.id);
+  const { measured, numbers, distance } = verdicts.get(claim.id);
   const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
   const conditions = replacedText(claim);
   const lines = [
-    `Computed: ${measured || "nothing"}`,
+    measured ? `Computed: ${measured}` : "",
+    numbers?.length ? `Computed: ${numbers.map((value) => readable(value)).join(", ")}` : "",
+    distance >= 0 ? `Distance from the statement: ${readable(Math.max(distance, 0), 2)} tolerances` : "",
     claim.published === null ? "" : `Printed: ${printedText([claim.published].flat())}`,
     `Tolerance: ${tolerance}, ${claim.reason}`,
     conditions && `Judged at ${conditions}, not at the paper's conditions.`,
