@@ -86,6 +86,20 @@ def text_of(value: Value) -> str:
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
 
 
+def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
+    """A note where less than one particle is in the nominal area A_n [m2].
+
+    Examples
+    --------
+    >>> few_particles(2500.0, 2.4e-6)
+    ('0.006 particles in A_n = 2.4e-06 m2: most contacts have none',)
+    """
+    count = per_m2 * apparent_area
+    if not 0.0 < count < 1.0:
+        return ()
+    return (f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none",)
+
+
 @dataclass(frozen=True)
 class Answer:
     """What a question gets.
