@@ -187,7 +187,7 @@ def test_variables_have_their_units(defaults):
     resistance = 0.5e-7 * np.sqrt(np.pi / area)
     assert table["contact_resistance_ohm_model"].tolist() == pytest.approx(resistance.tolist())
     assert any("contact_resistance_ohm is an estimate" in note for note in found.answer.notes)
-    assert found.to_dataset().sizes == {"measurement": 3}
+    assert found.to_dataset().sizes == {"row": 3}
 
 
 def test_friction_is_what_both_carry():

@@ -8,6 +8,7 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from thirdbody.data.spread import spread
+from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -101,7 +102,7 @@ def few_particles(per_m2: float, apparent_area: float, name: str = "particles") 
 
 
 @dataclass(frozen=True)
-class Answer:
+class Answer(Tabular):
     """What a question gets.
 
     ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be
@@ -154,6 +155,3 @@ class Answer:
 
     def __str__(self) -> str:
         return self.as_text()
-
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)

@@ -22,11 +22,11 @@ from thirdbody.measured.estimates import MEASURED, Assumed
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
+from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, UNITS, decimal, registry
 
 if TYPE_CHECKING:
     import pandas as pd
-    import xarray as xr
 
 SPEED = "speed"
 # a unit of what a column of conditions may be, by its words
@@ -44,7 +44,7 @@ HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Tabular):
     """Measurements beside the model.
 
     Attributes
@@ -91,10 +91,6 @@ class Comparison:
         """``table``."""
         return self.table
 
-    def to_dataset(self) -> xr.Dataset:
-        """``table`` with the dimension ``measurement``."""
-        return self.table.rename_axis("measurement").to_xarray()
-
     def plot(self) -> Any:
         """A figure of matplotlib: measurements, the model and its range, a panel for each variable."""
         from thirdbody.figures.comparison import draw
@@ -103,9 +99,6 @@ class Comparison:
 
     def __str__(self) -> str:
         return str(self.answer)
-
-    def _repr_html_(self) -> str:
-        return self.answer._repr_html_()
 
 
 def compare(

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -14,13 +14,11 @@ from thirdbody.conditions.checks import checked_parameters
 from thirdbody.extras import require
 from thirdbody.messages import shown_file
 from thirdbody.model.parameters import Parameters
-
-if TYPE_CHECKING:
-    import pandas as pd
+from thirdbody.tabular import Tabular
 
 
 @dataclass(frozen=True)
-class MeasuredSurface:
+class MeasuredSurface(Tabular):
     """The equivalent rough surface of one or several measured topographies, SI.
 
     Attributes
@@ -59,15 +57,6 @@ class MeasuredSurface:
             summit_radius=self.summit_radius,
             summit_parameter=self.summit_density * self.summit_radius * self.roughness,
         )
-
-    def to_dataframe(self) -> pd.DataFrame:
-        """One row, SI."""
-        import pandas as pd
-
-        return pd.DataFrame([asdict(self)])
-
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)
 
 
 def surface(
