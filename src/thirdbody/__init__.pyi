@@ -10,6 +10,10 @@ from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
 from thirdbody.data.streaming import stream as stream
 from thirdbody.figures.plot import plot as plot
+from thirdbody.measured.cleanliness import cleanliness as cleanliness
+from thirdbody.measured.comparison import compare as compare
+from thirdbody.measured.oil import oil_viscosity as oil_viscosity
+from thirdbody.measured.topography import surface as surface
 from thirdbody.model.parameters import Parameters as Parameters
 from thirdbody.solver.solution import Solution as Solution
 from thirdbody.solver.solve import solve as solve

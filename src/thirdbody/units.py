@@ -50,7 +50,7 @@ class Unit:
         """
         if self.key == LOAD_IN_NEWTONS:
             return np.multiply(values, 1.0 / newtons_per_load)
-        return np.asarray(values, float) if self.scale == 1.0 else _decimal(values, self.scale, 12)
+        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale, 12)
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """Values in SI in this unit."""
@@ -137,7 +137,7 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
         unit = f"{quantity.units:~}" or "no unit"
         raise ValueError(f"{name} is in {unit}; allowed: {wanted.words}")
     try:
-        numbers = _decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
+        numbers = decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
         raise ValueError(f"{name} is a quantity of {kind}; allowed: plain numbers") from None
@@ -175,17 +175,17 @@ def _of_pint(name: str, given: Any) -> Any:
     """A quantity of another package as one of pint."""
     text = _unit_text(given)
     try:
-        unit = _registry().Unit(text or "dimensionless")
+        unit = registry().Unit(text or "dimensionless")
     except ModuleNotFoundError:
         raise
     except Exception:  # pint raises many kinds
         told = f"{name} has the unit {shown(text)}, which is unknown"
         raise ValueError(f"{told}; allowed: {WANTED[name].words}") from None
-    return _registry().Quantity(np.asarray(given), unit)
+    return registry().Quantity(np.asarray(given), unit)
 
 
 @cache
-def _registry() -> Any:
+def registry() -> Any:
     """The registry of pint, which reads ``m2 s-1`` as well, as UDUNITS does."""
     require("data", "pint")
     import pint
@@ -194,6 +194,6 @@ def _registry() -> Any:
     return pint.UnitRegistry(preprocessors=[lambda text: power.sub("**", text)])
 
 
-def _decimal(values: ArrayLike, scale: float, digits: int) -> NDArray:
+def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
     """``scale`` times ``values`` to some digits, without what rounding of a product adds."""
     return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)

@@ -13,8 +13,9 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["
 EXTRAS = PROJECT["optional-dependencies"]
 LOCKS = ("workflow", "test")
 PINNED = re.compile(r"[\w.-]+==[\w.+!]+( ;[^\\]*)?( \\\n    --hash=sha256:[0-9a-f]{64})+")
-# imports every module of the library except those of matplotlib and of cma, which imports that: they write
-# a cache of fonts when imported; and prints what was run, reached or written
+# imports every module of the library except those of matplotlib, cma, which imports that, and emcee,
+# which imports h5py: they write or run when imported (a cache of fonts, uname);
+# and prints what was run, reached or written
 IMPORT_ALL = """
 import importlib, os, pkgutil, sys
 sys.dont_write_bytecode = True
@@ -29,7 +30,7 @@ def hook(event, given):
 import thirdbody
 sys.addaudithook(hook)
 names = [module.name for module in pkgutil.walk_packages(thirdbody.__path__, "thirdbody.")]
-left_out = "thirdbody.figures", "thirdbody.study.search"
+left_out = "thirdbody.figures", "thirdbody.study.sampling", "thirdbody.study.search"
 names = [name for name in names if not name.startswith(left_out)]
 for name in names:
     importlib.import_module(name)

@@ -8,6 +8,7 @@ from io import StringIO
 from typing import TYPE_CHECKING
 
 from thirdbody.data.spread import spread
+from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -86,8 +87,22 @@ def text_of(value: Value) -> str:
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
 
 
+def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
+    """A note where less than one particle is in the nominal area A_n [m2].
+
+    Examples
+    --------
+    >>> few_particles(2500.0, 2.4e-6)
+    ('0.006 particles in A_n = 2.4e-06 m2: most contacts have none',)
+    """
+    count = per_m2 * apparent_area
+    if not 0.0 < count < 1.0:
+        return ()
+    return (f"{count:.2g} {name} in A_n = {apparent_area:.3g} m2: most contacts have none",)
+
+
 @dataclass(frozen=True)
-class Answer:
+class Answer(Tabular):
     """What a question gets.
 
     ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be
@@ -140,6 +155,3 @@ class Answer:
 
     def __str__(self) -> str:
         return self.as_text()
-
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)

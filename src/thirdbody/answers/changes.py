@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +15,10 @@ from thirdbody.curves.transitions import LIMITS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import DEFAULT_RTOL
+from thirdbody.tabular import Tabular
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,17 @@ class Transition:
     solution_status: str
 
 
+class Transitions(Tabular, list):
+    """A list of ``Transition``."""
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """A row a change."""
+        import pandas as pd
+
+        table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
+        return table.assign(border=[each.border.flag for each in self])
+
+
 def transitions(
     along: str = "load",
     *,
@@ -77,7 +93,7 @@ def transitions(
     count: int = SWEEP,
     rtol: float = DEFAULT_RTOL,
     **conditions: ArrayLike,
-) -> list[Transition]:
+) -> Transitions:
     """Find where lubrication regime and contact mode change along one of the five axes.
 
     Parameters
@@ -87,8 +103,8 @@ def transitions(
 
     Returns
     -------
-    list of Transition
-        By query, and then by where they are.
+    Transitions
+        A list of ``Transition``, by query, and then by where they are.
 
     Raises
     ------
@@ -129,4 +145,4 @@ def transitions(
         for border, fields in zip(BORDERS, found, strict=True)
         for query, value, error, rises, status in zip(*(each.tolist() for each in fields))
     ]
-    return sorted(changes, key=lambda change: (change.query, change.value))
+    return Transitions(sorted(changes, key=lambda change: (change.query, change.value)))

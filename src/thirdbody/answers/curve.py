@@ -12,13 +12,14 @@ from numpy.typing import NDArray
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.data.spread import ENDS
 from thirdbody.solver.solution import Solution
+from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
 @dataclass(frozen=True)
-class Curve:
+class Curve(Tabular):
     """What ``Interface.curve`` returns.
 
     Attributes
@@ -77,6 +78,3 @@ class Curve:
     def as_csv(self) -> str:
         """The table as CSV, with ten significant digits."""
         return self.to_dataframe().to_csv(index=False, float_format="%.10g", lineterminator="\n")
-
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)

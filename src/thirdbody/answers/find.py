@@ -22,6 +22,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, unit_of
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
 
 
 @dataclass(frozen=True)
-class Crossings:
+class Crossings(Tabular):
     """Where a variable has levels: one element a crossing, in the order of the queries.
 
     Attributes
@@ -84,9 +85,6 @@ class Crossings:
         columns = {"query": self.query, self.along: self.value, "error": self.error}
         status = np.array(SOLUTION_STATUSES)[self.solution_status]
         return pd.DataFrame(columns | {"rises": self.rises, "solution_status": status})
-
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)
 
 
 def find(

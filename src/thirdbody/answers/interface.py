@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import warnings
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -13,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.answers.answer import Answer, Row, Value
+from thirdbody.answers.answer import Answer, Row, Value, few_particles
 from thirdbody.answers.arguments import check_count, check_ends
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
@@ -21,7 +19,7 @@ from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.conditions.checks import check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
-from thirdbody.conditions.usual import OutOfRangeWarning
+from thirdbody.conditions.usual import without_warnings
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
@@ -30,7 +28,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, has_unit
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit
 
 LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
@@ -96,7 +94,7 @@ class Interface:
                 raise ValueError(f"{key} has shape {given[name].shape}; allowed: one number")
             if has_unit(getattr(self, key)):
                 number = UNITS[key].from_si(given[name], self.parameters.newtons_per_load)
-                object.__setattr__(self, key, float(f"{number:.12g}"))
+                object.__setattr__(self, key, float(decimal(number)))
 
     @property
     def conditions(self) -> dict[str, float]:
@@ -139,7 +137,8 @@ class Interface:
             for name, value in mine.items()
         )
         found = mine["separation"] is not None
-        return Answer(f"State at {self.described()}", rows, _status_notes(mine), found)
+        notes = *_status_notes(mine), *self._layer_notes()
+        return Answer(f"State at {self.described()}", rows, notes, found)
 
     def compare(self, other: Interface) -> Answer:
         """Question 10: this interface beside an ``other`` one, whose inputs may be others.
@@ -164,10 +163,15 @@ class Interface:
             f"first:  {self.described()}",
             f"second: {other.described()}",
             *_status_notes(mine),
+            *self._layer_notes(),
             *_status_notes(theirs),
+            *other._layer_notes(),
         )
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
+
+    def _layer_notes(self) -> tuple[str, ...]:
+        return few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
 
     def _states(self) -> list[dict[str, Value]]:
         """The variables in engineering units and words: with the inputs, and with each member."""
@@ -199,7 +203,7 @@ class Interface:
         check_names("flags", flags, FLAGS_WITH_BORDERS)
         between = SEARCHED[along] if between is None else between
         others = {name: value for name, value in self.conditions.items() if name != key}
-        with _without_warnings():
+        with without_warnings():
             found, *of_members = (
                 transitions(key, parameters=each, between=between, **others)
                 for each in self._inputs
@@ -245,7 +249,7 @@ class Interface:
         load, fraction of the area and of the load at the turning point, then the least and the
         largest diameter for which dry contact has one; ``found`` if this interface has one.
         """
-        with _without_warnings():
+        with without_warnings():
             mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
         size = UNITS["particle_diameter_nm"].text
         told = {
@@ -314,16 +318,8 @@ class Interface:
         return Curve.of(key, points, mine, of_members)
 
 
-@contextmanager
-def _without_warnings() -> Iterator[None]:
-    """Without what an interface has said of its conditions when it was made."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", OutOfRangeWarning)
-        yield
-
-
 def _solved(conditions: Mapping[str, Any], parameters: Parameters) -> Solution:
-    with _without_warnings():
+    with without_warnings():
         return solve(**conditions, parameters=parameters)
 
 

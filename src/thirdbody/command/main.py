@@ -14,15 +14,17 @@ from typing import Any
 
 import typer
 
-from thirdbody.command.questions import EXAMPLES, questions
+from thirdbody.command.questions import questions
 
+NAMES = [command.name for command in questions.registered_commands]
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130
 # messages of typer, and the same as messages of the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing option '(\S+)'.": r"\1 is missing",
-    r"Missing command.": f"QUESTION is missing; allowed: {', '.join(EXAMPLES)}",
-    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(EXAMPLES)}",
+    r"Missing argument '(\S+)'.": r"\1 is missing",
+    r"Missing command.": f"QUESTION is missing; allowed: {', '.join(NAMES)}",
+    r"No such command '(.*)'\.": rf"QUESTION is '\1'; allowed: {', '.join(NAMES)}",
     r"No such option: (\S+)": r"there is no option \1",
 }
 
@@ -51,7 +53,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     1
     """
     arguments = sys.argv[1:] if arguments is None else list(arguments)
-    name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in EXAMPLES)])
+    name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in NAMES)])
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("default")
         try:

@@ -103,8 +103,9 @@ def _thirdbody(
     """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _question(name: str) -> Callable:
-    return questions.command(name, epilog=f"\b\nExample:\n  {EXAMPLES[name]}")  # \b: no wrapping
+def _question(name: str, example: str | None = None) -> Callable:
+    example = example or EXAMPLES[name]
+    return questions.command(name, epilog=f"\b\nExample:\n  {example}")  # \b: no wrapping
 
 
 @_question("state")
@@ -285,6 +286,51 @@ def _compare(
     changes["parameters"] = _inputs(other_inputs, "--other-inputs") if other_inputs else None
     other = one.changed(**{key: each for key, each in changes.items() if each is not None})
     return one.compare(other), json
+
+
+MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"
+
+
+@_question("compare-data", MEASURED)
+def _compare_data(
+    file: Annotated[
+        str, typer.Argument(metavar="FILE", help="CSV with units in its headings, as load [N]")
+    ],
+    load_N: AnyLoad = None,
+    viscosity_cSt: AnyViscosity = None,
+    particle_diameter_nm: AnyDiameter = None,
+    roughness_nm: AnyRoughness = None,
+    particle_density_per_m2: AnyDensity = None,
+    speed_m_per_s: _optional(
+        "speed-m-per-s", "speed of the inputs, with a column of speeds"
+    ) = None,
+    boundary_friction: _option("boundary-friction", "of what solids carry [1]") = 0.12,
+    film_friction: _option("film-friction", "of what the film carries [1]") = 0.03,
+    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = 2.2e-7,
+    csv: File = None,
+    plot: File = None,
+    inputs: Inputs = None,
+    json: Json = False,
+):
+    """Your measurements beside the model: residuals, the ensemble's range, a figure."""
+    given = dict(locals())
+    from thirdbody.measured.comparison import compare
+    from thirdbody.measured.estimates import Assumed
+
+    found = compare(
+        file,
+        parameters=_inputs(inputs, "--inputs"),
+        speed_m_per_s=speed_m_per_s,
+        assumed=Assumed(boundary_friction, film_friction, resistivity_ohm_m),
+        **{key: given[key] for key in ENGINEERING.values() if given[key] is not None},
+    )
+    if csv:
+        _write(csv, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
+    if plot:
+        from thirdbody.figures.line import save_drawing
+
+        save_drawing(found.plot(), plot)
+    return found.answer, json
 
 
 def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,6 +73,14 @@ def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
             told.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
     if told:
         warnings.warn(", and ".join(told), OutOfRangeWarning, stacklevel=_outside_of_package())
+
+
+@contextmanager
+def without_warnings() -> Iterator[None]:
+    """Without warnings of conditions that were checked before."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", OutOfRangeWarning)
+        yield
 
 
 def _outside_of_package() -> int:

@@ -27,6 +27,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import TINY, has_particles
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
+from thirdbody.tabular import Tabular
 
 # By how much a turning point stands out on both sides [1]: the width of a line on an axis from 0 to 1
 PROMINENCE = 0.02
@@ -35,7 +36,7 @@ SEPARATION_MARGIN = 1e-3
 
 
 @dataclass(frozen=True)
-class TurningPoints:
+class TurningPoints(Tabular):
     """The interior maximum of each curve that stands out most: its turning point if ``exists``.
 
     Parameters

@@ -17,10 +17,11 @@ from thirdbody.curves.turning_point import PROMINENCE, ratio_maxima
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
+from thirdbody.tabular import Tabular
 
 
 @dataclass(frozen=True)
-class Window:
+class Window(Tabular):
     """Diameters over roughness between which there is a turning point [1].
 
     ``low`` and ``high`` are nan where there is no window.  ``low_error`` and ``high_error`` bound

@@ -10,7 +10,7 @@ import xarray as xr
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import FLAGS, VARIABLES
+from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -18,7 +18,11 @@ if TYPE_CHECKING:
 POINT = "point"  # a dimension along which several conditions vary, or none
 
 
-def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]) -> xr.Dataset:
+def labelled_dataset(
+    variables: Mapping[str, Any],
+    conditions: Mapping[str, Any],
+    newtons_per_load: float | None = None,
+) -> xr.Dataset:
     """Variables and conditions of solved points as a dataset.
 
     Parameters
@@ -27,6 +31,8 @@ def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]
         Variables of a ``Solution`` by name: arrays of one shape, of xarray or not.
     conditions : mapping
         Those that were solved, by name, SI: they broadcast to the same shape.
+    newtons_per_load : float, optional
+        F_t/F_t* [N]; with it, and a load, the dataset has ``normal_load``.
 
     Returns
     -------
@@ -48,7 +54,12 @@ def labelled_dataset(variables: Mapping[str, Any], conditions: Mapping[str, Any]
         attributes = variable_attributes(VARIABLES[name])
         attributes.pop("_FillValue", None)  # every point is there
         described[name] = (dimensions, np.asarray(values), attributes)
-    return xr.Dataset(described, coordinates)
+    dataset = xr.Dataset(described, coordinates)
+    if newtons_per_load is None or "load" not in dataset.coords:
+        return dataset
+    newtons = dataset["load"].drop_vars(dataset["load"].coords) * newtons_per_load
+    newtons.attrs = coordinate_attributes(NORMAL_LOAD)
+    return dataset.assign_coords(normal_load=newtons)
 
 
 def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:

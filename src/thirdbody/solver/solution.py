@@ -62,6 +62,8 @@ class Solution:
         the status is ``not_converged``, but the values stand.
     conditions : mapping
         The five conditions that were solved, by name, SI: arrays that broadcast to the shape.
+    newtons_per_load : float, optional
+        F_t/F_t* [N], with which a dataset has the load in newtons.
     """
 
     total_contact_area: NDArray | None = None
@@ -77,6 +79,7 @@ class Solution:
     separation_count: NDArray | None = None
     error_bound: NDArray | None = None
     conditions: Mapping[str, Any] = field(default_factory=dict)
+    newtons_per_load: float | None = None
 
     @property
     def known(self) -> dict[str, Any]:
@@ -90,7 +93,7 @@ class Solution:
         -------
         xarray.Dataset
             Variables are those that were asked for, flags integers with ``flag_values`` and
-            ``flag_meanings``.  The conditions are coordinates.  A dimension has the name of the
+            ``flag_meanings``.  The conditions and ``normal_load`` [N] are coordinates.  A dimension has the name of the
             condition that alone varies along it, else it is called ``point``; arrays of xarray keep
             their dimensions and coordinates.
 
@@ -119,7 +122,7 @@ class Solution:
         """
         from thirdbody.data.labels import labelled_dataset
 
-        return labelled_dataset(self.known, self.conditions)
+        return labelled_dataset(self.known, self.conditions, self.newtons_per_load)
 
     def to_dataframe(self) -> pd.DataFrame:
         """The points as a table: one row a point, its conditions first.
@@ -150,9 +153,15 @@ class Solution:
         >>> table[["load", "lubrication_regime"]].to_dict("list")
         {'load': [1e-06, 1e-05], 'lubrication_regime': ['boundary', 'mixed']}
         """
-        from thirdbody.data.labels import labelled_dataset, labelled_frame
+        from thirdbody.data.labels import labelled_frame
 
-        return labelled_frame(labelled_dataset(self.known, self.conditions))
+        return labelled_frame(self.to_dataset())
+
+    def _repr_html_(self) -> str | None:
+        try:
+            return self.to_dataset()._repr_html_()
+        except ModuleNotFoundError:  # then notebooks take __repr__
+            return None
 
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
@@ -161,7 +170,9 @@ class Solution:
         return "\n".join([f"Solution of shape {shape}", *lines])
 
 
-VARIABLES = tuple(each.name for each in fields(Solution) if each.name != "conditions")
+VARIABLES = tuple(
+    each.name for each in fields(Solution) if each.name not in ("conditions", "newtons_per_load")
+)
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))

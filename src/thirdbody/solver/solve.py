@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -128,7 +129,8 @@ def solve(
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    return Solution(**labelled_as(pattern, solution.known), conditions=named)
+    found = labelled_as(pattern, solution.known)
+    return replace(solution, **found, conditions=named)
 
 
 def solve_arrays(
@@ -170,7 +172,11 @@ def solve_arrays(
                     left[piece] = found["solution_status"] == NOT_CONVERGED
                 shown.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
     solved_variables = {name: values.reshape(shape) for name, values in result.items()}
-    return Solution(**solved_variables, conditions=dict(arrays))
+    return Solution(
+        **solved_variables,
+        conditions=dict(arrays),
+        newtons_per_load=parameters.newtons_per_load,
+    )
 
 
 def _repay_a_table(roughness, counted):

@@ -1,0 +1,36 @@
+"""Writes ``measured.csv``: no measurement, but a member of the ensemble with errors of a laboratory.
+
+Friction and contact resistance come from the same estimates as in ``thirdbody.compare``, with other
+coefficients, so that both residuals and agreement can be seen.
+"""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+import thirdbody as tb
+from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.measured.estimates import Assumed, contact_resistance, friction_coefficient
+
+SCATTER = 0.03  # relative
+loads = np.geomspace(1.0, 50.0, 9)
+truth = calibrated_ensemble(tb.load_parameters())[4]
+found = tb.solve(
+    load_N=loads,
+    viscosity_cSt=90,
+    particle_diameter_nm=500,
+    roughness_nm=300,
+    particle_density_per_m2=1e11,
+    parameters=truth,
+)
+assumed = Assumed(boundary_friction=0.11, film_friction=0.035)
+scatter = 1.0 + SCATTER * np.random.default_rng(1).standard_normal((2, loads.size))
+table = pd.DataFrame(
+    {
+        "load [N]": loads.round(2),
+        "friction coefficient": friction_coefficient(found, truth, assumed) * scatter[0],
+        "contact resistance [mohm]": 1e3 * contact_resistance(found, truth, assumed) * scatter[1],
+    }
+)
+table.to_csv(Path(__file__).with_name("measured.csv"), index=False, float_format="%.4g")

@@ -1,0 +1,88 @@
+"""``cleanliness``: particles per area of a film, from the ISO 4406 code of the oil in it."""
+
+from __future__ import annotations
+
+import re
+
+from thirdbody.answers.answer import Answer, Row, few_particles
+from thirdbody.answers.arguments import check_number
+from thirdbody.conditions.checks import checked_parameters
+from thirdbody.messages import shown
+from thirdbody.model.parameters import Parameters
+
+SIZES = 4, 6, 14  # um(c), whose counts the code has
+# ISO 4406:2021, Table 1: most particles per mL of the scale numbers 0 to 9, times 1000 for each 10 more
+MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
+LARGEST = 28
+
+
+def cleanliness(
+    code: str, *, gap_nm: float, parameters: Parameters | None = None, enrichment: float = 1.0
+) -> Answer:
+    """Particles per area in a film of oil of an ISO 4406 code: the count in the volume of the film.
+
+    The code counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, as those of
+    the paper (20 to 1000 nm), no such code counts: there are more of them.  That the flow takes
+    particles into the contact, or keeps large ones out of it, is not considered, nor what wear makes there.
+
+    Parameters
+    ----------
+    code : str
+        ISO 4406 code, as "18/16/13"; "-" or "*" stands for what was not counted.
+    gap_nm : float
+        Thickness of the film, or separation of the surfaces [nm].
+    parameters : Parameters, optional
+        Inputs of the model, whose nominal area A_n counts, by default the published ones.
+    enrichment : float
+        By how many times particles are more in the contact than in the sample.
+
+    Returns
+    -------
+    Answer
+        For each size the least and the most particles per m2 of the code's class.
+
+    Raises
+    ------
+    ValueError
+        In one line: for what is no code, and numbers that are not positive.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> print(tb.cleanliness("18/16/13", gap_nm=1000).notes[0])
+    0.0089 particles above 4 um in A_n = 3.57e-06 m2: most contacts have none
+    """
+    parameters = checked_parameters(parameters)
+    check_number("gap_nm", gap_nm)
+    check_number("enrichment", enrichment)
+    rows, notes = [], []
+    for size, number in zip(SIZES, _scale_numbers(code), strict=True):
+        if number is None:
+            continue
+        for end, per_ml in (("least", _most(number - 1)), ("most", _most(number))):
+            density = 1e6 * per_ml * enrichment * 1e-9 * gap_nm  # per m3, times a height in m
+            text = f"particles of more than {size} um(c), {end} of the class"
+            rows.append(Row(f"{end}_above_{size}_um", text, density, "m-2"))
+        notes += few_particles(density, parameters.apparent_area, f"particles above {size} um")
+    notes.append("particles below 4 um, which ISO 4406 does not count, are more")
+    title = f"ISO {code} in a film of {gap_nm:g} nm"
+    return Answer(title, tuple(rows), tuple(notes), bool(rows))
+
+
+def _scale_numbers(code):
+    """The three numbers of a code, None of what was not counted."""
+    parts = code.replace(" ", "").removeprefix("ISO").split("/") if isinstance(code, str) else []
+    if len(parts) != len(SIZES) or not all(re.fullmatch(r"\d\d?|[-*]", part) for part in parts):
+        allowed = "three numbers, as 18/16/13, or - for one"
+        raise ValueError(f"code is {shown(code)}; allowed: {allowed}")
+    numbers = [int(part) if part.isdecimal() else None for part in parts]
+    known = [number for number in numbers if number is not None]
+    if known != sorted(known, reverse=True) or max(known, default=0) > LARGEST:
+        allowed = f"numbers up to {LARGEST}, none above that of smaller particles"
+        raise ValueError(f"code is {shown(code)}; allowed: {allowed}")
+    return numbers
+
+
+def _most(number):
+    """Most particles per mL of a scale number."""
+    return 0.0 if number < 0 else MOST_PER_ML[number % 10] * 1000.0 ** (number // 10)

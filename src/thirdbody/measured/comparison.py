@@ -1,0 +1,312 @@
+"""``compare``: a file of measurements beside the model, with the range of the ensemble and residuals."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import asdict, dataclass
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from thirdbody.answers.answer import Answer, Row
+from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.in_si import in_si
+from thirdbody.conditions.usual import without_warnings
+from thirdbody.data.spread import ENDS
+from thirdbody.measured.estimates import MEASURED, Assumed
+from thirdbody.messages import shown, shown_file
+from thirdbody.model.parameters import Parameters
+from thirdbody.solver.solve import solve
+from thirdbody.tabular import Tabular
+from thirdbody.units import ENGINEERING, UNITS, decimal, registry
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+SPEED = "speed"
+# a unit of what a column of conditions may be, by its words
+CONDITIONS = {
+    "load": "N",
+    "viscosity": "cSt",
+    "particle diameter": "nm",
+    "roughness": "nm",
+    "particle density": "1/mm**2",
+    SPEED: "m/s",
+}
+UNIT_OF = {one.column: one.unit.replace("dimensionless", "1") for one in MEASURED.values()}
+CURVE = 80  # points of the model's curve where one condition varies
+HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
+
+
+@dataclass(frozen=True)
+class Comparison(Tabular):
+    """Measurements beside the model.
+
+    Attributes
+    ----------
+    table : pandas.DataFrame
+        A row a measurement: its conditions, and of each variable what was measured, ``_model``, the
+        ensemble's ``_low`` and ``_high`` (if there is one) and ``_residual``, measured less model.
+    curve : pandas.DataFrame
+        The model between the measurements, in the same columns, where one condition varies; else empty.
+    along : str
+        The column that varies most, over which ``plot`` draws.
+    variables : tuple of str
+        The columns that were measured.
+    notes : tuple of str
+        What the estimates assume, and what was not compared.
+    """
+
+    table: pd.DataFrame
+    curve: pd.DataFrame
+    along: str
+    variables: tuple[str, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def answer(self) -> Answer:
+        """Of each variable the mean and the root mean square of the residuals, and how many measurements
+        are within the range of the ensemble."""
+        rows, notes = [], []
+        for name in self.variables:
+            residual = self.table[f"{name}_residual"].dropna()
+            unit = UNIT_OF[name]
+            rows.append(Row(f"{name}_mean", f"{name}: mean residual", residual.mean(), unit))
+            size = float(np.sqrt((residual**2).mean()))
+            rows.append(Row(f"{name}_rms", f"{name}: root mean square residual", size, unit))
+            if f"{name}_low" in self.table:
+                known = self.table.loc[residual.index]
+                inside = known[name].between(known[f"{name}_low"], known[f"{name}_high"])
+                count = f"{inside.sum()} of {len(residual)}"
+                notes.append(f"{name} is within the 90 % range in {count} measurements")
+        title = f"{len(self.table)} measurements beside the model, along {self.along}"
+        return Answer(title, tuple(rows), (*notes, *self.notes))
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """``table``."""
+        return self.table
+
+    def plot(self) -> Any:
+        """A figure of matplotlib: measurements, the model and its range, a panel for each variable."""
+        from thirdbody.figures.comparison import draw
+
+        return draw(self.table, self.curve, self.along, self.variables)
+
+    def __str__(self) -> str:
+        return str(self.answer)
+
+
+def compare(
+    measured: str | PathLike | pd.DataFrame,
+    *,
+    parameters: Parameters | None = None,
+    speed_m_per_s: float | None = None,
+    assumed: Assumed | None = None,
+    **conditions: ArrayLike,
+) -> Comparison:
+    """Compare measurements with the model, and with the range of its calibrated ensemble.
+
+    Parameters
+    ----------
+    measured : path or pandas.DataFrame
+        CSV with a heading, separated by commas, semicolons (with decimal commas, too) or tabs.  Headings
+        have units in brackets, as ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter
+        [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``, and what was measured: ``friction
+        coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``, ``separation [nm]``, ``real
+        contact area [mm^2]``, ``real contact area fraction [%]``, ``solid load fraction`` or ``fluid load
+        fraction``.  A cell without a measurement is empty.
+    parameters : Parameters, optional
+        Inputs of the model, by default the published ones; ``thirdbody.bearing`` derives others.
+    speed_m_per_s : float, optional
+        The rolling speed of ``parameters`` [m/s]; needed with a column of speeds, and only then.
+    assumed : Assumed, optional
+        What the estimates of friction and contact resistance assume (``thirdbody.measured.estimates``).
+    **conditions : array_like
+        Conditions that are no columns, by any of the names of ``thirdbody.solve``.
+
+    Returns
+    -------
+    Comparison
+
+    Raises
+    ------
+    ValueError
+        In one line: for a heading or a unit that is unknown, a cell that is no number, a file without
+        measurements, and a condition that is missing, given twice or refused by ``solve``.
+    OSError
+        If the file cannot be read.
+
+    Examples
+    --------
+    >>> import pandas as pd
+    >>> import thirdbody as tb
+    >>> data = {"load [N]": [5, 10, 20], "friction coefficient": [0.06, 0.08, 0.10]}
+    >>> found = tb.compare(
+    ...     pd.DataFrame(data),
+    ...     viscosity_cSt=90,
+    ...     particle_diameter_nm=500,
+    ...     roughness_nm=300,
+    ...     particle_density_per_m2=1e11,
+    ... )
+    >>> found.table["friction_coefficient_model"].round(3).tolist()
+    [0.111, 0.094, 0.077]
+    """
+    parameters = checked_parameters(parameters)
+    assumed = Assumed() if assumed is None else assumed
+    columns = _read(measured)
+    observed = {name: each for name, each in columns.items() if name in MEASURED}
+    if not observed:
+        raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
+    if (SPEED in columns) != (speed_m_per_s is not None):
+        told = f"speed_m_per_s is {shown(speed_m_per_s)}"
+        raise ValueError(f"{told}; allowed: a number with a column of speeds, else none")
+    table = _conditions(columns, conditions, parameters)
+    along, curve = _curve(table)
+    members = calibrated_ensemble(parameters)
+    models = [MEASURED[name] for name in observed]
+    table, curve = (
+        _with_model(each, models, (parameters, *members), speed_m_per_s, assumed)
+        for each in (table, curve)
+    )
+    notes = [f"{one.column} is an estimate: {one.formula}" for one in models if one.formula]
+    notes = [note.format(**asdict(assumed)) for note in notes]
+    for name, one in zip(observed, models):
+        table[one.column] = observed[name].to(one.unit).magnitude
+        table[f"{one.column}_residual"] = table[one.column] - table[f"{one.column}_model"]
+    if not members:
+        notes.append("no ensemble: these inputs are others than those of the calibration")
+    unsolved = int(table[f"{models[0].column}_model"].isna().sum())
+    if unsolved:
+        notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
+    return Comparison(table, curve, along, tuple(one.column for one in models), tuple(notes))
+
+
+def _read(measured):
+    """The columns of a file or a table by what they are, each a quantity with its unit."""
+    import pandas as pd
+
+    table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
+    if not len(table):
+        raise ValueError("measured has no rows; allowed: one or more below the headings")
+    columns = {}
+    for heading in table:
+        words, *units = HEADING.match(str(heading)).groups()
+        name, unit = words.lower().replace("_", " "), next(filter(None, units), None)
+        key = name.replace(" ", "_") if name in CONDITIONS else name
+        if key in columns or not (name in MEASURED or name in CONDITIONS):
+            known = ", ".join([*CONDITIONS, *MEASURED])
+            raise ValueError(
+                f"measured has the column {shown(heading)}; allowed: {known}, once each"
+            )
+        columns[key] = _quantity(heading, name, unit, _numbers(heading, table[heading]))
+    return columns
+
+
+def _read_csv(path):
+    """A CSV as texts; its separator is the first of tab, semicolon and comma in the headings."""
+    import pandas as pd
+
+    content = Path(path).read_bytes()
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = content.decode("cp1252", "replace")  # of spreadsheets
+    lines = [line for line in text.splitlines() if line.strip() and not line.startswith("#")]
+    if not lines:
+        raise ValueError(f"{shown_file(path)} is empty; allowed: headings and rows below them")
+    separator = next((each for each in "\t;" if each in lines[0]), ",")
+    headings, *rows = csv.reader(lines, delimiter=separator)
+    for row in rows:
+        if len(row) != len(headings):
+            told = (
+                f"{shown_file(path)} has {len(row)} cells in the row {shown(separator.join(row))}"
+            )
+            raise ValueError(f"{told}; allowed: {len(headings)}, as headings")
+    if separator == ";":
+        rows = [[cell.replace(",", ".") for cell in row] for row in rows]
+    return pd.DataFrame(rows, columns=headings)
+
+
+def _numbers(heading, column):
+    """A column as numbers; an empty cell is nan."""
+    numbers = np.full(len(column), np.nan)
+    for index, cell in enumerate(column):
+        try:
+            numbers[index] = float(cell) if str(cell).strip() else np.nan
+        except (TypeError, ValueError):
+            told = f"{heading} is {shown(cell)} in row {index + 1}"
+            raise ValueError(f"{told}; allowed: numbers with a decimal point") from None
+    return numbers
+
+
+def _quantity(heading, name, unit, numbers):
+    """A column with its unit, which only a number without dimension may leave out; of F_t* it is 1."""
+    wanted = CONDITIONS.get(name) or MEASURED[name].unit
+    unit = unit or ("dimensionless" if name in MEASURED else "")
+    try:
+        quantity = registry().Quantity(numbers, registry().Unit(unit.replace("%", "percent")))
+        known = quantity.is_compatible_with(wanted) or (name == "load" and quantity.unitless)
+    except Exception:  # pint raises many kinds
+        known = False
+    if not unit or not known:
+        raise ValueError(
+            f"the unit of {shown(heading)} is not known; allowed: as '{name} [{wanted}]'"
+        )
+    return quantity
+
+
+def _conditions(columns, conditions, parameters):
+    """The conditions of each measurement in engineering units, with its speed if there is one."""
+    import pandas as pd
+
+    given = {name: each for name, each in columns.items() if name in ENGINEERING}
+    found = in_si(given | conditions, parameters)
+    table = {
+        key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))
+        for name, key in ENGINEERING.items()
+    }
+    if SPEED in columns:
+        table["speed_m_per_s"] = columns[SPEED].to("m/s").magnitude
+    rows = len(next(iter(columns.values())))
+    for name, values in table.items():
+        if values.shape not in ((), (rows,)):
+            raise ValueError(f"{name} has shape {values.shape}; allowed: one number, or {rows}")
+    return pd.DataFrame(table, index=range(rows)).astype(float)
+
+
+def _curve(table):
+    """The condition that varies most, and conditions along it, none if another one varies."""
+    import pandas as pd
+
+    varying = table.nunique().sort_values(ascending=False, kind="stable")
+    along = varying.index[0]
+    if len(varying[varying > 1]) != 1:
+        return along, table.iloc[:0]
+    ends = table[along].min(), table[along].max()
+    points = np.geomspace(*ends, CURVE) if ends[0] > 0.0 else np.linspace(*ends, CURVE)
+    return along, pd.DataFrame(table.iloc[0].to_dict() | {along: points})
+
+
+def _with_model(table, models, inputs, speed_m_per_s, assumed):
+    """Conditions with what the model has there: with the first of the inputs, and the range of others."""
+    import pandas as pd
+
+    conditions = {name: table[name].to_numpy() for name in ENGINEERING.values()}
+    if speed_m_per_s is not None:  # the film depends on the product of speed and viscosity
+        speed = table["speed_m_per_s"].to_numpy() / speed_m_per_s
+        conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * speed
+    with without_warnings():
+        found = [solve(**conditions, parameters=each, progress=False) for each in inputs]
+    table = table.copy()
+    for one in models:
+        mine, *members = map(one.model, found, inputs, [assumed] * len(inputs))
+        table[f"{one.column}_model"] = mine
+        if members:
+            ends = pd.DataFrame(members).quantile(ENDS).to_numpy()
+            table[f"{one.column}_low"], table[f"{one.column}_high"] = ends
+    return table

@@ -1,0 +1,156 @@
+"""``oil_viscosity``: the kinematic viscosity of an oil at a temperature, from what its data sheet says."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
+
+from thirdbody.conditions.checks import checked_array
+from thirdbody.messages import shown
+
+# ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %
+GRADES = {2: 2.2, 3: 3.2, 5: 4.6, 7: 6.8}
+GRADES |= {grade: float(grade) for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460)}
+GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
+LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
+COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
+ZERO = 273.15  # K
+# ASTM D2270, for viscosities from Y [cSt] at 100 C on: L = a Y^2 + b Y + c, H = d Y^2 + e Y + f
+INDEX = (
+    (2.0, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),
+    (3.8, 3.38095, -15.4952, 33.196, 0.78571, 1.7929, -0.183),
+    (4.4, 2.5000, -7.2143, 13.812, 0.82143, 1.5679, 0.119),
+    (5.0, 0.10100, 16.6350, -45.469, 0.04985, 9.1613, -18.557),
+    (6.4, 3.35714, -23.5643, 78.466, 0.22619, 7.7369, -16.656),
+    (7.0, 0.01191, 21.4750, -72.870, 0.79762, -0.7321, 14.610),
+    (7.7, 0.41858, 16.1558, -56.040, 0.05794, 10.5156, -28.240),
+    (9.0, 0.88779, 7.5527, -16.600, 0.26665, 6.7015, -10.810),
+    (12.0, 0.76720, 10.7972, -38.180, 0.20073, 8.4658, -22.490),
+    (15.0, 0.97305, 5.3135, -2.200, 0.28889, 5.9741, -4.930),
+    (18.0, 0.97256, 5.2500, -0.980, 0.24504, 7.4160, -16.730),
+    (22.0, 0.91413, 7.4759, -21.820, 0.20323, 9.1267, -34.230),
+    (28.0, 0.87031, 9.7157, -50.770, 0.18411, 10.1015, -46.750),
+    (40.0, 0.84703, 12.6752, -133.310, 0.17029, 11.4866, -80.620),
+    (55.0, 0.85921, 11.1009, -83.190, 0.17130, 11.3680, -76.940),
+    (70.0, 0.83531, 14.6731, -216.246, 0.16841, 11.8493, -96.947),
+)
+
+
+def oil_viscosity(
+    temperature_C: ArrayLike,
+    *,
+    grade: int | None = None,
+    viscosity_index: float | None = None,
+    points: Mapping[float, float] | None = None,
+) -> NDArray:
+    """Kinematic viscosity [cSt] of an oil at a temperature, on the line of Walther through two points.
+
+    log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is for one oil at
+    ambient pressure: it knows nothing of shear thinning, of ageing or of oil with fuel in it.
+
+    Parameters
+    ----------
+    temperature_C : array_like
+        Temperatures [C], from -70 to 370.
+    grade : int, optional
+        ISO viscosity grade (ISO 3448): the middle of its range at 40 C, which is 10 % on both sides.
+    viscosity_index : float, optional
+        Goes with the grade, and gives the second point, at 100 C (ASTM D2270, ISO 2909).
+    points : mapping, optional
+        In place of these, two temperatures [C] and the viscosities [cSt] that were measured there.
+
+    Returns
+    -------
+    array
+        Viscosities [cSt], of the shape of ``temperature_C``.
+
+    Raises
+    ------
+    ValueError
+        In one line: for a grade or an index that there is not, other than two points, and viscosities
+        below 2 or above 2e7 cSt, for which the line does not hold.
+
+    Examples
+    --------
+    >>> import thirdbody as tb
+    >>> tb.oil_viscosity([40, 80], grade=46, viscosity_index=100).round(1)
+    array([46. , 11.1])
+    >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
+    array([38.5])
+    """
+    temperature = checked_array("temperature_C", temperature_C)
+    if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
+        raise ValueError(
+            f"temperature_C is {shown(temperature_C)}; allowed: {COLDEST:g} to {HOTTEST:g}"
+        )
+    if (points is None) == (grade is None) or (grade is None) != (viscosity_index is None):
+        raise ValueError(
+            f"grade is {shown(grade)}, viscosity_index {shown(viscosity_index)} and points "
+            f"{shown(points)}; allowed: a grade with its viscosity_index, or points"
+        )
+    if points is None:
+        if not isinstance(grade, int) or grade not in GRADES:
+            allowed = ", ".join(map(str, GRADES))
+            raise ValueError(f"grade is {shown(grade)}; allowed: ISO VG {allowed}")
+        points = {40.0: GRADES[grade], 100.0: _at_100(GRADES[grade], viscosity_index)}
+    (cold, thick), (hot, thin) = _checked_points(points)
+    slope = (_doubled(thick) - _doubled(thin)) / math.log10((hot + ZERO) / (cold + ZERO))
+    doubled = _doubled(thick) - slope * np.log10((temperature + ZERO) / (cold + ZERO))
+    with np.errstate(over="ignore"):
+        viscosity = 10.0 ** (10.0**doubled) - 0.7
+    outside = viscosity[~((viscosity >= LEAST) & (viscosity <= MOST))]
+    if outside.size:
+        raise ValueError(
+            f"temperature_C {shown(temperature_C)} gives {outside.flat[0]:.3g} cSt; allowed: "
+            f"temperatures that give {LEAST:g} to {MOST:g} cSt, where ASTM D341 is a line"
+        )
+    return viscosity
+
+
+def _checked_points(points):
+    """Two temperatures with their viscosities, the colder one first."""
+    allowed = f"two temperatures [C], each with {LEAST:g} to {MOST:g} cSt, less where it is hotter"
+    try:
+        cold, hot = sorted((float(each), float(nu)) for each, nu in points.items())
+    except (AttributeError, TypeError, ValueError):
+        raise ValueError(f"points is {shown(points)}; allowed: {allowed}") from None
+    fit = COLDEST <= cold[0] < hot[0] <= HOTTEST and LEAST <= hot[1] < cold[1] <= MOST
+    if not fit:
+        raise ValueError(f"points is {shown(points)}; allowed: {allowed}")
+    return cold, hot
+
+
+def _doubled(viscosity):
+    return math.log10(math.log10(viscosity + 0.7))
+
+
+def viscosity_index_of(at_40: float, at_100: float) -> float:
+    """Viscosity index of an oil with these viscosities [cSt] at 40 C and, from 2 on, at 100 C (ASTM D2270).
+
+    Examples
+    --------
+    Two of the examples of the standard:
+
+    >>> round(viscosity_index_of(73.30, 8.86)), round(viscosity_index_of(22.83, 5.05))
+    (92, 156)
+    """
+    *_, (_, a, b, c, d, e, f) = (row for row in INDEX if row[0] <= at_100)
+    low = (a * at_100 + b) * at_100 + c
+    high = (d * at_100 + e) * at_100 + f
+    if at_40 >= high:
+        return 100.0 * (low - at_40) / (low - high)
+    exponent = math.log10(high / at_40) / math.log10(at_100)
+    return 100.0 + (10.0**exponent - 1.0) / 0.00715
+
+
+def _at_100(at_40, index):
+    """Viscosity at 100 C [cSt] of an oil with a viscosity index."""
+    try:
+        return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
+    except (TypeError, ValueError):  # no number, or no such oil
+        allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
+        raise ValueError(f"viscosity_index is {shown(index)}; allowed: {allowed}") from None

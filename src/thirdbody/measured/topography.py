@@ -1,0 +1,167 @@
+"""``surface``: roughness, and density and radius of the summits, of measured topographies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+from thirdbody.answers.arguments import check_number
+from thirdbody.conditions.checks import checked_parameters
+from thirdbody.extras import require
+from thirdbody.messages import shown_file
+from thirdbody.model.parameters import Parameters
+from thirdbody.tabular import Tabular
+
+
+@dataclass(frozen=True)
+class MeasuredSurface(Tabular):
+    """The equivalent rough surface of one or several measured topographies, SI.
+
+    Attributes
+    ----------
+    roughness : float
+        sigma [m], root mean square height.
+    summit_density, summit_radius : float
+        eta_s [m-2] and R [m] of the summits.
+    slope, curvature : float
+        Root mean square slope [1] and curvature [m-1] of profiles, taken over ``scale``.
+    scale : float
+        The distance [m] over which they were taken.  eta_s and R depend on it: from the tenfold
+        distance, a usual surface has far fewer and blunter summits.
+    """
+
+    roughness: float
+    summit_density: float
+    summit_radius: float
+    slope: float
+    curvature: float
+    scale: float
+
+    @property
+    def bandwidth(self) -> float:
+        """alpha = m_0 m_4/m_2^2 [1]; random surfaces have 1.5 or more."""
+        return (self.roughness * self.curvature / self.slope**2) ** 2
+
+    def parameters(self, parameters: Parameters | None = None) -> Parameters:
+        """Inputs of the model, by default the published ones, with the summits of this surface.
+
+        They are those at ``roughness``; at another one they follow the power laws of the inputs.
+        """
+        return replace(
+            checked_parameters(parameters),
+            reference_roughness=self.roughness,
+            summit_radius=self.summit_radius,
+            summit_parameter=self.summit_density * self.summit_radius * self.roughness,
+        )
+
+
+def surface(
+    *paths: str | PathLike, scale_nm: float | None = None, curved: bool = False, **reading: Any
+) -> MeasuredSurface:
+    """Roughness and summits of a measured topography, or of two in contact, whose moments add.
+
+    SurfaceTopography reads the files and takes slopes and curvatures as finite differences over one
+    distance in both directions.  From the moments m_0 (heights), m_2 (slopes) and m_4 (curvatures) of
+    profiles, McCool (1987, J. Tribol. 109:264) has eta_s = m_4/(6 sqrt(3) pi m_2) and
+    R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.
+
+    Parameters
+    ----------
+    *paths : path
+        Files of an instrument, or x, y and z in columns: all formats that SurfaceTopography reads.
+    scale_nm : float, optional
+        The distance over which slopes and curvatures are taken [nm]; by default that of the points,
+        of several files the largest.  Instruments see less than they have points for: take what
+        they resolve.
+    curved : bool
+        Whether to take out a parabola, as of a ball; a tilt is always taken out.
+    **reading
+        What a file does not say, as SurfaceTopography's ``read_topography`` takes it: ``unit="um"``,
+        ``physical_sizes``, ``height_scale_factor``.
+
+    Returns
+    -------
+    MeasuredSurface
+
+    Raises
+    ------
+    ValueError
+        In one line: for a file that cannot be read, has no unit or is flat, and for a scale below the
+        distance of the points.
+    OSError
+        If there is no such file.
+    ModuleNotFoundError
+        In one line, without SurfaceTopography: the extra ``topography`` brings it.
+
+    Examples
+    --------
+    ::
+
+        ball, flat = "ball.xyz", "flat.xyz"
+        pair = tb.surface(ball, flat, scale_nm=1000, unit="um")
+        tb.solve(..., roughness=pair.roughness, parameters=pair.parameters())
+    """
+    require("topography", "SurfaceTopography")
+    if not paths:
+        raise ValueError("paths is empty; allowed: one file or more")
+    if scale_nm is not None:
+        check_number("scale_nm", scale_nm)
+    topographies = [_read(path, curved, reading) for path in paths]
+    spacing = max(max(each.pixel_size) for each in topographies)
+    scale = spacing if scale_nm is None else 1e-9 * scale_nm
+    if scale < spacing * (1.0 - 1e-9):
+        raise ValueError(f"scale_nm is {scale_nm:g}; allowed: {1e9 * spacing:.6g} or more")
+    moments = np.zeros(3)
+    for path, topography in zip(paths, topographies):
+        found = _moments(topography, scale)
+        if not (np.isfinite(found).all() and found.min() > 0.0):
+            told = f"{shown_file(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
+            raise ValueError(f"{told}; allowed: rough surfaces of more points than that")
+        moments += found
+    m_0, m_2, m_4 = moments.tolist()
+    return MeasuredSurface(
+        roughness=math.sqrt(m_0),
+        summit_density=m_4 / (6.0 * math.sqrt(3.0) * math.pi * m_2),
+        summit_radius=0.375 * math.sqrt(math.pi / m_4),
+        slope=math.sqrt(m_2),
+        curvature=math.sqrt(m_4),
+        scale=scale,
+    )
+
+
+def _read(path, curved, reading):
+    """A topography in metres, without tilt; points that were not measured are interpolated."""
+    from SurfaceTopography import read_topography
+
+    with open(path, "rb"):
+        name = shown_file(path)
+    try:
+        topography = read_topography(str(path), **reading)
+        if topography.unit is None:
+            raise ValueError('it has no length unit; give one, as unit="um"')
+        if not topography.is_uniform:
+            raise ValueError("its points are not evenly spaced")
+        topography = topography.to_unit("m")
+        if topography.has_undefined_data:
+            topography = topography.interpolate_undefined_data_with_harmonic_function()
+        return topography.detrend("curvature" if curved else "height")
+    except Exception as error:  # each of some thirty readers has kinds of its own
+        told = " ".join(str(error).split())[:200] or type(error).__name__
+        raise ValueError(f"{name} cannot be used as a topography: {told}") from None
+
+
+def _moments(topography, scale):
+    """Mean squares of heights, slopes and curvatures of profiles, in all directions of the points."""
+    taken = topography.scale_dependent_statistical_property
+    slope, curvature = (
+        float(taken(_mean_square, n=order, distance=order * scale)[1]) for order in (1, 2)
+    )
+    return np.array([np.var(topography.heights()), slope, curvature])
+
+
+def _mean_square(*derivatives):
+    return np.mean([np.mean(each**2) for each in derivatives if each is not None])

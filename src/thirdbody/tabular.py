@@ -1,0 +1,35 @@
+"""``Tabular``: results that are tables, for pandas, xarray and notebooks."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+
+
+class Tabular:
+    """A result with ``to_dataframe`` and ``to_dataset``, and a table in notebooks.
+
+    A dataclass whose fields are arrays of one shape, or numbers, is a table with a row an element;
+    others have a ``to_dataframe`` of their own.
+    """
+
+    def to_dataframe(self) -> pd.DataFrame:
+        """The fields as columns."""
+        import pandas as pd
+
+        return pd.DataFrame(
+            {each.name: np.ravel(getattr(self, each.name)) for each in fields(self)}
+        )
+
+    def to_dataset(self) -> xr.Dataset:
+        """The same table over the dimension ``row``."""
+        return self.to_dataframe().rename_axis("row").to_xarray()
+
+    def _repr_html_(self) -> str:
+        return self.to_dataframe().to_html(index=False)

@@ -1,0 +1,273 @@
+"""Measurements: oils and codes of standards, topographies, and data beside the model."""
+
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+import thirdbody as tb
+from thirdbody.command.main import main
+from thirdbody.measured.estimates import Assumed
+from thirdbody.measured.oil import GRADES, viscosity_index_of
+
+DOCS = Path(__file__).parents[2] / "docs"
+REST = dict(viscosity_cSt=90, particle_diameter_nm=500, roughness_nm=300)
+REST["particle_density_per_m2"] = 1e11
+LOADS = [5.0, 10.0, 20.0]
+
+
+# ---- oils
+
+
+@pytest.mark.parametrize(
+    ("at_40", "at_100", "index"),
+    [(73.30, 8.86, 92), (22.83, 5.05, 156), (53.47, 7.80, 111)],  # examples of ASTM D2270
+)
+def test_the_viscosity_index_is_that_of_the_standard(at_40, at_100, index):
+    assert viscosity_index_of(at_40, at_100) == pytest.approx(index, abs=0.5)
+
+
+@pytest.mark.parametrize("grade", [grade for grade in GRADES if grade >= 10])
+@pytest.mark.parametrize("index", [60, 95, 160])
+def test_an_oil_of_a_grade_has_its_viscosity_and_index(grade, index):
+    at_40, at_100 = tb.oil_viscosity([40, 100], grade=grade, viscosity_index=index)
+    assert at_40 == pytest.approx(GRADES[grade])
+    assert viscosity_index_of(at_40, at_100) == pytest.approx(index)
+
+
+def test_the_line_goes_through_both_points_and_is_straight_in_its_coordinates():
+    kelvin = np.array([313.15, 343.15, 373.15])
+    found = tb.oil_viscosity(kelvin - 273.15, points={100: 10.7, 40: 68})
+    assert found[[0, 2]] == pytest.approx([68.0, 10.7])
+    slopes = np.diff(np.log10(np.log10(found + 0.7))) / np.diff(np.log10(kelvin))
+    assert slopes[0] == pytest.approx(slopes[1])
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({"grade": 47, "viscosity_index": 95}, "grade is 47; allowed: ISO VG 2, 3"),
+        ({"grade": 46}, "allowed: a grade with its viscosity_index, or points"),
+        ({"grade": 46, "viscosity_index": "high"}, "viscosity_index is 'high'; allowed: "),
+        ({"grade": 2, "viscosity_index": 95}, "viscosity_index is 95; allowed: "),
+        ({"points": {40: 46}}, "points is {40: 46}; allowed: two temperatures"),
+        ({"points": {40: 5, 100: 46}}, "points is .*; allowed: two temperatures"),
+        ({"points": {40: 10, 100: 2.5}}, "gives 1.19 cSt; allowed: temperatures that give 2"),
+        ({"points": 5}, "points is 5; allowed: two temperatures"),
+    ],
+)
+def test_what_is_no_oil_is_refused_in_one_line(given, message):
+    with pytest.raises(ValueError, match=message):
+        tb.oil_viscosity(160, **given)
+
+
+# ---- ISO 4406
+
+
+def test_a_code_counts_the_particles_in_the_film():
+    answer = tb.cleanliness("ISO 18/16/13", gap_nm=1000)
+    assert answer.value("least_above_4_um") == pytest.approx(1300e6 * 1e-6)  # per m3, m
+    assert answer.value("most_above_4_um") == pytest.approx(2500e6 * 1e-6)
+    assert answer.value("most_above_14_um") == pytest.approx(80.0)
+    half = tb.cleanliness("-/16/13", gap_nm=500, enrichment=2.0)
+    assert half.value("most_above_6_um") == pytest.approx(answer.value("most_above_6_um"))
+
+
+@pytest.mark.parametrize("code", [None, "", "18/16", "18/16/13/1", "16/18/13", "99/1/1", "a/b/c"])
+def test_what_is_no_code_is_refused_in_one_line(code):
+    with pytest.raises(ValueError, match=r"^code is .*; allowed: "):
+        tb.cleanliness(code, gap_nm=1000)
+
+
+def test_less_than_one_particle_in_the_nominal_area_is_said(defaults):
+    few = tb.Interface(load_N=10, **REST | {"particle_density_per_m2": 1e6})
+    area = defaults.apparent_area
+    with pytest.warns(tb.OutOfRangeWarning):
+        none = few.changed(particle_density_per_m2=2500.0)
+    note = f"{2500.0 * area:.2g} particles in A_n = {area:.3g} m2: most contacts have none"
+    assert note in none.state().notes and note in few.compare(none).notes
+    assert few.state().notes == () and "particles in A_n" not in str(few.state())
+
+
+# ---- topographies
+
+
+@pytest.fixture(scope="module")
+def waves(tmp_path_factory):
+    """Waves of known moments: the file, their amplitude [m] and wave number [1/m], and the spacing [m]."""
+    pytest.importorskip("SurfaceTopography")
+    count, size, amplitude = 192, 50e-6, 1e-7
+    number = 2.0 * np.pi * 16 / size
+    x, y = np.meshgrid(*2 * [np.arange(count) * size / count], indexing="ij")
+    z = amplitude * (np.cos(number * x) + np.cos(number * y))
+    path = tmp_path_factory.mktemp("waves") / "waves.xyz"
+    np.savetxt(path, 1e6 * np.c_[x.ravel(), y.ravel(), z.ravel() + 0.01 * x.ravel()])
+    return path, amplitude, number, size / count
+
+
+@pytest.mark.parametrize("steps", [1, 4])
+def test_the_summits_are_those_of_the_moments_over_the_scale(waves, steps):
+    path, amplitude, number, spacing = waves
+    scale = steps * spacing
+    found = tb.surface(path, unit="um", scale_nm=1e9 * scale)
+    apparent = 2.0 * np.sin(0.5 * number * scale) / scale  # of differences over it
+    m_0, m_2, m_4 = amplitude**2 * np.array([1.0, apparent**2 / 2, apparent**4 / 2])
+    assert found.roughness == pytest.approx(np.sqrt(m_0), rel=0.01)
+    assert found.slope == pytest.approx(np.sqrt(m_2), rel=0.02)
+    assert found.summit_density == pytest.approx(m_4 / (6 * np.sqrt(3) * np.pi * m_2), rel=0.04)
+    assert found.summit_radius == pytest.approx(0.375 * np.sqrt(np.pi / m_4), rel=0.03)
+    assert found.scale == pytest.approx(scale)
+
+
+def test_moments_of_two_surfaces_add_and_become_inputs(waves):
+    path, *_ = waves
+    one, two = tb.surface(path, unit="um"), tb.surface(path, path, unit="um")
+    assert two.roughness == pytest.approx(np.sqrt(2.0) * one.roughness)
+    assert two.summit_density == pytest.approx(one.summit_density)
+    summits = two.parameters().surface(two.roughness)
+    assert summits.summit_radius == pytest.approx(two.summit_radius)
+    assert summits.summit_density == pytest.approx(two.summit_density)
+    assert two.to_dataframe()["scale"].item() == two.scale
+
+
+def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
+    path, *_ = waves
+    text = tmp_path / "text.xyz"
+    text.write_text("a b c\n")
+    for given, told in [
+        (dict(unit=None), 'it has no length unit; give one, as unit="um"'),
+        (dict(unit="um", scale_nm=1), "scale_nm is 1; allowed: 260.417 or more"),
+        (dict(unit="um", scale_nm=1e6), "has no slopes or curvatures over 1e[+]06 nm"),
+    ]:
+        with pytest.raises(ValueError, match=told):
+            tb.surface(path, **given)
+    with pytest.raises(ValueError, match=r"text\.xyz cannot be used as a topography"):
+        tb.surface(text, unit="um")
+    with pytest.raises(FileNotFoundError):
+        tb.surface(tmp_path / "absent.xyz")
+
+
+# ---- data beside the model
+
+
+def without(name):
+    return {key: value for key, value in REST.items() if key != name}
+
+
+def data(**more):
+    return pd.DataFrame({"load [N]": LOADS, "solid load fraction [%]": [90, 70, 50], **more})
+
+
+def test_the_model_stands_beside_each_measurement_with_its_range():
+    table = tb.compare(data(), **REST).to_dataframe()
+    for index, load in enumerate(LOADS):
+        state = tb.Interface(load_N=load, **REST).state()
+        row = next(row for row in state.rows if row.name == "solid_load_fraction")
+        found = table.loc[index]
+        assert found["solid_load_fraction_model"] == pytest.approx(row.value)
+        assert found["solid_load_fraction_low"] == pytest.approx(row.low)
+        assert found["solid_load_fraction_high"] == pytest.approx(row.high)
+        residual = found["solid_load_fraction"] - row.value
+        assert found["solid_load_fraction_residual"] == pytest.approx(residual)
+    assert table["solid_load_fraction"].tolist() == pytest.approx([0.9, 0.7, 0.5])
+
+
+def test_variables_have_their_units(defaults):
+    given = {"Contact resistance (mohm)": [5, 4, 3], "film_thickness [um]": [1, "", 0.5]}
+    given["real contact area [um^2]"] = [1500, 2900, 4600]
+    found = tb.compare(data(**given), **REST, assumed=Assumed(resistivity_ohm_m=1e-7))
+    table, solved = found.table, tb.solve(load_N=LOADS, **REST)
+    assert table["film_thickness_nm"].tolist() == pytest.approx([1000, np.nan, 500], nan_ok=True)
+    thickness = 1e9 * solved.film_thickness * defaults.ball_radius
+    assert table["film_thickness_nm_model"].tolist() == pytest.approx(thickness.tolist())
+    area = solved.total_contact_area * defaults.apparent_area
+    assert table["real_contact_area_mm2_model"].tolist() == pytest.approx((1e6 * area).tolist())
+    resistance = 0.5e-7 * np.sqrt(np.pi / area)
+    assert table["contact_resistance_ohm_model"].tolist() == pytest.approx(resistance.tolist())
+    assert any("contact_resistance_ohm is an estimate" in note for note in found.answer.notes)
+    assert found.to_dataset().sizes == {"row": 3}
+
+
+def test_friction_is_what_both_carry():
+    found = tb.compare(data(**{"friction coefficient": 0.1}), **REST, assumed=Assumed(0.2, 0.05))
+    solids = found.table["solid_load_fraction_model"]
+    friction = 0.2 * solids + 0.05 * (1.0 - solids)
+    assert found.table["friction_coefficient_model"].tolist() == pytest.approx(friction.tolist())
+
+
+def test_half_the_speed_is_half_the_viscosity():
+    slow = tb.compare(data(**{"speed [mm/s]": 2000}), **REST, speed_m_per_s=4)
+    thin = tb.compare(data(), **REST | {"viscosity_cSt": 45})
+    name = "solid_load_fraction_model"
+    assert slow.table[name].tolist() == pytest.approx(thin.table[name].tolist())
+
+
+def test_a_curve_is_there_where_one_condition_varies(tmp_path):
+    one = tb.compare(data(), **REST)
+    assert one.along == "load_N" and len(one.curve) == 80
+    two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **without("viscosity_cSt"))
+    assert len(two.curve) == 0
+    for found in (one, two):
+        found.plot().savefig(tmp_path / "a.png")
+
+
+def test_spreadsheets_of_other_countries_are_read(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_bytes("load [N];film thickness [µm]\r\n5,5;0,9\r\n10;\r\n".encode("cp1252"))
+    table = tb.compare(path, **REST).table
+    assert table["load_N"].tolist() == [5.5, 10.0]
+    assert table["film_thickness_nm"][0] == pytest.approx(900.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("", "a.csv is empty; allowed: headings and rows"),
+        ("load [N],friction coefficient\n", "measured has no rows"),
+        ("load [N]\n1\n", "measured has no column of friction coefficient"),
+        (
+            "load,friction coefficient\n1,0.1\n",
+            "unit of 'load' is not known; allowed: as 'load .N.'",
+        ),
+        ("load [kg],separation [nm]\n1,1\n", r"unit of 'load \[kg\]' is not known"),
+        ("load [N],separation [furlongs per]\n1,1\n", "not known; allowed: as 'separation .nm.'"),
+        ("load [N],wear\n1,1\n", "measured has the column 'wear'; allowed: load, viscosity"),
+        ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
+        ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
+        ("load [N],separation [nm]\n,1\n", "load is nan; allowed: positive finite numbers"),
+        ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness is given twice"),
+        (
+            "load [N],speed [m/s],separation [nm]\n1,1,1\n",
+            "speed_m_per_s is None; allowed: a number",
+        ),
+    ],
+)
+def test_a_file_that_cannot_be_compared_is_refused_in_one_line(tmp_path, text, message):
+    path = tmp_path / "a.csv"
+    path.write_text(text)
+    with pytest.raises(ValueError, match=message) as refused:
+        tb.compare(path, **REST)
+    assert "\n" not in str(refused.value)
+
+
+def test_the_page_shows_what_the_command_prints(tmp_path, monkeypatch, capsys):
+    page = (DOCS / "compare.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(DOCS / "examples")
+    command = page.split("```sh\n")[1].split("```")[0].replace("\\\n", " ")
+    printed = page.split("```text\n")[1].split("```")[0]
+    figure = tmp_path / "compared.svg"
+    given = shlex.split(command.replace("compared.svg", str(figure)))
+    assert given[0] == "thirdbody" and main(given[1:]) == 0
+    assert capsys.readouterr().out == printed
+    assert figure.is_file()
+    for block in page.split("```python\n")[1:]:
+        exec(block.split("```")[0], {})
+
+
+def test_the_example_is_what_its_generator_writes(tmp_path):
+    source = (DOCS / "examples" / "make_measured.py").read_text(encoding="utf-8")
+    exec(compile(source, "make", "exec"), {"__file__": str(tmp_path / "make_measured.py")})
+    written = (tmp_path / "measured.csv").read_text(encoding="utf-8")
+    assert written == (DOCS / "examples" / "measured.csv").read_text(encoding="utf-8")
