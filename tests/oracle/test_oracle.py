@@ -1,13 +1,17 @@
 """The extended-precision oracle against mpmath, against values of reference, and against itself."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.oracle.extended import QUANTITIES, Oracle, why_not
+from benchmarks.points import read_rows, relative_error
+from tests.oracle.extended import INTERPRETATIONS, NUMBERS, QUANTITIES, Oracle, why_not
 from tests.oracle.in_mpmath import Interface
 from tests.oracle.points import PUBLISHED, draw, one
 
+GOLDEN = Path(__file__).parents[1] / "golden"
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
 
 # Load and area of Gaussian summits, computed elsewhere, to five digits: for k = 0.4, omega_2 = 54 omega_1,
@@ -77,6 +81,20 @@ def test_it_has_the_digits_that_mpmath_has(oracle, tell):
                 assert error < 2e-18 * (50.0 + 3.0 * digits_lost), (index, name)
                 worst = max(worst, error / (50.0 + 3.0 * digits_lost))
     tell(f"oracle: within {50.0 * worst:.0e} of mpmath where no digits are lost in tails")
+
+
+@pytest.mark.parametrize("name", ["extremes", "accuracy_points"])
+def test_golden_values_are_those_of_the_oracle(oracle, name):
+    """Made in mpmath, to 25 digits; rows that are known by an argument or a limit are left out."""
+    rows = read_rows(GOLDEN / f"{name}.csv")
+    rows = [row for row in rows if row.get("origin", "equations") == "equations"]
+    model = {key: np.array([float(row[key]) for row in rows]) for key in NUMBERS}
+    words = INTERPRETATIONS.keys() & rows[0].keys()
+    solved = oracle.solve(model | {key: np.array([row[key] for row in rows]) for key in words})
+    for quantity in QUANTITIES:
+        expected = np.array([float(row[quantity]) for row in rows])
+        error = relative_error(solved.first(quantity).astype(float), expected)
+        assert error.max() < 1e-10, (quantity, rows[np.argmax(error)])  # of nearly equal sizes
 
 
 def test_one_separation_where_forces_must_fall(oracle):
