@@ -125,12 +125,6 @@ def test_rules_are_asked_only_where_the_rest_is_right():
 # ---- messages
 
 
-def test_the_fault_nearest_to_the_top_is_told():
-    number = {"type": "number"}
-    schema = {"properties": {"a": {"properties": {"b": number}}, "c": number}}
-    assert refusal(schema, {"a": {"b": "x"}, "c": "y"}).startswith("given.yaml: c is 'y'")
-
-
 def test_an_entry_goes_by_its_id_if_that_is_fit_to_be_shown():
     schema = {"items": {"required": ["b"]}}
     missing = "key 'b' is missing; allowed: it must be given"
