@@ -59,23 +59,18 @@ def downloaded(explorer, button):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_it_opens_from_disk_without_an_error_and_without_the_network(explorer, page, view):
+def test_it_opens_without_an_error_or_the_network_and_is_saved_as_a_drawing(explorer, page, view):
     explorer.open(VIEWS[view])
     assert explorer.all("#charts svg")
     assert explorer.console() == []
     asked = {url.split("#")[0] for url in explorer.requests()}
-    assert all(
-        url == page.as_uri() or url.startswith("data:") or url == "about:blank" for url in asked
-    )
-
-
-def test_it_is_one_small_file(page):
-    text = page.read_text(encoding="utf-8")
+    assert all(url in (page.as_uri(), "about:blank") or url.startswith("data:") for url in asked)
+    root = ElementTree.fromstring(downloaded(explorer, "#save-svg"))
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    styles = [path.get("style") or "" for path in root.iter()]
+    assert any("stroke" in style for style in styles)
+    assert "var(--" not in "".join(styles)
     assert page.stat().st_size < LARGEST
-    assert re.findall(r"<(?:script|link|img|iframe)[^>]*(?:src|href)=[\"'](?!data:)", text) == []
-    assert [path.name for path in page.parent.iterdir() if not path.name.startswith(".")] == [
-        "index.html"
-    ]
 
 
 @pytest.mark.parametrize("figure", FIGURES)
@@ -151,17 +146,6 @@ def test_another_interpretation_is_another_model(explorer):
     assert explorer.one("#figure").get_attribute("value") == "fig11"
     explorer.choose("#figure", "fig04")
     assert explorer.curve("ν = 90 cSt") == before
-
-
-def test_scales_and_areas_can_be_changed(explorer):
-    explorer.open("figure=fig04")
-    before = explorer.curve("dry", 1)
-    explorer.choose("#y_scale", "linear")
-    linear = explorer.curve("dry", 1)
-    explorer.choose("#y_scale", "auto")
-    explorer.choose("#area", "over_two_body")
-    assert len({before, linear, explorer.curve("dry", 1)}) == 3
-    assert "two-body" in explorer.all("#charts figcaption")[1].text
 
 
 # --- reading ---
@@ -360,23 +344,6 @@ def test_the_size_at_which_a_mode_ends_is_told(explorer, defaults):
         assert (ratio > 0.95) == above
 
 
-def test_any_variable_can_be_drawn_over_any_axis(explorer):
-    explorer.open("view=axes&y=total_contact_area")
-    drawn = set()
-    for x in (
-        "load",
-        "viscosity",
-        "particle_diameter",
-        "roughness",
-        "particle_density",
-        "separation",
-    ):
-        explorer.choose("#x", x)
-        drawn.add(explorer.all("#charts .line")[-1].get_attribute("d"))
-    assert len(drawn) == 6 and None not in drawn
-    assert explorer.console() == []
-
-
 def test_the_map_has_modes_regimes_and_turning_points(explorer):
     from selenium.webdriver import ActionChains
 
@@ -414,15 +381,36 @@ def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
     np.testing.assert_allclose(found.solid_load_fraction, 0.9, atol=0.01)
 
 
+def test_scales_areas_and_axes_can_be_changed(explorer):
+    explorer.open("figure=fig04")
+    drawn = {explorer.curve("dry", 1)}
+    for selector, value in (
+        ("#y_scale", "linear"),
+        ("#y_scale", "auto"),
+        ("#area", "over_two_body"),
+    ):
+        explorer.choose(selector, value)
+        drawn.add(explorer.curve("dry", 1))
+    assert len(drawn) == 3  # auto is as it was
+    assert "two-body" in explorer.all("#charts figcaption")[1].text
+    explorer.open("view=axes&y=total_contact_area")
+    axes = "load", "viscosity", "particle_diameter", "roughness", "particle_density", "separation"
+    for x in axes:
+        explorer.choose("#x", x)
+        drawn.add(explorer.all("#charts .line")[-1].get_attribute("d"))
+    assert len(drawn) == 3 + len(axes) and None not in drawn
+    assert explorer.console() == []
+
+
 def test_the_cut_is_drawn_to_scale(explorer):
     explorer.open("view=section&load_N=1&particle_diameter_nm=800")
-    heights = explorer.run(
+    height = explorer.run(
         """const lines = [...document.querySelectorAll('.section line')].map((l) => Number(l.getAttribute('y1')));
         const bar = document.querySelector('.section g path').getAttribute('d').match(/H([\\d.]+)/)[1];
-        return [Math.abs(lines[1] - lines[0]) / bar]"""
+        return Math.abs(lines[1] - lines[0]) / bar"""
     )
     (row,) = [each.text for each in explorer.all("#point tr") if each.text.startswith("Separation")]
-    assert heights[0] == pytest.approx(float(re.search(r"([\d.]+) nm", row)[1]) / 1000.0, rel=1e-3)
+    assert height == pytest.approx(float(re.search(r"([\d.]+) nm", row)[1]) / 1000.0, rel=1e-3)
 
 
 # --- link, download, screens ---
@@ -451,25 +439,21 @@ def test_the_link_restores_everything(explorer):
     assert explorer.open(fragment).run(look) == before
 
 
-@pytest.mark.parametrize(
-    ("fragment", "field", "shown"),
-    [
-        ("viscosity_cSt=", "viscosity", "90"),
-        ("particle_density_per_m2=1e+12", "particle_density", "1e+12"),
-        ("particle_density_per_m2=1e%2B12", "particle_density", "1e+12"),
-    ],
-)
-def test_links_hold_numbers_as_people_write_them(explorer, fragment, field, shown):
-    explorer.open(fragment)
-    assert explorer.one(f"#condition-{field}").get_attribute("value") == shown
+def test_links_hold_numbers_as_people_write_them(explorer):
+    explorer.open("viscosity_cSt=&particle_density_per_m2=1e+12")
+    shown = [
+        explorer.one(f"#condition-{field}").get_attribute("value")
+        for field in ("viscosity", "particle_density")
+    ]
+    assert shown == ["90", "1e+12"]
 
 
 @pytest.mark.parametrize(
     ("typed", "shown"),
-    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90"), ("thick", "90")],
+    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90")],
 )
 def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
-    """1,000 may be one or a thousand: it is refused, as what is no number is."""
+    """1,000 may be one or a thousand: it is refused."""
     explorer.open()
     explorer.enter("#condition-viscosity", typed)
     field = explorer.one("#condition-viscosity")
@@ -502,17 +486,7 @@ def test_a_broken_link_opens_what_it_can(explorer, fragment):
 
 
 @pytest.mark.parametrize("view", VIEWS)
-def test_what_is_shown_can_be_saved_as_a_drawing(explorer, view):
-    explorer.open(VIEWS[view])
-    root = ElementTree.fromstring(downloaded(explorer, "#save-svg"))
-    assert root.tag == "{http://www.w3.org/2000/svg}svg"
-    paths = root.iter("{http://www.w3.org/2000/svg}path")
-    assert any("stroke" in (path.get("style") or "") for path in paths)
-    assert "var(--" not in "".join(path.get("style") or "" for path in root.iter())
-
-
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("width", [360, 768, 3840])
+@pytest.mark.parametrize("width", [360, 3840])
 def test_nothing_is_cut_off_on_any_screen(explorer, view, width):
     explorer.open(VIEWS[view], width=width, height=800)
     assert explorer.run("return document.documentElement.scrollWidth") <= width
@@ -557,10 +531,9 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
 # --- speed ---
 
 
-@pytest.mark.parametrize("figure", ["fig06", "fig10", "fig11"])
-def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
+def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell):
     """Of what the page itself takes: what else a machine does, or how slow it is, does not count."""
-    explorer.open(f"figure={figure}")
+    explorer.open("figure=fig06")  # the most curves
     command = explorer.driver.execute_cdp_cmd
     command("Performance.enable", {"timeDomain": "threadTicks"})
 
@@ -584,8 +557,8 @@ def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell, figure):
     work = f"arguments[1]((() => {{ {WORK} }})());"
     slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), math.inf
     for _ in range(ATTEMPTS):
-        redrawn = min(redrawn, least(move, range(500, 530)))
+        redrawn = min(redrawn, least(move, range(500, 515)))
         if redrawn <= REDRAWN * slower:
             break
-    tell(f"explorer: {figure} redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
+    tell(f"explorer: redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
     assert redrawn <= REDRAWN * slower

@@ -1,15 +1,36 @@
 """The extended-precision oracle against mpmath, against values of reference, and against itself."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from mpmath import mp, mpf
 
-from tests.oracle.extended import QUANTITIES, Oracle, why_not
+from benchmarks.points import read_rows, relative_error
+from tests.oracle.extended import INTERPRETATIONS, NUMBERS, QUANTITIES, Oracle, why_not
 from tests.oracle.in_mpmath import Interface
 from tests.oracle.points import PUBLISHED, draw, one
-from tests.summit_reference import PRINTED
 
+GOLDEN = Path(__file__).parents[1] / "golden"
 pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
+
+# Load and area of Gaussian summits, computed elsewhere, to five digits: for k = 0.4, omega_2 = 54 omega_1,
+# eta_s R sigma_s = 0.05 and H/E = 5/112, by the plasticity index psi = (E/H) sqrt(sigma_s/R), F/(A_n E) and
+# A/A_n at d/sigma_s of 0, 1, 2 and 3 from the plane of the summits
+PRINTED = {
+    0.5: (
+        (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
+        (6.2666e-2, 1.3087e-2, 1.3337e-3, 6.0029e-5),
+    ),
+    1.0: (
+        (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),
+        (6.2708e-2, 1.3090e-2, 1.3338e-3, 6.0030e-5),
+    ),
+    2.5: (
+        (2.1256e-3, 3.9565e-4, 3.6730e-5, 1.5304e-6),
+        (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
+    ),
+}
 
 
 @pytest.fixture(scope="module")
@@ -60,6 +81,20 @@ def test_it_has_the_digits_that_mpmath_has(oracle, tell):
                 assert error < 2e-18 * (50.0 + 3.0 * digits_lost), (index, name)
                 worst = max(worst, error / (50.0 + 3.0 * digits_lost))
     tell(f"oracle: within {50.0 * worst:.0e} of mpmath where no digits are lost in tails")
+
+
+@pytest.mark.parametrize("name", ["extremes", "accuracy_points"])
+def test_golden_values_are_those_of_the_oracle(oracle, name):
+    """Made in mpmath, to 25 digits; rows that are known by an argument or a limit are left out."""
+    rows = read_rows(GOLDEN / f"{name}.csv")
+    rows = [row for row in rows if row.get("origin", "equations") == "equations"]
+    model = {key: np.array([float(row[key]) for row in rows]) for key in NUMBERS}
+    words = INTERPRETATIONS.keys() & rows[0].keys()
+    solved = oracle.solve(model | {key: np.array([row[key] for row in rows]) for key in words})
+    for quantity in QUANTITIES:
+        expected = np.array([float(row[quantity]) for row in rows])
+        error = relative_error(solved.first(quantity).astype(float), expected)
+        assert error.max() < 1e-10, (quantity, rows[np.argmax(error)])  # of nearly equal sizes
 
 
 def test_one_separation_where_forces_must_fall(oracle):

@@ -1,4 +1,4 @@
-"""A point, and both methods by which the summits under points are evaluated, chosen for tests."""
+"""A point in SI and engineering units, and both methods by which the summits under points are evaluated, chosen for tests."""
 
 from contextlib import contextmanager
 from importlib import import_module
@@ -9,6 +9,13 @@ POINT = {
     "particle_diameter": 500e-9,
     "roughness": 300e-9,
     "particle_density": 1e11,
+}
+ENGINEERING = {
+    "load_N": 10.0,
+    "viscosity_cSt": 90.0,
+    "particle_diameter_nm": 500.0,
+    "roughness_nm": 300.0,
+    "particle_density_per_m2": 1e11,
 }
 METHODS = {"tables": 1, "quadrature": 10**12}  # points on one roughness that repay a table
 

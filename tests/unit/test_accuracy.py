@@ -16,7 +16,7 @@ from benchmarks.classes import (
     ROUGHNESS,
     random_conditions,
 )
-from benchmarks.extremes import judge_extremes, verdict
+from benchmarks.extremes import verdict
 from benchmarks.points import VARIABLES, read_rows, relative_error
 from benchmarks.targets import TARGETS, target_rows
 from benchmarks.uses import ONE, START, STREAM, SURFACES
@@ -84,25 +84,6 @@ def test_the_baselines_solve_the_same_equations(kind, film_load, parameters, pla
 
 
 @pytest.mark.parametrize(
-    "other",
-    [
-        {"size_distribution": "centred", "mean_ratio": 0.48, "spread_ratio": 1.42},
-        {"size_distribution": "gap_convolved", "spread_ratio": 0.68, "gap_ratio": 1.15},
-        {"elastic_limits": "physical", "elastic_depth_ratio": 0.0885},
-        {"coverage_limits": "contacting"},
-        {"summit_offset": "as_rough", "particle_plane": "summit"},
-    ],
-    ids=str,
-)
-def test_the_elementwise_baseline_has_every_interpretation(other, parameters):
-    inputs = replace(parameters, **other)
-    given = random_conditions(HEAVIEST, 20, inputs)
-    best = tb.solve(**given, parameters=inputs, rtol=1e-11)
-    elementwise = ElementwiseRoots(inputs, ROUGHNESS["usual"][0], 1e-9).solve(**given)
-    assert np.median(errors_of(elementwise, best)) < 1e-8
-
-
-@pytest.mark.parametrize(
     ("status", "error", "bound", "expected"),
     [
         ("converged", 1e-10, 2e-10, "right"),
@@ -117,27 +98,13 @@ def test_a_refusal_must_give_a_bound_that_holds(status, error, bound, expected):
     assert verdict({"status": "converged"}, status, error, bound, 1e-9) == expected
 
 
-def test_a_warning_makes_a_point_wrong(monkeypatch):
-    rows = read_rows(GOLDEN / "extremes.csv")[:1]
-    monkeypatch.setattr(tb, "solve", lambda **_: np.log(np.zeros(1)))
-    (found,) = judge_extremes(rows, 1e-9)
-    assert found["verdict"].startswith("wrong: RuntimeWarning")
-
-
-@pytest.mark.parametrize(("cost", "reached"), [(1.0, True), (2.0, False)])
+@pytest.mark.parametrize(("cost", "reached"), [(1.0, "reached"), (2.0, "missed")])
 def test_targets_are_compared_with_what_was_measured(cost, reached):
-    kind = HEAVIEST._asdict()
-    times = [
-        {"method": method, "rtol": rtol, **kind, "microseconds_per_point": each}
-        for method, rtol, each in (
-            ("library", 1e-9, cost),
-            ("library_grid", 1e-3, 0.3),
-            ("nested_roots", None, 4000.0),
-        )
-    ]
+    costs = ("library", 1e-9, cost), ("library_grid", 1e-3, 0.3), ("nested_roots", None, 4000.0)
+    names = "method", "rtol", "microseconds_per_point"
     uses = {ONE: 900.0, SURFACES: 30.0, STREAM: 1.0, START: 4e5}
     tables = {
-        "times": times,
+        "times": [HEAVIEST._asdict() | dict(zip(names, each)) for each in costs],
         "uses": [{"use": use, "microseconds_per_point": each} for use, each in uses.items()],
         "errors": [{"method": "library", "rtol": 1e-3, "largest_error": 1e-4}],
         "extremes": [{"verdict": "right"}],
@@ -146,6 +113,5 @@ def test_targets_are_compared_with_what_was_measured(cost, reached):
     rows = target_rows(tables)
     assert [row["what"] for row in rows] == list(TARGETS)
     assert rows[0]["measured"] == 4000.0 / cost
-    assert [row["verdict"] for row in rows[:2]] == [["missed", "reached"][reached]] * 2
-    assert {row["verdict"] for row in rows[2:8]} == {"reached"}
-    assert {row["verdict"] for row in rows[8:]} == {"not measured"}
+    verdicts = [row["verdict"] for row in rows]
+    assert verdicts == [reached] * 2 + ["reached"] * 6 + ["not measured"] * (len(rows) - 8)

@@ -8,18 +8,12 @@ import pandas as pd
 import pint
 import pytest
 import xarray as xr
+from methods import ENGINEERING, POINT
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.solver.solution import QUANTITIES, VARIABLES, WHOLE
 
-POINT = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 300e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
 LOADS = xr.DataArray([1e-6, 1e-5], dims="load", coords={"load": [1e-6, 1e-5]})
 OILS = xr.DataArray([0.0, 90e-6], dims="oil", coords={"oil": ["none", "VG 90"]})
 
@@ -175,7 +169,6 @@ TYPED = {
     "roughness_nm": (0.3e-6, "roughness_nm is 3e-07 nm; usual: 0.1 to 1e+06 nm"),
     "particle_density_per_m2": (11, "particle_density_per_m2 is 11 m-2; usual: 1e+06 to 1e+16 m-2"),
 }
-ENGINEERING = dict(zip(TYPED, (10.0, 90.0, 500.0, 300.0, 1e11)))
 
 
 @pytest.mark.parametrize("name", TYPED)

@@ -21,7 +21,7 @@ from thirdbody.study.results import (
     summary,
 )
 from thirdbody.study.sampling import posterior_sample
-from thirdbody.study.search import scatter, search
+from thirdbody.study.search import search
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")
@@ -146,14 +146,6 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
         assert np.array_equal(one.weights, other.weights)
 
 
-def test_folds_have_about_equal_weight(parameters):
-    whole = Objective.of(CLAIMS, SETTINGS, parameters)
-    weights = dict(zip((claim.id for claim in whole.claims), whole.weights, strict=True))
-    folds = make_folds(CLAIMS, SETTINGS["folds"])
-    shares = [sum(weights.get(claim.id, 0.0) for claim in fold.judged) for fold in folds]
-    assert max(shares) < 2.0 * min(shares)
-
-
 # ---- the search
 
 
@@ -168,14 +160,6 @@ def test_the_seed_fixes_every_evaluation(tmp_path):
     first = searched(tmp_path / "a")
     assert np.array_equal(first, searched(tmp_path / "b"))
     assert not np.array_equal(first[:9], searched(tmp_path, 2)[:9])
-
-
-def test_every_second_scattered_place_has_elastic_summits():
-    places = scatter(TWO, BUDGET)
-    radii = np.array([TWO.values(place)["summit_radius"] for place in places])
-    assert (radii[::2] >= BUDGET["elastic_radius"]).all()
-    assert (radii[1::2] < BUDGET["elastic_radius"]).any() and np.unique(radii).size == 40
-    assert np.array_equal(places, scatter(TWO, BUDGET))
 
 
 def test_the_shortlist_has_the_least_objectives_and_not_too_many():

@@ -5,7 +5,6 @@ from pathlib import Path
 import matplotlib.style
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.figures import claims
@@ -14,15 +13,6 @@ from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 
 ROOT = Path(__file__).parents[2]
-PLACES = [
-    ("Figure 3A, section 3.3", "Figure 3"),
-    ("Figures 4B and 4C, section 3.3", "Figure 4"),
-    ("Figure 5B and the discussion of Figure 12C, section 3.3", "Figure 5"),
-    ("Figures 9 to 13, section 3.3", "Figure 9"),
-    ("Figure 12C, section 3.3", "Figure 12"),
-    ("Conclusion 4", "Conclusions"),
-    ("Abstract", "Abstract"),
-]
 
 
 @pytest.fixture(autouse=True, scope="module")
@@ -46,11 +36,6 @@ def rows():
         row |= {"score": score, "predicted": "holds" if score < 0.5 else "fails"}
         rows.append(row | {"ensemble_agree": 3.0, "ensemble_size": 12.0})
     return rows
-
-
-@pytest.mark.parametrize(("place", "part"), PLACES)
-def test_parts_of_the_paper(place, part):
-    assert part_of_paper(place) == part
 
 
 def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
@@ -96,8 +81,3 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
         fillings = [filling for _, filling in markers_at(claims.plot(some)).values()]
         assert len(fillings) == len(few)
         assert all((filling == "white") == hollow for filling in fillings)
-
-
-def test_distances_are_logarithmic_beyond_one_tolerance():
-    assert_allclose([claims.score_of(each) for each in (0.0, 0.3, 1.0)], [0.0, 0.3, 1.0])
-    assert_allclose(claims.score_of(10.0) - claims.score_of(1.0), np.log(10.0))

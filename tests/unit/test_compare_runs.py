@@ -64,22 +64,16 @@ def test_last_digits_are_reported_and_allowed(runs, capsys):
     ("name", "old", "new", "says"),
     [
         ("claims/claims.csv", "holds", "fails", "first: holds became fails"),
-        ("figures/fig03.csv", "3.0", "nan", "y"),
         ("figures/fig03.csv", "dry,1.0", "wet,1.0", "label"),
         ("figures/fig03.csv", "dry,2.0,3.0\n", "", "2 rows became 1"),
     ],
 )
-def test_a_change_of_a_table_counts(runs, capsys, name, old, new, says):
+def test_a_change_of_a_table_a_status_or_a_file_counts(runs, capsys, name, old, new, says):
     put(runs[1] / name, old, new)
-    code, lines = compared(runs, capsys)
-    assert code == 1
-    assert lines[0].startswith(f"{name}: {says}")
-
-
-def test_a_status_and_a_missing_file_count(runs, capsys):
     change_dataset(runs[1] / "datasets" / "fig03.nc", "solution_status", 3)
     (runs[1] / "figures" / "fig03.svg").unlink()
     code, lines = compared(runs, capsys)
     assert code == 1
-    assert lines[0] == "datasets/fig03.nc: solution_status at 1 points"
-    assert lines[1] == "figures/fig03.svg: only in the old run"
+    assert any(line.startswith(f"{name}: {says}") for line in lines)
+    assert "datasets/fig03.nc: solution_status at 1 points" in lines
+    assert "figures/fig03.svg: only in the old run" in lines

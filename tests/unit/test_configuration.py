@@ -2,7 +2,6 @@
 
 import copy
 import math
-import os
 from dataclasses import fields, replace
 from pathlib import Path
 
@@ -72,22 +71,16 @@ def changed(config, key, value):
 
 STRICT = {
     "a key twice": ("a: 1\nb: 2\na: 3", "line 3: key 'a' stands twice"),
-    "a nested key twice": ("a: {b: 1, b: 1}", "line 1: key 'b' stands twice"),
     "an alias": ("a: &x [1]\nb: *x", "allowed: plain values"),
     "an anchor": ("a: &x 1", "allowed: plain values"),
-    "an anchor that holds itself": ("a: &x [*x]", "allowed: plain values"),
     "a merge": ("a: {<<: {b: 1}}", "line 1"),
     "a tag that builds an object": (
         "a: !!python/object/apply:os.system [ls]",
         "python/object/apply:os.system; allowed: plain values",
     ),
     "a tag of one's own": ("a: !secret b", "tag !secret; allowed: plain values"),
-    "a standard tag": ("a: !!float 1", "allowed: plain values"),
-    "a binary tag": ("a: !!binary aGk=", "allowed: plain values"),
     "a number as key": ("1: a", "line 1: key 1; allowed: words"),
     "a truth value as key": ("on: a", "line 1: key True; allowed: words"),
-    "a list as key": ("? [a]\n: 1", "allowed: words"),
-    "a mapping as key": ("? {a: b}\n: 1", "allowed: words"),
     "two documents": ("a: 1\n---\nb: 2", "another document"),
     "an open bracket": ("a: [1\n", "line 2: did not find expected ',' or ']'"),
     "a tab for indentation": ("a:\n\t- 1", "line 2"),
@@ -96,7 +89,6 @@ STRICT = {
     "UTF-16": ("a: 1".encode("utf-16"), "not UTF-8"),
     "nothing": ("", "holds NoneType; allowed: keys with values"),
     "a list": ("- a", "holds list; allowed: keys with values"),
-    "a word": ("a", "holds str; allowed: keys with values"),
     "endless brackets": ("[" * 5000, "nested too deeply"),
     "a number of 5000 digits": ("a: " + "9" * 5000, "digits"),
 }
@@ -123,11 +115,6 @@ def test_plain_data_are_read(write):
     expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True}}
     assert read_yaml(write(content)) == expected
     assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
-
-
-@pytest.mark.parametrize("path", sorted(CONFIG.glob("*.yaml")), ids=lambda path: path.name)
-def test_each_shipped_file_is_plain_data(path):
-    assert read_yaml(path, list if path.stem == "claims" else dict)
 
 
 def test_a_template_that_runs_code_is_refused(write, from_root):
@@ -160,11 +147,6 @@ def test_a_file_of_some_keys_is_laid_over_the_calibrated_inputs(write, defaults)
     given = {"hardness_surface_1": 3e9, "size_distribution": "centred"}
     path = write("hardness_surface_1: 3.0e+9\nsize_distribution: {value: centred}\n")
     assert load_parameters(path).as_dict() == defaults.as_dict() | given
-
-
-def test_single_inputs_are_laid_over_the_calibrated_inputs(defaults):
-    changed_inputs = load_parameters(hardness_surface_1=3e9, film_load="total")
-    assert changed_inputs == replace(defaults, hardness_surface_1=3e9, film_load="total")
 
 
 def test_single_inputs_win_over_a_file(write, defaults):
@@ -203,41 +185,23 @@ BAD_INPUTS = {
     "unknown key": ("truncatoin: 2.0", "truncatoin"),
     "negative": ("truncation: -1.0", "truncation is -1.0; allowed: a number from 0.5 to 10"),
     "too large": ("participation: 1.5", "participation is 1.5; allowed: a number from 1e-06 to 1"),
-    "not a number": ("truncation: .nan", "truncation is nan; allowed: a number"),
-    "infinite": ("ball_radius: .inf", "ball_radius is inf; allowed: a number"),
-    "minus infinite": ("ball_radius: -.inf", "ball_radius is -inf; allowed: a number"),
     "a word": ("truncation: wide", "truncation is 'wide'; allowed: a number"),
-    "a number in quotes": ("truncation: '2.0'", "truncation is '2.0'; allowed: a number"),
-    "a truth value": ("truncation: true", "truncation is True; allowed: a number"),
-    "a list": ("truncation: [2.0]", "truncation is [2.0]; allowed: a number"),
-    "nothing": ("truncation:", "truncation is None; allowed: a number"),
-    "a date": ("truncation: 2024-01-01", "truncation is"),
     "500 digits": ("truncation: " + "9" * 500, "truncation is 999"),
     "an unknown interpretation": (
         "film_load: solid",
         "film_load is 'solid'; allowed: fluid, total",
-    ),
-    "an interpretation in a list": (
-        "film_load: [fluid]",
-        "film_load is ['fluid']; allowed: fluid, total",
     ),
     "a number for a truth value": (
         "summit_offset: 1",
         "summit_offset is 1; allowed: True, as_rough, False",
     ),
     "an entry without value": ("ball_radius: {unit: m}", "ball_radius"),
-    "a misspelt entry": ("ball_radius: {valeu: 6.35e-3}", "ball_radius"),
-    "an unknown entry": ("ball_radius: {value: 6.35e-3, colour: red}", "ball_radius"),
     "a ball smaller than the interface": (
         "{ball_radius: 5.0e-4, apparent_area: 4.0e-6}",
         "apparent_area is 4e-06; allowed: at most 7.85e-07 m2, the cross-section of a ball",
     ),
     "another unit": ("ball_radius: {value: 6.35, unit: mm}", "ball_radius"),
     "a number for all inputs": (calibrated("5"), "inputs is 5; allowed: keys with values"),
-    "a list for all inputs": (
-        calibrated("[truncation]"),
-        "inputs is ['truncation']; allowed: keys",
-    ),
     "a calibrated input out of bounds": (
         calibrated("{truncation: 99}"),
         "inputs.truncation is 99; allowed: a number from 0.5 to 10",
@@ -321,55 +285,29 @@ def test_each_scene_carries_all_that_it_depends_on(shipped, from_root):
 BAD_SETTINGS = {
     "an unknown key": ("extra", 1, "unknown key 'extra'; allowed: "),
     "a missing key": ("rtol", KeyError, "key 'rtol' is missing"),
-    "a missing figure": ("scenes.fig07", KeyError, "scenes: key 'fig07' is missing"),
-    "a misspelt scene key": ("scenes.fig03.tittle", "x", "scenes.fig03: unknown key 'tittle'"),
     "a misspelt curve key": (
         "scenes.fig04.curves.1.viscosity",
         [1],
         "scenes.fig04.curves[1]: unknown key 'viscosity'",
     ),
-    "a scene without axes": ("scenes.fig03.curves", [], "scenes.fig03.curves is []"),
     "a scene without curves": ("scenes.fig03.curves", KeyError, "scenes.fig03: key 'curves'"),
-    "a scene's name with a space": ("scenes.fig 03", {}, "scenes: unknown key 'fig 03'"),
     "a scene's name with a path": ("scenes.../x", {}, "scenes"),
     "rtol too small": ("rtol", 1e-12, "rtol is 1e-12; allowed: at least 1e-11"),
-    "rtol too large": ("rtol", 0.5, "rtol is 0.5; allowed: at most 0.01"),
-    "rtol as a word": ("rtol", "1e-9", "rtol is '1e-9'; allowed: a number"),
-    "rtol not a number": ("rtol", math.nan, "rtol is nan; allowed: finite numbers"),
     "a negative load": (
         "load_axis.load_N",
         [-1.0, 80.0],
         "load_axis.load_N[0] is -1.0; allowed: above 0",
     ),
     "loads the wrong way": ("load_axis.load_N", [80.0, 0.04], "load_axis.load_N is [80.0, 0.04]"),
-    "one load": ("load_axis.load_N", [80.0], "load_axis.load_N is [80.0]; allowed: at least 2"),
-    "an infinite load": ("load_axis.load_N", [1.0, math.inf], "load_axis.load_N[1] is inf"),
-    "half a load": ("load_axis.count", 100.5, "load_axis.count is 100.5; allowed: an integer"),
-    "too few loads": ("load_axis.count", 2, "load_axis.count is 2; allowed: at least 5"),
     "a negative viscosity": (
         "scenes.fig04.curves.0.viscosity_cSt",
         [-1],
         "scenes.fig04.curves[0].viscosity_cSt[0] is -1; allowed: at least 0",
     ),
-    "no viscosity": (
-        "scenes.fig04.curves.0.viscosity_cSt",
-        [],
-        "scenes.fig04.curves[0].viscosity_cSt is []; allowed: at least 1 values",
-    ),
     "a value twice": (
         "scenes.fig04.curves.0.viscosity_cSt",
         [10, 10],
         "scenes.fig04.curves[0].viscosity_cSt is [10, 10]; allowed: no value twice",
-    ),
-    "roughness zero": (
-        "scenes.fig04.curves.0.roughness_nm",
-        [0],
-        "scenes.fig04.curves[0].roughness_nm[0] is 0; allowed: at least 1",
-    ),
-    "a value that is no list": (
-        "scenes.fig04.curves.0.roughness_nm",
-        300,
-        "scenes.fig04.curves[0].roughness_nm is 300; allowed: a list",
     ),
     "both kinds of diameter": (
         "scenes.fig04.curves.0.particle_diameter_per_roughness",
@@ -386,20 +324,12 @@ BAD_SETTINGS = {
         [1.0e13],
         "cover 1.96 of the interface; allowed: at most 1",
     ),
-    "a named load of nothing": (
-        "scenes.fig04.named_loads",
-        [0],
-        "scenes.fig04.named_loads[0] is 0; allowed: above 0",
-    ),
-    "a title with a newline": ("scenes.fig03.title", "a\nb", "scenes.fig03.title is"),
     "inputs outside the configuration": ("inputs", "/etc/passwd", "inputs is '/etc/passwd'"),
-    "inputs by a way up": ("inputs", "config/../secret.yaml", "inputs is"),
     "an input out of its bounds": (
         "inputs",
         {"truncation": 99},
         "inputs.truncation is 99; allowed: a number from 0.5 to 10",
     ),
-    "an unknown input": ("inputs", {"truncatoin": 2}, "inputs: unknown key 'truncatoin'"),
     "a number for all inputs": (
         "inputs",
         5,
@@ -410,32 +340,12 @@ BAD_SETTINGS = {
         "config/inputs.yaml",
         "config/inputs.yaml: unknown key 'elastic_modulus_surfaces'; allowed: acceptable",
     ),
-    "inputs that are missing": ("inputs", "config/none.yaml", "config/none.yaml"),
-    "windows the wrong way": (
-        "windows.particle_diameter_per_roughness",
-        [2.5, 0.3],
-        "windows.particle_diameter_per_roughness is [2.5, 0.3]",
-    ),
-    "a drawing without panels": ("schematics.fig01", [], "schematics.fig01 is []"),
-    "a drawing's negative load": (
-        "schematics.fig01.0.load_N",
-        -1,
-        "schematics.fig01[0].load_N is -1; allowed: above 0",
-    ),
     "a scene with a figure's name": ("scenes.fig14", {}, "'fig14'"),
-    "a scene with a product's name": ("scenes.claims", {}, "'claims'"),
     "a number that YAML takes for text": (
         "scenes.fig03.curves.0.particle_density_per_m2",
         ["1e11"],
         "reads from 1.0e+11",
     ),
-    "a missing drawing": ("schematics.fig02", KeyError, "schematics: key 'fig02' is missing"),
-    "four panels": ("schematics.fig02", [{}] * 4, "allowed: at most 3"),
-    "too few windows": ("windows.count", 2, "windows.count is 2; allowed: at least 10"),
-    "a named load above 1": ("scenes.fig03.named_loads", [2], "named_loads[0] is 2"),
-    "a command for a path": ("inputs", "config/$(id).yaml", "$(id)"),
-    "a list for the scenes": ("scenes", [1], "scenes is [1]; allowed: keys with values"),
-    "nothing for the scenes": ("scenes", None, "scenes is None; allowed: keys with values"),
 }
 
 
@@ -466,10 +376,3 @@ def test_settings_leave_the_given_configuration_alone(shipped, from_root):
     before = copy.deepcopy(shipped)
     workflow_settings(shipped, CONFIG)
     assert shipped == before
-
-
-@pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root reads everything")
-def test_an_unreadable_file_is_named(write):
-    path = write("a: 1")
-    path.chmod(0)
-    assert str(path) in refusal(read_yaml, path)

@@ -70,25 +70,6 @@ def test_both_crossings_of_a_peak_between_values_of_the_sweep_are_found(paramete
     assert not tb.find(ratio, peak + 1e-5, "load_N", parameters=parameters, **given).count
 
 
-def test_levels_and_axes_broadcast(parameters):
-    given = {"viscosity_cSt": [[60.0], [90.0]], "particle_diameter_nm": 500}
-    given |= {"roughness_nm": 300, "particle_density_per_m2": 1e11}
-    found = tb.find("solid_load_fraction", [0.9, 0.8, 1e-9], "load", parameters=parameters, **given)
-    assert found.count.shape == (2, 3)
-    assert np.isnan(found.first[:, 2]).all() and not found.count[:, 2].any()
-    one = {**given, "viscosity_cSt": 90.0}
-    alone = tb.find("solid_load_fraction", 0.8, "load", parameters=parameters, **one)
-    assert_allclose(found.first[1, 1], alone.value[0], rtol=1e-8)
-
-
-def test_engineering_units_and_SI_are_the_same_place(parameters):
-    given = others("viscosity_cSt")
-    one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
-    si = in_si(given, parameters, but="viscosity")
-    other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
-    assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
-
-
 def test_transitions_along_the_load_are_those_of_every_limit(parameters):
     changes = tb.transitions("load_N", parameters=parameters, **others("load_N"))
     expected = []
@@ -109,15 +90,8 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"load_N": None}, "load is missing; allowed: load or load_N"),
         ({"between": (0.0, 1.0)}, "between is 0 to 1; allowed: positive and increasing"),
         ({"count": 1}, "count is 1; allowed: whole numbers from 2 to 1000000"),
-        ({"rtol": 1.0}, "rtol is 1.0; allowed: 1e-11 to 1e-2"),
         ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
-        ({"load_N": "10"}, "load_N is of type <U2; allowed: numbers"),
         ({"level": 90}, "level of solid_load_fraction is 90; allowed: 0 to 1"),
-        ({"level": -0.1}, "level of solid_load_fraction is -0.1; allowed: 0 to 1"),
-        (
-            {"variable": "separation", "level": -1e-9},
-            "level of separation is -1e-09; allowed: zero or positive",
-        ),
         ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: .values of it"),
     ],
 )
@@ -126,13 +100,6 @@ def test_what_cannot_be_searched_is_refused(parameters, change, told):
     asked |= others("roughness_nm") | change
     with pytest.raises(ValueError, match=told):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
-
-
-def test_crossings_are_a_table(parameters):
-    found = tb.find(*LIMITS[0], "load_N", parameters=parameters, **others("load_N"))
-    table = found.to_dataframe()
-    assert table["load_N"].tolist() == found.value.tolist()
-    assert set(table["solution_status"]) == {"converged"}
 
 
 def test_quantities_bring_their_unit(parameters):
@@ -149,3 +116,14 @@ def test_quantities_bring_their_unit(parameters):
         in_si(others("load_N") | {"load_N": 10 * unit.cSt}, parameters)
     with pytest.raises(ValueError, match="viscosity_cSt is a list of quantities; allowed: numbers"):
         in_si(others("viscosity_cSt") | {"viscosity_cSt": [90 * unit.cSt]}, parameters)
+
+
+def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):
+    given = others("viscosity_cSt")
+    one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
+    si = in_si(given, parameters, but="viscosity")
+    other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
+    assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
+    table = one.to_dataframe()
+    assert table["viscosity_cSt"].tolist() == one.value.tolist()
+    assert set(table["solution_status"]) == {"converged"}

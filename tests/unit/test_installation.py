@@ -15,17 +15,11 @@ from importlib.metadata import distribution
 from pathlib import Path
 
 import pytest
+from methods import POINT
 
 import thirdbody
 
 ROOT = Path(__file__).resolve().parents[2]
-POINT = dict(
-    load=1e-5,
-    viscosity=90e-6,
-    particle_diameter=300e-9,
-    roughness=300e-9,
-    particle_density=1e11,
-)
 SOLVE = """
 import json, sys
 import thirdbody as tb
@@ -36,10 +30,8 @@ print(json.dumps([solution.separation.item(), solution.total_contact_area.item()
 # what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
 LACKING = {
     "from thirdbody import load_parameters": ("yaml, jsonschema", "data"),
-    "from thirdbody import grid": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
-    "import thirdbody.data.dataset": ("xarray, netCDF4", "data"),
     "import thirdbody; thirdbody.Interface": ("xarray, netCDF4, yaml, jsonschema", "data"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
     "import thirdbody.study.sobol": ("cma, emcee, jinja2, pandas, tabulate", "study"),
@@ -100,28 +92,12 @@ def test_a_missing_extra_is_named_in_one_line(installed, code):
 
 
 def test_the_command_has_help_and_says_what_it_needs(installed):
-    code = "import sys; from thirdbody.command.main import main; sys.exit(main(sys.argv[1:]))"
-    done = installed(code, "--help")
+    done = installed(COMMAND, "--help")
     assert done.returncode == 0 and "turning-point" in done.stdout
-    done = installed(code, "bearing")
+    done = installed(COMMAND, "bearing")
     assert done.returncode == 2
     told = 'needs xarray, netCDF4, yaml, jsonschema: pip install "thirdbody[data]"'
     assert done.stderr == f"thirdbody bearing: this part of thirdbody {told}\n"
-
-
-def test_the_wheel_brings_the_calibrated_inputs(installed):
-    code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
-    done = installed(code, beside=sysconfig.get_path("platlib"))
-    assert done.stderr == ""
-    assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
-
-
-def test_the_wheel_brings_the_command(installed):
-    module, function = project()["scripts"]["thirdbody"].split(":")
-    code = f"from {module} import {function}; raise SystemExit({function}(['bearing', '--json']))"
-    done = installed(code, beside=sysconfig.get_path("platlib"))
-    assert done.stderr == ""
-    assert json.loads(done.stdout)["found"]
 
 
 def project():
@@ -133,3 +109,17 @@ def test_an_editor_sees_the_names_where_they_are():
     seen = {name: value for name, value in stub.items() if not name.startswith("__")}
     given = {name: getattr(thirdbody, name) for name in thirdbody.__all__ if name != "__version__"}
     assert seen == given
+
+
+COMMAND = "import sys; from thirdbody.command.main import main; sys.exit(main(sys.argv[1:]))"
+
+
+def test_the_wheel_brings_the_calibrated_inputs_and_the_command(installed):
+    packages = sysconfig.get_path("platlib")
+    code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
+    done = installed(code, beside=packages)
+    assert done.stderr == ""
+    assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
+    assert project()["scripts"]["thirdbody"] == "thirdbody.command.main:main"
+    done = installed(COMMAND, "bearing", "--json", beside=packages)
+    assert done.stderr == "" and json.loads(done.stdout)["found"]

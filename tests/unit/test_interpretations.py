@@ -8,7 +8,6 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.figures.random_sections import size_quantiles
 from thirdbody.model.interpretations import INTERPRETATIONS
 
 
@@ -25,16 +24,6 @@ def test_an_unknown_word_is_refused_by_name(parameters, name, word):
     with pytest.raises(ValueError) as refusal:
         replace(parameters, **{name: word})
     assert str(refusal.value) == f"{name} is {word!r}; allowed: {allowed}"
-
-
-def test_quantiles_go_from_the_smallest_size_to_the_largest(sizes):
-    distribution, diameter = sizes.interpretation.size_distribution, 500e-9
-    mean, spread = distribution.sizes(diameter, sizes)
-    largest = mean + sizes.truncation * spread
-    shares = np.linspace(0.0, 1.0, 11)
-    drawn = size_quantiles(shares, 300e-9, diameter, sizes)
-    assert (np.diff(drawn) > 0.0).all()
-    assert_allclose(drawn[[0, -1]], [300e-9, largest], rtol=1e-12)
 
 
 def test_the_sizes_that_are_drawn_are_those_that_are_solved(sizes):

@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 import xarray as xr
+from methods import POINT
 
 import thirdbody as tb
 from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import FLAGS, VARIABLES
+from thirdbody.data.quantities import VARIABLES
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
-POINT = dict(load=1e-5, viscosity=9e-5, particle_diameter=3e-7, roughness=3e-7)
-POINT["particle_density"] = 1e11
 LOADS = np.array([1e-6, 1e-5, 1e-4])
 OILS = np.array([0.0, 9e-5])
 
@@ -57,16 +56,6 @@ def test_a_dimension_is_called_by_the_condition_that_has_it_to_itself(solved, gi
         expected = np.broadcast_to((POINT | given)[name], tuple(dimensions.values()))
         found = dataset[name].broadcast_like(dataset["separation"])
         np.testing.assert_array_equal(found.transpose(*dimensions).values, expected)
-
-
-def test_flags_are_integers_with_their_meanings_in_a_file_too(solved, tmp_path):
-    solved(load=LOADS).to_dataset().to_netcdf(tmp_path / "points.nc")
-    with xr.open_dataset(tmp_path / "points.nc") as opened:
-        for name, quantity in FLAGS.items():
-            assert opened[name].dtype == np.int8
-            assert opened[name].attrs["flag_meanings"].split()[: len(quantity.meanings)] == [
-                *quantity.meanings
-            ]
 
 
 def test_arrays_of_xarray_keep_their_labels(solved):

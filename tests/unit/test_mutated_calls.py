@@ -9,6 +9,8 @@ import pandas as pd
 import pint
 import pytest
 import xarray as xr
+from methods import ENGINEERING
+from methods import POINT as SI
 from numpy.lib.stride_tricks import as_strided
 
 import thirdbody as tb
@@ -19,67 +21,18 @@ UNIT = pint.UnitRegistry()
 # 10^12 numbers in 8 bytes: an array that may be counted, and not looked at
 ENDLESS = as_strided(np.ones(1), (10**6, 10**6), (0, 0))
 WRONG = (
-    None,
-    True,
-    "word",
-    b"bytes",
-    "",
-    "a\nb",
-    "a\0b",
-    float("nan"),
-    float("inf"),
-    -1.0,
-    -(10**400),
-    10**400,
-    [10**400, 1.0],
-    10**12,
-    1.5,
-    1j,
-    [],
-    [1.0, [2.0]],
-    [2.0, 1.0],
-    [None],
-    [["a"]],
-    {"a": 1},
-    {"separation"},
-    (1.0, 2.0, 3.0),
-    object,
-    range(3),
-    np.array([1.0, np.nan]),
-    np.array("2020-01-01", "datetime64[D]"),
-    np.ma.masked_array([1.0, 2.0], [False, True]),
-    np.float32(-3.0),
-    ENDLESS,
-    fractions.Fraction(-1, 3),
-    pd.Series([1.0, 2.0]),
-    xr.DataArray([-1.0], dims="x"),
-    3 * UNIT.kg,
-    np.array([3.0, 4.0]) * UNIT.mol,
-    [3 * UNIT.kg],
+    *(None, True, object, "word", b"bytes", "", "a\nb", "a\0b"),
+    *(float("nan"), float("inf"), -1.0, 1.5, 1j, 10**12, 10**400, -(10**400)),
+    *(np.float32(-3.0), fractions.Fraction(-1, 3), np.array("2020-01-01", "datetime64[D]")),
+    *([], [None], [["a"]], [2.0, 1.0], [1.0, [2.0]], [10**400, 1.0], (1.0, 2.0, 3.0), range(3)),
+    *({"a": 1}, {"separation"}, np.array([1.0, np.nan]), np.ma.masked_array([1.0, 2.0], [0, 1])),
+    *(ENDLESS, pd.Series([1.0, 2.0]), xr.DataArray([-1.0], dims="x")),
+    *(3 * UNIT.kg, [3 * UNIT.kg], np.array([3.0, 4.0]) * UNIT.mol),
 )
-SI = {
-    "load": 1e-5,
-    "viscosity": 90e-6,
-    "particle_diameter": 300e-9,
-    "roughness": 300e-9,
-    "particle_density": 1e11,
-}
-ENGINEERING = {
-    "load_N": 10.0,
-    "viscosity_cSt": 90.0,
-    "particle_diameter_nm": 500.0,
-    "roughness_nm": 300.0,
-    "particle_density_per_m2": 1e11,
-}
 WITHOUT_LOAD = {name: value for name, value in ENGINEERING.items() if name != "load_N"}
 LAYER = {"roughness_nm": 300.0, "particle_density_per_m2": 1e11}
 # what else a line may call an argument
-CALLED = {
-    "load_N": "load",
-    "viscosity_cSt": "viscosity",
-    "particle_diameter_nm": "particle_diameter",
-    "roughness_nm": "roughness",
-    "particle_density_per_m2": "particle_density",
+CALLED = dict(zip(ENGINEERING, SI)) | {
     "along": "axis",
     "path": "inputs",
     "oil_density_kg_per_m3": "the oil's density",

@@ -27,34 +27,6 @@ def test_the_elastic_factor_to_the_printed_digits(parameters):
     assert float(f"{parameters.elastic_factor:.3g}") == 0.0885
 
 
-def test_summit_plane_and_deviation_follow_from_the_summits(parameters):
-    inputs = replace(parameters, summit_offset=True)
-    for roughness in (1e-7, 3e-7, 5e-7):
-        surface = inputs.surface(roughness)
-        length = 1.0 / (surface.summit_density * surface.summit_radius)
-        variance = roughness**2 - 3.717e-4 * length**2
-        assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-15)
-        assert_allclose(surface.summit_deviation, math.sqrt(variance), rtol=1e-15)
-
-
-def test_without_an_offset_summits_spread_about_the_mean_plane(parameters):
-    surface = replace(parameters, summit_offset=False).surface(3e-7)
-    assert surface.summit_offset == 0.0
-    assert surface.summit_deviation == surface.roughness == 3e-7
-
-
-def test_summits_follow_their_power_laws_about_the_reference_roughness(parameters):
-    reference = parameters.reference_roughness
-    for scale in (0.1, 1.0, 5.0):
-        surface = parameters.surface(scale * reference)
-        radius = parameters.summit_radius * scale**parameters.summit_radius_exponent
-        product = parameters.summit_parameter * scale**parameters.summit_parameter_exponent
-        assert_allclose(surface.summit_radius, radius, rtol=1e-14)
-        assert_allclose(
-            surface.summit_density * surface.summit_radius * surface.roughness, product, rtol=1e-14
-        )
-
-
 @pytest.mark.parametrize("scale", [0.5, 0.998])
 def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, scale):
     inputs = replace(parameters, summit_parameter=0.0193, summit_parameter_exponent=1.0)
@@ -91,11 +63,6 @@ def test_both_ends_of_the_bounds_are_allowed(parameters, name):
         assert getattr(replace(parameters, **{name: end}), name) == end
 
 
-def test_whole_numbers_and_those_of_numpy_are_numbers(parameters):
-    for number in (3, np.int32(3), np.float32(3.0), np.float64(3.0)):
-        assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
-
-
 def test_each_number_of_the_attribute_is_its_own_input(parameters):
     distinct = {
         name: bounds.most * (1.0 - 0.001 * index)
@@ -122,16 +89,26 @@ def test_the_attribute_is_read_back_as_it_was_written(interpretation, index):
     assert found == model
 
 
-def test_what_is_read_back_holds_at_its_own_roughness(parameters):
-    inputs = replace(parameters, summit_parameter_exponent=0.0, summit_radius_exponent=0.0)
-    here = replace(inputs, reference_roughness=5e-7)
-    again = parameters_of_attribute(model_attribute(here, [5e-7]), 5e-7)
-    assert replace(again, summit_parameter=here.summit_parameter) == here
+@pytest.mark.parametrize("scale", [0.4, 1.0, 5.0])
+def test_summits_follow_their_laws_about_the_reference_roughness(parameters, scale):
+    inputs, roughness = parameters, scale * parameters.reference_roughness
+    surface = replace(inputs, summit_offset=True).surface(roughness)
+    radius = inputs.summit_radius * scale**inputs.summit_radius_exponent
+    product = inputs.summit_parameter * scale**inputs.summit_parameter_exponent
+    assert_allclose(surface.summit_radius, radius, rtol=1e-14)
+    assert_allclose(surface.summit_density * radius * roughness, product, rtol=1e-14)
+    length = 1.0 / (surface.summit_density * surface.summit_radius)
+    variance = roughness**2 - 3.717e-4 * length**2
+    assert_allclose(surface.summit_offset, 0.045944 * length, rtol=1e-15)
+    assert_allclose(surface.summit_deviation, math.sqrt(variance), rtol=1e-15)
+    plain = replace(inputs, summit_offset=False).surface(roughness)
+    assert (plain.summit_offset, plain.summit_deviation) == (0.0, roughness)
 
 
-def test_inputs_cannot_be_changed_and_equal_ones_are_equal(parameters):
+def test_equal_inputs_are_equal_whatever_their_numbers_are_made_of(parameters):
+    again = Parameters(**parameters.as_dict())
+    assert again == parameters and hash(again) == hash(parameters)
+    for number in (3, np.int32(3), np.float32(3.0), np.float64(3.0)):
+        assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
     with pytest.raises(FrozenInstanceError):
         parameters.truncation = 1.0
-    again = Parameters(**parameters.as_dict())
-    assert again == parameters
-    assert hash(again) == hash(parameters)

@@ -41,11 +41,6 @@ def test_a_window_has_a_row_for_each_end_and_no_curve(claims):
     assert low["roughness_m"] == 1e-7
 
 
-def test_a_reversal_between_several_curves_is_one_number(claims):
-    assert len(claims["fig07a-reversal-load"].curves) > 1
-    assert len(rows_of(claims["fig07a-reversal-load"])) == 1
-
-
 def test_only_printed_numbers_have_rows(claims):
     wordy = [claim for claim in claims.values() if claim.kind in ("ordering", "trend", "absence")]
     change = claims["fig04c-area-decrease-at-50-percent-90cst"]

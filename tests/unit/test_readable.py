@@ -9,7 +9,6 @@ from thirdbody.data.readable import (
     readable,
     result_name,
     rounded,
-    with_error,
 )
 
 NEWTONS = 1e5  # per load
@@ -58,10 +57,6 @@ def test_a_number_has_three_digits_or_those_that_its_error_leaves(value, error, 
     assert rounded(value, error) == text
 
 
-def test_an_error_has_one_digit():
-    assert with_error(0.5234, 0.0612) == "0.52 ± 0.06"
-
-
 def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
     rows = [{"figure": name} | CURVE | POINT for name in ("fig06", "fig11")]
     rows.append({"figure": "fig09"} | OTHER | POINT)
@@ -74,15 +69,6 @@ def test_a_curve_of_several_figures_is_one_row_in_engineering_units():
     assert lubricated[:5] == ["6, 11", "90", "300", "300", "1e11"]
     assert dry[5:] == ["3.18", "3.27 ± 0.16", "0.318", "0.200", "", "21.1", "", "1150"]
     assert lubricated[11] == "21.1 ± 3"
-
-
-@pytest.mark.parametrize("table", ["tpca_loads", "transitions"])
-def test_curves_of_ones_own_have_no_columns_for_what_the_paper_says(table):
-    row = CURVE | POINT | {"figure": "mine", "quantity": "", "level": 0.0, "direction": "rising"}
-    (sheet,) = readable(table, [row], (), NEWTONS)
-    assert next(iter(sheet.rows[0])) == "ν [cSt]"
-    assert not any("paper" in name for name in sheet.rows[0])
-    assert cells(sheet)[0][:4] == ["90", "300", "300", "1e11"]
 
 
 def test_a_windows_ends_stand_in_one_row_beside_the_papers():
@@ -112,18 +98,6 @@ def test_transitions_of_a_curve_stand_in_one_row_as_newtons():
     assert (mixed, full, upper, lower) == ("(paper: 10 ± 3)", "", "", "↑ 0.200, ↓ 9.00")
 
 
-@pytest.mark.parametrize("table", ["tpca_loads", "transitions"])
-def test_a_status_is_shown_where_not_all_have_converged(table):
-    row = CURVE | POINT | {"figure": "fig05", "direction": "rising", "level": 0.9}
-    rows = [row | {"quantity": "solid_load_fraction"}]
-    (sheet,) = readable(table, rows, (), NEWTONS)
-    assert "status" not in sheet.rows[0]
-    rows.append(rows[0] | OTHER | {"solution_status": "several_separations"})
-    (sheet,) = readable(table, rows, (), NEWTONS)
-    assert [*sheet.rows[0]][-1] == "status"
-    assert {line[0]: line[-1] for line in cells(sheet)} == {"0": "several separations", "90": ""}
-
-
 def test_a_limit_says_how_to_take_it():
     row = {name: CURVE[name] for name in CURVE if name != "particle_diameter_m"}
     row |= {"load_N": 1.0, "limit": 3e-7, "low": 2e-7, "high": 4e-7}
@@ -149,13 +123,6 @@ def test_sensitivities_are_inputs_by_results():
     assert cells(indices) == [["mean ratio", "0.52 ± 0.06"]]
     text = markdown([elasticities, indices])
     assert text.count("| mean ratio") == 2
-
-
-def test_the_papers_tables_show_printed_and_recomputed_side_by_side():
-    row = dict(property="Load", symbol="F_t", unit="N", verdict="agrees", remark=None)
-    row |= dict(printed_low=0.04, printed_high=80.0, recomputed_low=81.3, recomputed_high=None)
-    (sheet,) = readable("table2", [row], (), NEWTONS)
-    assert cells(sheet) == [["Load", "F_t", "N", "0.04 to 80", "81.3", "agrees", ""]]
 
 
 def test_a_page_is_the_text_and_needs_no_other_file():
@@ -184,3 +151,17 @@ def test_a_page_is_the_text_and_needs_no_other_file():
 )
 def test_results_are_named_with_what_tells_them_apart(fields, name):
     assert result_name(CURVE | {"level": None} | fields) == name
+
+
+@pytest.mark.parametrize("table", ["tpca_loads", "transitions"])
+def test_there_are_no_columns_of_what_nothing_is_to_be_said(table):
+    """Of the paper beside curves of one's own, and of statuses where all have converged."""
+    row = CURVE | POINT | {"figure": "mine", "quantity": "", "level": 0.0, "direction": "rising"}
+    (sheet,) = readable(table, [row], (), NEWTONS)
+    assert next(iter(sheet.rows[0])) == "ν [cSt]"
+    assert not any("paper" in name or name == "status" for name in sheet.rows[0])
+    assert cells(sheet)[0][:4] == ["90", "300", "300", "1e11"]
+    several = row | OTHER | {"solution_status": "several_separations"}
+    (sheet,) = readable(table, [row, several], (), NEWTONS)
+    assert [*sheet.rows[0]][-1] == "status"
+    assert {line[0]: line[-1] for line in cells(sheet)} == {"0": "several separations", "90": ""}

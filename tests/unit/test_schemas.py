@@ -125,17 +125,6 @@ def test_rules_are_asked_only_where_the_rest_is_right():
 # ---- messages
 
 
-def test_the_fault_nearest_to_the_top_is_told():
-    number = {"type": "number"}
-    schema = {"properties": {"a": {"properties": {"b": number}}, "c": number}}
-    assert refusal(schema, {"a": {"b": "x"}, "c": "y"}).startswith("given.yaml: c is 'y'")
-
-
-def test_the_words_of_a_schema_replace_its_numbers():
-    schema = {"properties": {"a": {"minimum": 0.1, "allowed": "a tenth or more"}}}
-    assert refusal(schema, {"a": 0}) == "given.yaml: a is 0; allowed: a tenth or more"
-
-
 def test_an_entry_goes_by_its_id_if_that_is_fit_to_be_shown():
     schema = {"items": {"required": ["b"]}}
     missing = "key 'b' is missing; allowed: it must be given"

@@ -15,7 +15,7 @@ from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.drawing import STYLE
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.solver.solve import solve
-from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, SolvedEvidence
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -88,19 +88,6 @@ def test_crossings_are_where_the_limits_are_crossed(subject, parameters):
             else:
                 solved = solve(load=load, **condition._asdict(), parameters=parameters)
                 assert_allclose(getattr(solved, quantity), level, rtol=1e-6)
-
-
-def test_values_belong_to_their_outputs(subject, parameters):
-    values = subject.values(parameters, QUICK_EFFORT)
-    outputs = subject.outputs
-    assert len(values) == len(outputs) == len(set(map(str, outputs)))
-    by_name = {}
-    for output, value in zip(outputs, values, strict=True):
-        by_name.setdefault(output["output"], []).append(value)
-    loads, ratios = by_name["turning_point_load"], by_name["turning_point_ratio"]
-    assert loads[0] < loads[1]  # dry, then with a film that takes its share
-    assert_allclose(ratios[0], ratios[1])  # the separation alone decides on it
-    assert (np.array(by_name["window_low"]) < by_name["window_high"]).all()
 
 
 def test_what_cannot_respond_does_not(subject, parameters):

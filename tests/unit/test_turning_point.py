@@ -109,22 +109,6 @@ def test_two_body_curves_have_no_turning_point(parameters, loads, diameter, dens
     assert np.isnan(found.load).all()
 
 
-def test_a_maximum_that_float64_cannot_see_is_none(parameters, loads):
-    # the larger the particles on so smooth a surface, the smaller the share of the summits
-    conditions = curves(0.0, np.array([100.0, 200.0, 300.0, 400.0]) * NANOMETRE, 100.0 * NANOMETRE)
-    solution = tb.solve(
-        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters
-    )
-    ratio = solution.particle_contact_area_ratio
-    maximum = inner_maxima(ratio / solution.surface_contact_area_ratio)
-    assert (np.count_nonzero(maximum, axis=0) == 1).all()
-    unseen = (ratio[1:-1] == 1.0)[maximum.nonzero()][np.argsort(maximum.nonzero()[1])]
-    assert unseen.tolist() == [False, False, True, True]
-    found = turning_points(solution.separation, *conditions, parameters)
-    for values in vars(found).values():
-        assert np.array_equal(np.isnan(values), unseen)
-
-
 def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
     conditions = curves(0.0, 300.0 * NANOMETRE)
     found = found_on(loads, conditions, parameters)

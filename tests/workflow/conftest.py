@@ -13,9 +13,7 @@ import pytest
 import yaml
 from workspace import INTERPRETATIONS, MINIMAL, Workspace
 
-BUDGET = {
-    **{"scattered": 8, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 3},
-}
+BUDGET = {"scattered": 4, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 1}
 KEPT = "kept.json"  # what there was of the atlas when its run was killed
 
 

@@ -3,7 +3,6 @@
 import re
 
 import pytest
-import xarray as xr
 import yaml
 from workspace import ROOT
 
@@ -47,16 +46,6 @@ def test_it_makes_its_products_and_no_others(charted):
 
 def test_the_default_run_makes_none_of_them(finished):
     assert PRODUCTS.isdisjoint(finished.stamps())
-
-
-def test_the_chunks_are_one_dataset(charted):
-    results = charted[0].root / "results"
-    with tb.open_atlas(results / "atlas" / "catalogue.json") as atlas:
-        counts = [SETTINGS["axes"][key]["count"] for key in ("load_N", "roughness_nm")]
-        assert [atlas.sizes["load"], atlas.sizes["roughness"]] == [counts[0] + 1, counts[1]]
-        last = atlas["solid_load_fraction"].isel(roughness=-1).load()
-    with xr.open_dataset(results / "atlas" / "chunks" / f"{CHUNKS[-1]}.nc") as chunk:
-        xr.testing.assert_equal(last, chunk["solid_load_fraction"].isel(roughness=-1))
 
 
 def test_every_point_of_every_member_is_counted(charted):

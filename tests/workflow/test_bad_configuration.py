@@ -7,7 +7,9 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from workspace import ABSENT, run_side_by_side, with_value
+from workspace import ABSENT, ROOT, run_side_by_side, with_value
+
+from thirdbody.configuration.plain_yaml import read_yaml
 
 CONFIG = "config/config.yaml"
 SCENES = "config/scenes.yaml"
@@ -17,6 +19,7 @@ ATLAS = "config/atlas.yaml"
 CALIBRATION = "config/calibration.yaml"
 SENSITIVITY = "config/sensitivity.yaml"
 SECOND = "config/second.yaml"
+CALIBRATED = read_yaml(ROOT / CONFIG)["calibrated"]
 
 
 @dataclass(frozen=True)
@@ -61,28 +64,6 @@ def given(name, argument, *words):
     return Case(name, lambda root: None, words, ("--config", argument))
 
 
-def inputs(name, content, *words):
-    """Inputs of one's own, in place of those of the repository."""
-
-    def spoil(root):
-        (root / "config/mine.yaml").write_bytes(content)
-        put(name, CONFIG, "inputs", "config/mine.yaml").spoil(root)
-
-    return Case(name, spoil, words)
-
-
-def calibrated(name, old, new, *words):
-    """A calibrated file of one's own, in which ``old`` text is ``new``."""
-
-    def spoil(root):
-        shipped = root / "config/calibrated/uncentred_surface_wide_full.yaml"
-        changed = shipped.read_text(encoding="utf-8").replace(old, new)
-        (root / "config/own.yaml").write_text(changed, encoding="utf-8")
-        put(name, CONFIG, "calibrated", "config/own.yaml").spoil(root)
-
-    return Case(name, spoil, words)
-
-
 def changes(name, content, *words):
     """A file of changes given with --config changes=."""
     made = text(name, "mine.yaml", content, *words)
@@ -96,31 +77,7 @@ def without(name, file):
 CASES = [
     put("unknown key", CONFIG, "colour", "red", "'colour'", "inputs, load_axis"),
     put("misspelt key", SCENES, "load_axis/cuont", 9, "load_axis", "'cuont'", "count"),
-    put(
-        "coverage above 1 in a drawing",
-        CONFIG,
-        "schematics/fig02/0/particle_diameter_nm",
-        4000,
-        "schematics.fig02[0]",
-        "4000 nm",
-        "at most 1",
-    ),
     changes("inputs outside config", b"inputs: soft.yaml\n", "inputs", "'soft.yaml'", "in config/"),
-    changes("a number as inputs", b"inputs: 3\n", "inputs is 3", "with their values, or the path"),
-    calibrated(
-        "calibrated file of no interpretation",
-        "interpretation: uncentred_surface_wide_full",
-        "interpretation: mine",
-        "config/own.yaml: interpretation is 'mine'",
-        "uncentred_summit_wide_full",
-    ),
-    changes(
-        "inputs that a surface cannot have",
-        b"inputs: {summit_offset: true, summit_parameter: 0.0195, summit_parameter_exponent: -0.1}\n",
-        "inputs: summit_parameter is 0.0",
-        "at roughness 4e-07 m",
-        "allowed: above 0.019",
-    ),
     changes(
         "inputs that a surface cannot have in the ensemble",
         b"inputs: {summit_offset: true, summit_parameter: 0.02906}\n",
@@ -129,63 +86,31 @@ CASES = [
         "summit_parameter is 0.0",
         "allowed: above 0.019",
     ),
-    inputs("input out of bounds", b"truncation: 99.0\n", "truncation", "99.0", "0.5 to 10"),
-    put("single input out of bounds", CONFIG, "inputs/truncation", 99, "inputs.truncation", "99"),
-    inputs("damaged inputs", b"truncation: [", "config/mine.yaml", "line 2"),
-    put("entry with bounds", INPUTS, "truncation/bounds", [0, 9], INPUTS, "'bounds'", "allowed"),
-    put("entry of no source", INPUTS, "truncation/source", "hearsay", INPUTS, "source", "assumed"),
+    put(
+        "calibrated, of none", CALIBRATED, "interpretation", "mine", CALIBRATED, "'mine'", "allowed"
+    ),
     put("no such entry", INPUTS, "truncation", ABSENT, INPUTS, "truncation", "allowed"),
-    put("no printed table", "config/paper_tables.yaml", "table1", ABSENT, "table1", "allowed"),
     put("no such formula", "config/paper_tables.yaml", "table1/0/recompute", "x", "table1", "'x'"),
     text("damaged calibration", CALIBRATION, b"\na: [\n", "calibration.yaml", "line"),
-    put(
-        "interpretation that fixes too much",
-        CALIBRATION,
-        "interpretations/uncentred_summit_wide_full/fixed/participation",
-        2.0,
-        CALIBRATION,
-        "interpretations.uncentred_summit_wide_full.fixed.participation",
-        "2.0",
-        "1e-06 to 1",
-    ),
-    put(
-        "unknown of no kind",
-        CALIBRATION,
-        "always/0",
-        "gap_ration",
-        CALIBRATION,
-        "always[0]",
-        "'gap_ration'",
-        "gap_ratio, ",
-    ),
-    put(
-        "reversed loads of a study", SENSITIVITY, "load_N", [80, 1], SENSITIVITY, "load_N", "below"
-    ),
+    put("unknown of no kind", CALIBRATION, "always/0", "gap", CALIBRATION, "always[0]", "'gap'"),
+    put("reversed loads", SENSITIVITY, "load_N", [80, 1], SENSITIVITY, "load_N", "below"),
     put("accuracy of a bad rtol", ACCURACY, "rtol", [1], ACCURACY, "rtol[0]", "1", "at most 0.01"),
     put("no accuracy file", CONFIG, "accuracy", "config/none.yaml", "config/none.yaml", "allowed"),
     put("atlas of idle jobs", ATLAS, "chunks", 26, ATLAS, "chunks", "26", "at most 25"),
-    put("chart off the axes", ATLAS, "charts/load_N/0", 0.2, ATLAS, "charts.load_N[0]", "0.2"),
     without("missing atlas", ATLAS),
     text("key twice", CONFIG, b"\nrtol: 1.0e-8\n", CONFIG, "'rtol' stands twice"),
-    text("not YAML", CONFIG, b"\nrtol: [1\n", CONFIG, "line"),
     text("template", CONFIG, b"\n__use_yte__: true\n", "unknown key '__use_yte__'", "allowed"),
     text("not UTF-8", CONFIG, b"\nrtol: \xff\n", CONFIG, "UTF-8"),
     text("empty file", CONFIG, b"", CONFIG, "keys with values"),
     without("missing configuration", CONFIG),
-    without("missing model inputs", INPUTS),
     second("second file: value", b"rtol: 3\n", "rtol", "3", "at most 0.01"),
     second("second file: alias", b"a: &a [1]\nb: *a\n", SECOND, "anchor a", "plain values"),
-    second(
-        "second file: part of a scene", b"scenes: {fig03: {curves: []}}\n", "fig03.curves", "[]"
-    ),
+    second("second file: scene", b"scenes: {fig03: {curves: []}}\n", "fig03.curves", "[]"),
     given("value on the command line", "rtol=much", "rtol", "'much'", "a number"),
     given("run that is no word", "run=../soft", "run is '../soft'", "a plain word"),
     given("run called like a folder of products", "run=figures", "run is 'figures'", "no folder"),
     given(
-        "number in braces on the command line",
-        "inputs={truncation: 2.5}",
-        "inputs.truncation is '2.5'",
-        "in braces after --config",
+        "number in braces", "inputs={truncation: 2.5}", "inputs.truncation is '2.5'", "in braces"
     ),
     given("changes that are not there", "changes=none.yaml", "none.yaml", "a readable YAML file"),
     given("changes that are a number", "changes=3", "changes is 3", "the path of a YAML file"),

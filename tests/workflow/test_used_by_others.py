@@ -97,15 +97,6 @@ def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished,
     assert not (elsewhere.root / "results").exists()
 
 
-def test_a_mistake_in_the_configuration_of_a_module_is_one_line(sources, elsewhere):
-    snakefile = sources.root / "workflow/Snakefile"
-    module = MODULE.format(snakefile=snakefile, given='config: {"rtoll": 1}', wanted='"x"')
-    write(elsewhere, "workflow/Snakefile", module)
-    run = elsewhere.snakemake("--dry-run", config=())
-    assert run.returncode == 1
-    assert run.stderr.splitlines()[-1].startswith("configuration: unknown key 'rtoll'")
-
-
 def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhere):
     minimal = sources.root / MINIMAL[1]
     there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
@@ -156,15 +147,6 @@ def test_a_deployed_copy_follows_the_configuration_beside_it(
     deployed.rewrite("config/paper_tables.yaml", lambda text: text.replace("0.04, 80", "0.05, 80"))
     (table,) = made(deployed, TABLE)
     assert b",0.05,80," in table
-
-
-def test_the_installed_package_brings_the_workflow(installed, finished, tmp_path):
-    elsewhere = Workspace(tmp_path / "elsewhere", (installed,))
-    elsewhere.root.mkdir()
-    snakefile = installed / "thirdbody/workflow/Snakefile"
-    assert made(elsewhere, TABLE, arguments=("--snakefile", str(snakefile))) == [
-        (finished.root / TABLE).read_bytes()
-    ]
 
 
 def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_path):

@@ -60,7 +60,7 @@ def outcome(mutation: Mutation) -> str:
 
 
 def test_each_is_read_or_refused_in_one_line_that_names_the_fault(in_folder, tell):
-    chosen = [*slips(), *mutations()[:: 1 if LONG else 12]]
+    chosen = [*slips(), *mutations()[:: 1 if LONG else 20]]
     before = {path.name for path in in_folder.rglob("*")}
     count, faults = collections.Counter(), []
     for mutation in chosen:

@@ -1,8 +1,7 @@
-"""No room, no right to write, little memory, no solitude: a clear line, and nothing is harmed."""
+"""No room, no right to write: a clear line, and nothing is harmed."""
 
 import os
 import re
-import resource
 import subprocess
 
 import pytest
@@ -17,7 +16,6 @@ from harm import (
 )
 from workspace import MINIMAL, SNAKEMAKE
 
-GIGABYTE = 2**30
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
 # runs in a disk of its own: little room, what it left, more room, what it left
 ON_A_SMALL_DISK = """
@@ -105,21 +103,3 @@ def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, te
     complete(workspace)
     assert_same(workspace.root / "results", undisturbed)
     tell(f"read-only results: {len(kept)} products as they were")
-
-
-@long
-def test_each_job_of_the_papers_run_does_with_one_gigabyte(sources, tmp_path, tell):
-    """Of data (RLIMIT_DATA): all that a process may write to.
-
-    RLIMIT_AS would count the address space that Snakemake's threads reserve and never use.
-    """
-    workspace = sources.copied_to(tmp_path / "thirdbody")
-
-    def limit():
-        resource.setrlimit(resource.RLIMIT_DATA, (GIGABYTE, GIGABYTE))
-
-    complete(workspace, config=(), prepare=limit)
-    benchmarks = list(workspace.root.glob("logs/**/*.tsv"))
-    rows = [path.read_text().splitlines()[1].split("\t") for path in benchmarks]
-    largest = max(float(row[2]) for row in rows if row[2] not in ("-", "NA"))
-    tell(f"{len(rows)} jobs of the paper's run within 1 GB each; largest resident {largest:.0f} MB")
