@@ -12,8 +12,8 @@ PYTHON ?= python3
 CORES ?= 2
 VENV := .venv
 BIN := $(VENV)/bin
-# after pip with --no-compile, which would use one core, and compile the tests of all packages too
-COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib
+# after pip with --no-compile, which would use one core; without tests of packages, and olefile2, which is for Python 2
+COMPILE := $(BIN)/python -m compileall -qq -j 0 -x '/tests/|olefile2' $(VENV)/lib
 LOWEST := $(VENV)/lowest
 
 # what the executor for SLURM needs beside locks/workflow.txt
