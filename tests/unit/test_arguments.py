@@ -229,7 +229,9 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
 
 
 @pytest.mark.parametrize(
-    "bad", [None, (name for name in VARIABLES), "separation", ["load"]], ids=str
+    "bad",
+    [None, (name for name in VARIABLES), "separation", ["load"]],
+    ids=["none", "generator", "text", "unknown"],
 )
 def test_variables_that_are_no_collection_of_known_names_are_refused(solve, bad):
     told = refusal(solve, variables=bad)
