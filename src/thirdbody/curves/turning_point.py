@@ -29,7 +29,7 @@ from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular
 
-# By how much a turning point stands out on both sides [1]: the width of a line on an axis from 0 to 1
+# ASSUME: by how much a turning point stands out on both sides [1], the width of a line on an axis from 0 to 1
 PROMINENCE = 0.02
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
 SEPARATION_MARGIN = 1e-3

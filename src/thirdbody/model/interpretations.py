@@ -24,7 +24,8 @@ from thirdbody.model.bounds import LEAST_SPREAD
 if TYPE_CHECKING:
     from thirdbody.model.parameters import Parameters
 
-# McCool (1986): height of the summits' plane and loss of their variance, over 1/(eta_s R)
+# ASSUME: summits have their own plane, which is not in the paper.  McCool (1986): its height and the loss
+# of variance, over 1/(eta_s R)
 SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4
 
@@ -70,6 +71,7 @@ class SummitsAboveTheMeanPlane(SummitsAtTheMeanPlane):
 
 
 # --- third particles ---
+# ASSUME: X_min is 0, and X_max ``truncation`` deviations above the mean: Eqs. 4 and 5 print no values.
 
 
 @dataclass(frozen=True)
@@ -180,6 +182,7 @@ class CoverageLimits:
 
 
 # --- film ---
+# ASSUME: the film fills h, the separation of the mean planes; the paper combines both without saying how.
 
 
 @dataclass(frozen=True)

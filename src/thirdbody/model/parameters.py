@@ -133,8 +133,8 @@ class Parameters:
     def softer_hardness(self) -> float:
         """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
 
-        The paper's model of the summits (Zhao, Maietta & Chang 2000) has one hardness, its Table 1
-        two; below Eq. 8 it takes "the Vickers hardness of softer material" for the pair.
+        ASSUME: the paper's model of the summits (Zhao, Maietta & Chang 2000) has one hardness, its
+        Table 1 two; below Eq. 8 it takes "the Vickers hardness of softer material" for the pair.
         """
         return min(self.hardness_surface_1, self.hardness_surface_2)
 
@@ -179,7 +179,7 @@ class Parameters:
             bad = np.ravel(roughness)[np.argmin(inside)]
             allowed = f"{LEAST_ROUGHNESS:g} to {MOST_ROUGHNESS:g} m"
             raise ValueError(f"roughness is {bad:g}; allowed: {allowed}")
-        scale = roughness / self.reference_roughness
+        scale = roughness / self.reference_roughness  # ASSUME: power laws; the paper prints none
         summit_parameter = self.summit_parameter * scale**self.summit_parameter_exponent
         radius = self.summit_radius * scale**self.summit_radius_exponent
         density = summit_parameter / (radius * roughness)

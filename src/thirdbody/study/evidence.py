@@ -18,7 +18,7 @@ from thirdbody.model.regimes import has_values
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
-WINDOW_DENSITY = 1e11  # eta_a [m-2] for which the paper gives its windows
+WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper names it for that of 300 nm
 # A point is evidence up to this error: statements are judged to per cents, whatever rtol is.
 LARGEST_ERROR = 1e-3
 
