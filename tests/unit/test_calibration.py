@@ -46,9 +46,8 @@ def valley(interpretation, positions):
 START = np.array([0.1, 0.9])
 
 
-def searched(tmp_path, seed=1, objective=valley):
-    record = tmp_path / f"{seed}.record"
-    return search(TWO, objective, START, BUDGET, seed, record, report=lambda line: None)
+def searched(seed=1):
+    return search(TWO, valley, START, BUDGET, seed)
 
 
 # ---- the objective
@@ -149,17 +148,17 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
 # ---- the search
 
 
-def test_a_search_finds_what_minimises_the_objective(tmp_path):
-    rows = searched(tmp_path)
+def test_a_search_finds_what_minimises_the_objective():
+    rows = searched()
     best = TWO.values(rows[np.argmin(rows[:, -1]), :-1])
     assert best["gap_ratio"] == pytest.approx(1.5, abs=0.03)
     assert len(rows) < (2 * BUDGET["evaluations"] + 20)  # the last generation may exceed it
 
 
-def test_the_seed_fixes_every_evaluation(tmp_path):
-    first = searched(tmp_path / "a")
-    assert np.array_equal(first, searched(tmp_path / "b"))
-    assert not np.array_equal(first[:9], searched(tmp_path, 2)[:9])
+def test_the_seed_fixes_every_evaluation():
+    first = searched()
+    assert np.array_equal(first, searched())
+    assert not np.array_equal(first[:9], searched(2)[:9])
 
 
 def test_the_shortlist_has_the_least_objectives_and_not_too_many():
@@ -168,40 +167,10 @@ def test_the_shortlist_has_the_least_objectives_and_not_too_many():
     assert shortlist(least, 5.0, 4) == ["b", "c"]
 
 
-@pytest.mark.parametrize("stopped_after", [1, 5, 12, 25])
-def test_an_interrupted_search_goes_on_to_the_same_result(tmp_path, stopped_after):
-    whole = searched(tmp_path / "whole")
-    calls = []
-
-    def interrupted(interpretation, positions):
-        if len(calls) == stopped_after:
-            raise KeyboardInterrupt
-        calls.append(positions)
-        return valley(interpretation, positions)
-
-    with pytest.raises(KeyboardInterrupt):
-        searched(tmp_path, objective=interrupted)
-    record = tmp_path / "1.record"
-    record.write_text(record.read_text() + "0x1.8p-1 0x1")  # the last line was not completed
-    again = []
-
-    def counted(interpretation, positions):
-        again.append(positions)
-        return valley(interpretation, positions)
-
-    assert np.array_equal(searched(tmp_path, objective=counted), whole)
-    assert len(again) == len(whole) - stopped_after + 1  # the last record is checked
-
-
-def test_a_record_of_another_objective_is_dropped(tmp_path):
-    searched(tmp_path, objective=lambda interpretation, positions: float(positions[0]))
-    assert np.array_equal(searched(tmp_path), searched(tmp_path / "fresh"))
-
-
-def test_samples_have_the_density_that_the_objective_gives(tmp_path):
-    rows = searched(tmp_path)
-    drawn = posterior_sample(TWO, valley, rows, BUDGET, 1, tmp_path / "sample.record")
-    again = posterior_sample(TWO, valley, rows, BUDGET, 1, tmp_path / "again.record")
+def test_samples_have_the_density_that_the_objective_gives():
+    rows = searched()
+    drawn = posterior_sample(TWO, valley, rows, BUDGET, 1)
+    again = posterior_sample(TWO, valley, rows, BUDGET, 1)
     assert np.array_equal(drawn, again)
     assert drawn.shape == (225 * 16, 3)
     ratio = np.array([TWO.values(row)["gap_ratio"] for row in drawn[:, :-1]])
@@ -218,7 +187,7 @@ def test_acceptable_sets_are_near_the_best_each_once():
 
 
 def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, parameters):
-    searches = [searched(tmp_path, seed) for seed in (1, 2)]
+    searches = [searched(seed) for seed in (1, 2)]
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
@@ -234,9 +203,9 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     assert read_calibrated(path, read_entries()) == found
 
 
-def test_an_interpretation_off_the_shortlist_has_inputs_but_no_ensemble(tmp_path, parameters):
+def test_an_interpretation_off_the_shortlist_has_inputs_but_no_ensemble(parameters):
     judge_all = Judge([], parameters, SETTINGS["newtons"])
-    found = summary(TWO, judge_all, [searched(tmp_path)], [], [], SETTINGS)
+    found = summary(TWO, judge_all, [searched()], [], [], SETTINGS)
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
     assert found["folds"] == [] and found["ensemble"] == [found["inputs"]]
 

@@ -1,7 +1,6 @@
 """Choose the default by the rule, and search what each headline number that it misses would cost."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 
@@ -47,11 +46,8 @@ def choose(calibrated, claims, settings, parameters, chosen):
     fronts = {}
     for name in missed:
         raised = Objective.of(statements, settings, base, name, settings["price_weight"])
-        record = Path(chosen).with_name(f"price-{name}.record")
         start = interpretation.positions(inputs)
-        rows = search(
-            interpretation, raised, start, settings["budget"], settings["seeds"][0], record
-        )
+        rows = search(interpretation, raised, start, settings["budget"], settings["seeds"][0])
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)
     fractions = {
         name: _fractions(judge_all, predicted[name], content["folds"])
@@ -69,8 +65,6 @@ def choose(calibrated, claims, settings, parameters, chosen):
     }
     with atomic_write(chosen) as part:
         part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    for record in Path(chosen).parent.glob("price-*.record"):
-        record.unlink()
 
 
 def _fractions(judge_all, verdicts, folds):

@@ -1,7 +1,5 @@
 """Sample the inputs that explain about as much as the best ones of one interpretation, from one seed."""
 
-from pathlib import Path
-
 import numpy as np
 
 from thirdbody.job_log import logged
@@ -16,11 +14,10 @@ def sample(name, seed, evaluations, claims, settings, parameters, samples):
     """Write sets of inputs drawn from what the searches have found."""
     objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
     found = np.vstack([read_rows(path) for path in evaluations])
-    record = Path(samples).with_suffix(".record")
     interpretation = Interpretation.of(name, settings)
-    drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed, record)
-    write_rows(samples, drawn)
-    record.unlink()
+    write_rows(
+        samples, posterior_sample(interpretation, objective, found, settings["budget"], seed)
+    )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 """Search the unprinted inputs of one interpretation, over all statements or without those of a fold."""
 
-from pathlib import Path
-
 import numpy as np
 
 from thirdbody.job_log import logged
@@ -24,15 +22,11 @@ def run(name, seeds, fold, claims, scattered, settings, parameters, evaluations)
     every = Objective.of(statements, settings, base)
     places = _with_objective(interpretation, objective, every, read_rows(scattered))
     ranking = np.argsort(places[:, -1], kind="stable")
-    found, records = [places], []
+    found = [places]
     for seed in seeds:
-        record = Path(evaluations).with_suffix(f".{seed}.record")
         start = places[ranking[seed - 1], :-1]
-        found.append(search(interpretation, objective, start, settings["budget"], seed, record))
-        records.append(record)
+        found.append(search(interpretation, objective, start, settings["budget"], seed))
     write_rows(evaluations, np.vstack(found))
-    for record in records:
-        record.unlink()
 
 
 def _with_objective(interpretation, objective, every, rows):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
 
 import numpy as np
 from emcee import EnsembleSampler, State
@@ -11,7 +10,6 @@ from emcee.moves import DEMove, DESnookerMove
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation
-from thirdbody.study.record import Recorded
 
 START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, for each unknown
 # Steps by the difference of two walkers; those of its whole length lead from one valley to another.
@@ -24,18 +22,12 @@ def posterior_sample(
     evaluations: NDArray[np.float64],
     budget: Mapping[str, int],
     seed: int,
-    record: Path,
 ) -> NDArray[np.float64]:
     """Draw sets of inputs with a density of exp(-objective), by an ensemble of walkers.
 
-    Parameters
-    ----------
-    interpretation, objective, seed, record
-        As ``thirdbody.study.search.search`` takes them.
-    evaluations : array, shape (evaluations, unknowns + 1)
-        What the search found: walkers start from the best of them.
-    budget : mapping
-        How many ``walkers`` make how many ``steps``, of which the first quarter is dropped.
+    Walkers start from the best of the ``evaluations`` of a search, shape (evaluations, unknowns + 1).
+    ``budget`` says how many ``walkers`` make how many ``steps``; the first quarter is dropped.  The same
+    ``seed`` gives the same result.
 
     Returns
     -------
@@ -47,12 +39,11 @@ def posterior_sample(
     Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
     doi:10.1007/s11222-008-9104-9.
     """
-    function = Recorded(lambda positions: objective(interpretation, positions), record)
 
     def log_density(positions):
         if ((positions < 0.0) | (positions > 1.0)).any():
             return -np.inf
-        return -function(positions)
+        return -objective(interpretation, positions)
 
     walkers, steps, unknowns = budget["walkers"], budget["steps"], len(interpretation.unknowns)
     random = np.random.RandomState(seed)

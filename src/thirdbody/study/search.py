@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Any
 
 import cma
@@ -12,7 +11,6 @@ from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
 from thirdbody.study.calibration import Interpretation
-from thirdbody.study.record import Recorded
 
 FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
@@ -38,17 +36,16 @@ def search(
     start: NDArray[np.float64],
     budget: Mapping[str, Any],
     seed: int,
-    record: Path,
-    report: Callable[[str], object] = print,
 ) -> NDArray[np.float64]:
-    """Search the unknowns of an interpretation for the least objective.
+    """Search the unknowns of an interpretation, two at least, for the least objective.
 
-    From ``start`` a CMA evolution strategy descends, which saves evaluations by a quadratic surrogate.
+    A CMA evolution strategy descends, which saves evaluations by a quadratic surrogate (Hansen 2019,
+    doi:10.1145/3321707.3321842).
 
     Parameters
     ----------
     interpretation : Interpretation
-        Its unknowns are searched, two at least.
+        Its unknowns are searched.
     objective : callable
         ``objective(interpretation, positions)`` is minimised.
     start : array, shape (unknowns,)
@@ -57,36 +54,19 @@ def search(
         Number of ``evaluations`` for each unknown, which the last generation may exceed.
     seed : int
         Of the random numbers, from 1: the same seed gives the same result.
-    record : Path
-        File that keeps the evaluations meanwhile.
-    report : callable
-        Is given a line of text at the end.
 
     Returns
     -------
     array, shape (evaluations, unknowns + 1)
         Positions, and in the last column the objective there [1], in the order of evaluation.
-
-    References
-    ----------
-    Hansen (2019), doi:10.1145/3321707.3321842.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> from thirdbody.study.calibration import Unknown
-    >>> names = "gap_ratio", "mean_ratio"
-    >>> unknowns = [Unknown(name, (0.0, 4.0), (0.0, 4.0), logarithmic=False) for name in names]
-    >>> two = Interpretation("two", {}, tuple(unknowns))
-    >>> def valley(interpretation, positions):
-    ...     return float(np.sum((positions - 0.4) ** 2))
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     record = Path(folder, "record.txt")
-    ...     rows = search(two, valley, [0.1, 0.1], {"evaluations": 50}, 1, record, lambda line: None)
-    >>> two.values(rows[rows[:, -1].argmin(), :-1].round(1))
-    {'gap_ratio': 1.6, 'mean_ratio': 1.6}
     """
-    function = Recorded(lambda positions: objective(interpretation, positions), record)
+    rows = []
+
+    def function(positions):
+        value = objective(interpretation, positions)
+        rows.append([*positions, value])
+        return value
+
     options = {
         "bounds": [0.0, 1.0],
         "maxfevals": budget["evaluations"] * len(interpretation.unknowns),
@@ -96,9 +76,8 @@ def search(
         "verbose": -9,
     }
     cma.fmin_lq_surr(function, start, FIRST_STEP, options)
-    rows = np.array(function.rows)
-    report(
-        f"{interpretation.name} seed {seed}: "
-        f"{len(rows)} evaluations, least objective {rows[:, -1].min():.3f}"
+    least = min(row[-1] for row in rows)
+    print(
+        f"{interpretation.name} seed {seed}: {len(rows)} evaluations, least objective {least:.3f}"
     )
-    return rows
+    return np.array(rows)
