@@ -224,8 +224,6 @@ def results_of_claims(page, defaults):
     judged = Judge(some, defaults, NEWTONS)(other, FULL_EFFORT)
     words = {
         "default": {row["id"]: row["verdict"] for row in written["statements"]},
-        "other": {
-            claim.id: outcome(claim, verdict) for claim, verdict in zip(some, judged, strict=True)
-        },
+        "other": {claim.id: outcome(claim, judged[claim.id]) for claim in some},
     }
     return words, {"default": defaults.as_dict(), "other": replace(defaults, **other).as_dict()}

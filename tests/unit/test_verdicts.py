@@ -56,14 +56,18 @@ DEFAULT = {
 }
 
 
+def by_id(verdicts):
+    return {each.id: verdict for each, verdict in zip(CLAIMS, verdicts, strict=True)}
+
+
 def judged(main, members=(), changed=None, predicted=None, headline=(), tolerances=None):
     return Judged(
         CLAIMS,
         {"headline": headline, "headline_tolerances": tolerances or {}},
         DEFAULT,
-        tuple(main),
-        tuple(main),
-        tuple(members),
+        by_id(main),
+        by_id(main),
+        tuple(map(by_id, members)),
         changed or {},
         {},
         {"some": predicted or {}},
@@ -97,7 +101,7 @@ def test_the_word_for_a_verdict(statement, verdict, word):
 )
 def test_statements_that_repeat_one_another_count_once(twins, count):
     main = (HELD, MISSED, *twins)
-    assert count_once(zip(CLAIMS, main, strict=True)) == count
+    assert count_once(CLAIMS, by_id(main)) == count
     counts = counts_by_figure(statements_table(judged(main)))
     (row,) = counts.to_dict("records")
     assert row["figure"] == "Figure 4"
@@ -109,7 +113,7 @@ def test_statements_that_repeat_one_another_count_once(twins, count):
 def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
-    results = judged(main, changed={"lower one": (HELD,) * 4}, predicted=predicted)
+    results = judged(main, changed={"lower one": by_id((HELD,) * 4)}, predicted=predicted)
     page = claims_markdown(results, EARLIER)
     assert "Of 2 distinct statements 1 are predicted" in page
     assert "Of 2 that can be judged 0 hold (0 %)" in page
@@ -172,7 +176,7 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     ]
     held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
     judge_all = Judge([TAKEN], parameters, SETTINGS["newtons"])
-    table = compare(judge_all, contents, dict.fromkeys(names, (HELD,)), held, settings)
+    table = compare(judge_all, contents, dict.fromkeys(names, {"taken": HELD}), held, settings)
     ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
     assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
@@ -219,7 +223,7 @@ def test_everything_is_judged_by_the_real_model(parameters):
     ]
     judge_all = Judge(claims, parameters, SETTINGS["newtons"])
     found = judge_everything(judge_all, content, [content], SETTINGS)
-    assert [verdict.holds for verdict in found.verdicts] == [True, True]
+    assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted[content["interpretation"]]
     assert predicted["fig09a-no-turning-point-outside"].holds
     assert not predicted["fig11a-turning-point-load-dry"].holds
@@ -233,7 +237,7 @@ def test_an_input_is_changed_only_where_a_surface_can_have_it(parameters):
     def judge_all(inputs, *_, **__):
         if inputs["summit_parameter"] < 0.1:
             raise ValueError("summit_parameter leaves no variance to the summits")
-        return ()
+        return {}
 
     judge_all.claims, judge_all.base = (), parameters
     name = "uncentred_summit_wide_full_natural"

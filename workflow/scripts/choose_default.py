@@ -11,7 +11,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.results import mixed_ensemble, price_front
 from thirdbody.study.search import search
 from thirdbody.study.verdicts import compare, count_once, predict
@@ -22,9 +21,7 @@ def choose(calibrated, claims, settings, parameters, chosen):
     statements, base = load_claims(claims), Parameters(**parameters)
     judge_all = Judge(statements, base, settings["newtons"])
     contents = {content["interpretation"]: content for content in map(read_yaml, calibrated)}
-    verdicts = {
-        name: judge_all(content["inputs"], FULL_EFFORT) for name, content in contents.items()
-    }
+    verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
     predicted = {name: predict(judge_all, content) for name, content in contents.items()}
     table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
     print(
@@ -39,9 +36,9 @@ def choose(calibrated, claims, settings, parameters, chosen):
         for unknown in interpretation.unknowns
     }
     missed = [
-        claim.id
-        for claim, verdict in zip(statements, verdicts[default], strict=True)
-        if claim.id in settings["headline"] and not verdict.holds
+        id
+        for id, verdict in verdicts[default].items()
+        if id in settings["headline"] and not verdict.holds
     ]
     fronts = {}
     for name in missed:
@@ -71,7 +68,7 @@ def _fractions(judge_all, verdicts, folds):
     """The fraction of the statements that is predicted in each fold."""
     fractions = []
     for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
-        held, of = count_once((claim, verdicts[claim.id]) for claim in fold.judged)
+        held, of = count_once(fold.judged, verdicts)
         fractions.append(held / max(of, 1))
     return np.array(fractions)
 

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, Judge
 from thirdbody.study.claims import Claim
+from thirdbody.study.evidence import QUICK_EFFORT
 
 # The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
 SLOPE_OF_LOSS = 0.1
@@ -156,10 +157,10 @@ class Objective:
     ) -> NDArray[np.float64]:
         """Score of each of ``claims`` in tolerances [1]; the greatest if no surface has these inputs."""
         try:
-            verdicts = self.judge({**interpretation.fixed, **inputs})
+            verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
         except ValueError:
             return np.full(len(self.claims), MISSING_SCORE)
-        return np.array([verdict.score for verdict in verdicts])
+        return np.array([verdict.score for verdict in verdicts.values()])
 
     def value(self, penalty: float, scores: ArrayLike) -> float:
         """What is minimised [1]: the penalty, and the weighted losses of the scores added up."""

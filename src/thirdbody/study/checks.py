@@ -32,7 +32,7 @@ from thirdbody.study.claims import (
     referenced_conditions,
     state_names,
 )
-from thirdbody.study.evidence import QUICK_EFFORT, Effort, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, Effort, SolvedEvidence
 
 MISSING_SCORE = 10.0  # the greatest score, also given where there is nothing to compare
 # Loads may miss the bound that a claim sets by this before its score grows: a line's width.
@@ -108,13 +108,14 @@ class Judge:
     def __call__(
         self,
         inputs: Mapping[str, Any],
-        effort: Effort = QUICK_EFFORT,
+        effort: Effort = FULL_EFFORT,
         prominence: float = PROMINENCE,
         claims: Sequence[Claim] | None = None,
-    ) -> tuple[Verdict, ...]:
+    ) -> dict[str, Verdict]:
         """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
 
-        A turning point counts if it stands out by ``prominence`` [1].
+        A turning point counts if it stands out by ``prominence`` [1].  Verdicts are in the order of the
+        statements, by their ids.
 
         Raises
         ------
@@ -128,7 +129,7 @@ class Judge:
         evidence = SolvedEvidence(
             replace(self.base, **inputs), referenced_conditions(some), self._newtons, effort
         )
-        return tuple(judge(claim, evidence, prominence) for claim in some)
+        return {claim.id: judge(claim, evidence, prominence) for claim in some}
 
 
 def _at_prominence(claim: Claim, prominence: float) -> Claim:

@@ -35,7 +35,7 @@ def claims_markdown(judged: Judged, earlier: Mapping[str, Any]) -> str:
     table = judged.table
     numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
-    failing = failing.assign(explanation=[explanation(judged, index) for index in failing.index])
+    failing = failing.assign(explanation=[explanation(judged, id) for id in failing["id"]])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
         score=score_sentence(judged),
@@ -88,13 +88,11 @@ def claims_json(judged: Judged) -> str:
                 "references": [condition._asdict() for condition in claim.references],
                 "loads": claim.limits,
                 "published": claim.published,
-                "numbers": verdict.numbers,
-                "range": number_ranges(judged, index).tolist(),
+                "numbers": judged.verdicts[claim.id].numbers,
+                "range": number_ranges(judged, claim.id).tolist(),
                 "contradicts": list(claim.contradicts),
             }
-            for index, (row, claim, verdict) in enumerate(
-                zip(rows, judged.claims, judged.verdicts, strict=True)
-            )
+            for row, claim in zip(rows, judged.claims, strict=True)
         ],
     }
     return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
@@ -110,7 +108,7 @@ def score_sentence(judged: Judged) -> str:
         else "No cross-validation has been run for these inputs. "
     )
     percentage = f" ({100 * held / of:.0f} %)" if of else ""
-    faint, faint_of = count_once(zip(judged.claims, judged.faint, strict=True))
+    faint, faint_of = count_once(judged.claims, judged.faint)
     return (
         f"**{predicted}Of {of} that can be judged {held} hold{percentage}**, with one set of inputs for all "
         f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
@@ -172,7 +170,7 @@ def _contradictions(judged: Judged) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "set aside": claim.statement,
-            "would hold": "yes" if verdict.holds else "no",
+            "would hold": "yes" if judged.verdicts[claim.id].holds else "no",
             "taken instead": ", ".join(
                 f"{other} ({words[other]})"
                 for other in claim.contradicts
@@ -180,7 +178,7 @@ def _contradictions(judged: Judged) -> pd.DataFrame:
             ),
             "why": claim.aside,
         }
-        for claim, verdict in zip(judged.claims, judged.verdicts, strict=True)
+        for claim in judged.claims
         if claim.aside
     )
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.checks import Judge
+from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.verdicts import count_once
 
 DIGITS = 6  # significant ones of a number in the file
@@ -108,8 +109,8 @@ def _most_held(interpretation, judge_all: Judge, sets):
 
     def rank(row):
         inputs = inputs_of(interpretation, row)
-        verdicts = judge_all({**interpretation.fixed, **inputs})
-        held, _ = count_once(zip(judge_all.claims, verdicts, strict=True))
+        verdicts = judge_all({**interpretation.fixed, **inputs}, QUICK_EFFORT)
+        held, _ = count_once(judge_all.claims, verdicts)
         return -held, interpretation.penalty(inputs)
 
     return min(sets, key=rank)

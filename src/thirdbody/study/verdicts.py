@@ -21,7 +21,6 @@ from thirdbody.data.spread import spread
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import FULL_EFFORT
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -29,19 +28,19 @@ FAINT = 0.01  # half of PROMINENCE, under which the counts are reported too
 LEAST_GAIN = 0.01  # smaller improvements of a score are not reported
 CHANGE = 0.08  # by how much an input is changed on its own, as a fraction of its bounds
 NO_RANGE = (np.nan, np.nan)
-Verdicts = tuple[Verdict, ...]
+Verdicts = Mapping[str, Verdict]  # by the id of the statement
 
 
 @dataclass(frozen=True)
 class Judged:
-    """All statements, judged under all sets of inputs; verdicts are in the order of ``claims``.
+    """All statements, judged under all sets of inputs.
 
     ``settings`` is the content of ``config/calibration.yaml``.
     ``verdicts`` are those under the inputs of the calibrated file with the content ``default``, and
     ``faint`` those where turning points count from ``FAINT`` on; ``members`` those of its ensemble;
     ``changed`` those with one unknown changed, by what is changed; ``interpretations`` those of the
-    inputs of each interpretation, by name.  ``predicted`` has, by interpretation and id, the verdict on
-    a statement when its figure was left out.  ``comparison`` is the table from ``compare``.
+    inputs of each interpretation, by name, and ``predicted`` those on statements when their figure was
+    left out.  ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -52,7 +51,7 @@ class Judged:
     members: tuple[Verdicts, ...]
     changed: dict[str, Verdicts]
     interpretations: dict[str, Verdicts]
-    predicted: dict[str, dict[str, Verdict]]
+    predicted: dict[str, Verdicts]
     comparison: pd.DataFrame
 
     @cached_property
@@ -79,20 +78,16 @@ def judge_everything(
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
             some = {**inputs, unknown.name: unknown.value(position)}
             with suppress(ValueError):  # no surface has these inputs
-                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
-                    some, FULL_EFFORT
-                )
-    interpretations = {
-        each["interpretation"]: judge_all(each["inputs"], FULL_EFFORT) for each in contents
-    }
+                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(some)
+    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
         settings,
         default,
-        judge_all(inputs, FULL_EFFORT),
-        judge_all(inputs, FULL_EFFORT, FAINT),
-        tuple(judge_all({**inputs, **member}, FULL_EFFORT) for member in default["ensemble"]),
+        judge_all(inputs),
+        judge_all(inputs, prominence=FAINT),
+        tuple(judge_all({**inputs, **member}) for member in default["ensemble"]),
         changed,
         interpretations,
         predicted,
@@ -100,7 +95,7 @@ def judge_everything(
     )
 
 
-def predict(judge_all: Judge, content: Mapping[str, Any]) -> dict[str, Verdict]:
+def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
     """Judge each statement by the inputs that were found without its figure.
 
     ``content`` is that of a calibrated file; without a cross-validation in it nothing is judged.
@@ -109,8 +104,7 @@ def predict(judge_all: Judge, content: Mapping[str, Any]) -> dict[str, Verdict]:
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
     for fold, entry in zip(folds, entries, strict=True):
-        verdicts = judge_all(entry["inputs"], FULL_EFFORT, claims=fold.judged)
-        found |= {claim.id: verdict for claim, verdict in zip(fold.judged, verdicts, strict=True)}
+        found |= judge_all(entry["inputs"], claims=fold.judged)
     return found
 
 
@@ -118,7 +112,7 @@ def compare(
     judge_all: Judge,
     contents: Sequence[Mapping[str, Any]],
     interpretations: Mapping[str, Verdicts],
-    predicted: Mapping[str, Mapping[str, Verdict]],
+    predicted: Mapping[str, Verdicts],
     settings: Mapping[str, Any],
 ) -> pd.DataFrame:
     """Compare the interpretations, in the order of the rule that chooses the default.
@@ -139,29 +133,24 @@ def compare(
     for content in contents:
         name = content["interpretation"]
         interpretation = Interpretation.of(name, settings)
-        pairs = list(zip(judge_all.claims, interpretations[name], strict=True))
-        by_id = {claim.id: verdict for claim, verdict in pairs}
+        verdicts = interpretations[name]
         penalty = interpretation.penalty(content["inputs"])
-        scores = [by_id[claim.id].score for claim in objective.claims]
-        right, of = count_once(
-            (claim, predicted[name][claim.id])
-            for claim in judge_all.claims
-            if claim.id in predicted[name]
-        )
+        scores = [verdicts[claim.id].score for claim in objective.claims]
+        right, of = count_once(judge_all.claims, predicted[name])
         rows.append(
             {
                 "interpretation": name,
                 "predicted_fraction": right / of if of else np.nan,
                 "predicted": f"{right}/{of}" if of else "not cross-validated",
-                "fitted": "{}/{}".format(*count_once(pairs)),
+                "fitted": "{}/{}".format(*count_once(judge_all.claims, verdicts)),
                 "penalty": round(penalty, 2),
                 "inputs": len(interpretation.unknowns),
                 "objective": round(objective.value(penalty, scores), 2),
             }
             | {
-                id: by_id[id].computed + (" ✓" if by_id[id].holds else "")
+                id: verdicts[id].computed + (" ✓" if verdicts[id].holds else "")
                 for id in settings["headline"]
-                if id in by_id
+                if id in verdicts
             }
         )
     rows.sort(
@@ -183,9 +172,10 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
     return HOLDS if verdict.holds else FAILS
 
 
-def count_once(judged: Iterable[tuple[Claim, Verdict]]) -> tuple[int, int]:
-    """``held_once`` of pairs of a claim and the verdict on it."""
-    rows = [(claim.id, claim.cluster, outcome(claim, verdict)) for claim, verdict in judged]
+def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
+    """``held_once`` of those claims that have a verdict."""
+    some = [claim for claim in claims if claim.id in verdicts]
+    rows = [(claim.id, claim.cluster, outcome(claim, verdicts[claim.id])) for claim in some]
     return held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
 
 
@@ -224,8 +214,9 @@ def statements_table(judged: Judged) -> pd.DataFrame:
     """
     predicted = judged.predicted.get(judged.default["interpretation"], {})
     rows = []
-    for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
-        low, high = number_ranges(judged, index)[verdict.worst] if verdict.numbers else NO_RANGE
+    for claim in judged.claims:
+        verdict = judged.verdicts[claim.id]
+        low, high = number_ranges(judged, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
         left_out = predicted.get(claim.id)
         rows.append(
             {
@@ -246,9 +237,11 @@ def statements_table(judged: Judged) -> pd.DataFrame:
                 "score": verdict.score,
                 "verdict": outcome(claim, verdict),
                 "predicted": "" if left_out is None else outcome(claim, left_out),
-                "ensemble_agree": _agreeing(judged.members, index, verdict),
+                "ensemble_agree": _agreeing(judged.members, claim.id, verdict),
                 "ensemble_size": len(judged.members),
-                "interpretations_agree": _agreeing(judged.interpretations.values(), index, verdict),
+                "interpretations_agree": _agreeing(
+                    judged.interpretations.values(), claim.id, verdict
+                ),
                 "interpretations_size": len(judged.interpretations),
                 "cluster": claim.cluster,
                 "contradicts": " ".join(claim.contradicts),
@@ -265,15 +258,16 @@ def headline_table(judged: Judged) -> pd.DataFrame:
     """
     tolerances = judged.settings["headline_tolerances"]
     rows = []
-    for index, (claim, verdict) in enumerate(zip(judged.claims, judged.verdicts, strict=True)):
+    for claim in judged.claims:
         if claim.id not in judged.settings["headline"]:
             continue
-        ends = number_ranges(judged, index)
+        verdict = judged.verdicts[claim.id]
+        ends = number_ranges(judged, claim.id)
         within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
         if not judged.members:
             within = "no ensemble"
         elif not np.isfinite(ends).any():
-            same = _agreeing(judged.members, index, verdict)
+            same = _agreeing(judged.members, claim.id, verdict)
             within = f"{same} of {len(judged.members)} agree"
         near = verdict.tested and abs(verdict.deviation) <= tolerances.get(claim.id, 0.0)
         rows.append(
@@ -291,16 +285,13 @@ def headline_table(judged: Judged) -> pd.DataFrame:
     return pd.DataFrame(rows, columns=names)
 
 
-def number_ranges(judged: Judged, index: int) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of the statement at ``index``.
+def number_ranges(judged: Judged, id: str) -> np.ndarray:
+    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2).
 
-    Returns
-    -------
-    array, shape (numbers, 2)
-        Low and high ends [unit of the quantity]; nan without a member that has the number.
+    Ends are in the unit of the quantity, and nan without a member that has the number.
     """
-    members = [each[index].numbers for each in judged.members if each[index].numbers]
-    places = range(len(judged.verdicts[index].numbers))
+    members = [each[id].numbers for each in judged.members if each[id].numbers]
+    places = range(len(judged.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
     return np.reshape(ends, (-1, 2))
 
@@ -325,23 +316,23 @@ def once(text: str) -> str:
     return parts[0] if len(set(parts)) == 1 else text
 
 
-def _agreeing(sets: Iterable[Verdicts], index: int, verdict: Verdict) -> int:
-    """How many sets of verdicts come to the same on the statement at ``index``."""
+def _agreeing(sets: Iterable[Verdicts], id: str, verdict: Verdict) -> int:
+    """How many sets of verdicts come to the same on a statement."""
     same = verdict.tested, verdict.holds
-    return sum((other[index].tested, other[index].holds) == same for other in sets)
+    return sum((other[id].tested, other[id].holds) == same for other in sets)
 
 
-def explanation(judged: Judged, index: int) -> str:
-    """What would bring the statement at ``index`` nearer, and which statements that would cost."""
-    verdict = judged.verdicts[index]
+def explanation(judged: Judged, id: str) -> str:
+    """What would bring a statement nearer, and which statements that would cost."""
+    verdict = judged.verdicts[id]
     text = "No single input, changed on its own, brings it nearer."
     if judged.changed:
-        name, best = min(judged.changed.items(), key=lambda each: each[1][index].score)
-        found = best[index]
+        name, best = min(judged.changed.items(), key=lambda each: each[1][id].score)
+        found = best[id]
         if verdict.score - found.score > LEAST_GAIN:
             effect = "it would hold" if found.holds else f"its score would be {found.score:.2g}"
             text = f"With a {name} {effect}; {_price(judged, best)}."
-    better = [name for name, each in judged.interpretations.items() if each[index].holds]
+    better = [name for name, each in judged.interpretations.items() if each[id].holds]
     if better:
         text += f" It holds under {', '.join(better)}."
     else:
@@ -353,8 +344,8 @@ def _price(judged: Judged, other: Verdicts) -> str:
     """Which statements hold under the default inputs and fail under others."""
     lost = [
         claim.id
-        for claim, before, after in zip(judged.claims, judged.verdicts, other, strict=True)
-        if before.holds and not after.holds and not claim.aside
+        for claim in judged.claims
+        if judged.verdicts[claim.id].holds and not other[claim.id].holds and not claim.aside
     ]
     if not lost:
         return "no other statement would be lost"
