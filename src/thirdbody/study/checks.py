@@ -90,14 +90,8 @@ class NotReached(Exception):
 class Judge:
     """Judges the same statements under any set of inputs.
 
-    Parameters
-    ----------
-    claims : sequence of Claim
-        The statements.
-    base : Parameters
-        Values of the inputs that a set does not give.
-    newtons : tuple of float
-        First and last normal load of every curve [N].
+    ``base`` has the inputs that a set does not give; ``newtons`` are the first and last normal load of
+    every curve [N].
     """
 
     def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
@@ -115,12 +109,7 @@ class Judge:
         """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
 
         A turning point counts if it stands out by ``prominence`` [1].  Verdicts are in the order of the
-        statements, by their ids.
-
-        Raises
-        ------
-        ValueError
-            If the inputs are not physical.
+        statements, by their ids.  Inputs that are not physical raise ``ValueError``.
         """
         some = self.claims if claims is None else tuple(claims)
         if prominence != PROMINENCE:
@@ -463,7 +452,9 @@ def _sample(curve, quantity, x, against="load"):
         return np.where(curve.solved, getattr(curve, quantity), np.nan)
     known = np.log(curve.load) if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
-    values, logarithmic = curve.samples(quantity)
+    values = getattr(curve, quantity)
+    logarithmic = (values > 0.0).all()
+    values = np.where(curve.solved, np.log(values) if logarithmic else values, np.nan)
     found = np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
     return np.exp(found) if logarithmic else found
 

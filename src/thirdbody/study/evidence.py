@@ -51,19 +51,6 @@ class Curve:
         area = np.maximum(self.total_contact_area, np.finfo(float).tiny)
         return np.gradient(np.log(area), np.log(self.load))
 
-    @cached_property
-    def _samples(self) -> dict[str, tuple[NDArray[np.float64], bool]]:
-        return {}
-
-    def samples(self, quantity: str) -> tuple[NDArray[np.float64], bool]:
-        """Values of an attribute, logarithms if all are positive, nan where unsolved; and which it is."""
-        if quantity not in self._samples:
-            values = getattr(self, quantity)
-            logarithmic = bool((values > 0.0).all())
-            values = np.log(values) if logarithmic else values
-            self._samples[quantity] = np.where(self.solved, values, np.nan), logarithmic
-        return self._samples[quantity]
-
 
 class TurningPoint(NamedTuple):
     """The most prominent interior maximum of A_sa,t* over the load; nan where there is none.

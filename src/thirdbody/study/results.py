@@ -35,17 +35,10 @@ def summary(
     ``inputs`` are those of the acceptable sets under which most statements hold, and of these the most
     plausible.
 
-    Parameters
-    ----------
-    interpretation : Interpretation
-        Its unknowns were searched.
-    judge_all : Judge
-        Has all statements.
-    searches, samples, folds : sequence of array, shape (rows, unknowns + 1)
-        Positions and objectives: the search of each seed over all statements, what was drawn from
-        each seed, and the search of each fold; the last two only of the shortlist.
-    settings : mapping
-        Content of ``config/calibration.yaml``.
+    ``searches``, ``samples`` and ``folds`` are positions and objectives, arrays of shape (rows,
+    unknowns + 1): the search of each seed over all statements, what was drawn from each seed, and the
+    search of each fold; the last two only of the shortlist.  ``judge_all`` has all statements,
+    ``settings`` is the content of ``config/calibration.yaml``.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -125,18 +118,8 @@ def price_front(
 ) -> list[list[float]]:
     """What the other statements lose as the one with the id ``name`` comes to hold: a Pareto front.
 
-    Parameters
-    ----------
-    interpretation : Interpretation
-        Its unknowns were searched.
-    objective : Objective
-        Over all statements, with their ordinary weights.
-    name : str
-        Id of the statement.
-    rows : array, shape (evaluations, unknowns + 1)
-        A search in which the weight of this statement was raised.
-    inputs : mapping
-        Values of the unknowns that are published, where the front begins.
+    ``rows``, shape (evaluations, unknowns + 1), are a search in which the weight of this statement was
+    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``.
 
     Returns
     -------
@@ -169,22 +152,10 @@ def mixed_ensemble(
     An interpretation has a place if its mean fraction is at most one standard deviation of the folds
     of the default below that of the default, and a number of members in proportion to its fraction.
 
-    Parameters
-    ----------
-    contents : sequence of mapping
-        Contents of calibrated files, that of the default first.
-    fractions : mapping
-        By interpretation that was cross-validated, the fraction of the statements that is predicted
-        in each fold.
-    size : int
-        Number of members.
-
-    Returns
-    -------
-    members : list of dict
-        Inputs, SI; the first are those of the default.
-    labels : list of str
-        The interpretation of each member.
+    ``contents`` are those of calibrated files, that of the default first; ``fractions`` has for each
+    interpretation that was cross-validated the fraction of the statements that is predicted in each
+    fold.  Returned are the inputs of the members, SI, those of the default first, and the interpretation
+    of each.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]

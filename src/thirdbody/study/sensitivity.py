@@ -157,19 +157,9 @@ def elasticities(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Elasticities d ln(output)/d ln(input) by central differences, one-sided at an upper bound.
 
-    Parameters
-    ----------
-    values : callable
-        Gives the outputs, shape (outputs,), for a mapping of changed inputs.
-    base : array, shape (outputs,)
-        The outputs for unchanged inputs.
-    inputs : mapping
-        Values of the inputs, by name.
-
-    Returns
-    -------
-    found, error : array, shape (outputs, inputs)
-        Elasticities [1], and by how much they differ with twice the step.
+    ``values`` gives the outputs, shape (outputs,), for a mapping of changed inputs; ``base`` are those
+    for the unchanged ``inputs``.  Returned are the elasticities, shape (outputs, inputs), and by how much
+    they differ with twice the step [1].
 
     Examples
     --------

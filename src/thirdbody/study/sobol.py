@@ -57,24 +57,10 @@ def total_indices(
 ) -> tuple[NDArray[np.float64], float]:
     """Total Sobol index of each input in the logarithm of a positive output.
 
-    Parameters
-    ----------
-    positions : array, shape (sets, inputs)
-        Of the solved sets of inputs, from -1 to 1 [1].
-    values : array, shape (sets,)
-        The output there [unit of the output]; sets where it is nan are left out.
-
-    Returns
-    -------
-    indices : array, shape (inputs,)
-        Those of the response surface [1].
-    unexplained : float
-        Fraction of the variance that the fit to all other sets misses [1].
-
-    Raises
-    ------
-    ValueError
-        If the output occurs in too few sets.
+    ``positions``, shape (sets, inputs), are those of the solved sets of inputs, from -1 to 1, and
+    ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returned are the
+    indices of the response surface, shape (inputs,), and the fraction of the variance that the fit to
+    all other sets misses [1].  ``ValueError`` is raised if the output occurs in too few sets.
 
     Examples
     --------
@@ -110,20 +96,10 @@ def default_indices(
     Their error is what the response surface misses, as any input may take part in it.  An output that
     occurs in too few of the solved sets keeps nan, and a line of text says so.
 
-    Parameters
-    ----------
-    subject : Subject
-        What is asked about.
-    parameters : Parameters
-        All inputs of the model.
-    inputs : mapping
-        Which of them vary, with their values, SI.
-    base : array, shape (outputs,)
-        The outputs at ``parameters``.
-    settings : mapping
-        The entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to
-        either side, as far as the input may have such values, ``solved`` the number of sets of
-        inputs, ``seed`` that of their scatter.
+    ``inputs`` are those that vary, with their values, SI; ``base`` are the outputs at ``parameters``.
+    ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change
+    to either side, as far as the input may have such values, ``solved`` the number of sets of inputs,
+    ``seed`` that of their scatter.
     """
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])

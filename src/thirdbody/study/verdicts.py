@@ -118,15 +118,9 @@ def compare(
     """Compare the interpretations, in the order of the rule that chooses the default.
 
     The rule: most statements predicted when their figure was left out, then the most plausible
-    inputs, then the fewest unknowns.
-
-    Returns
-    -------
-    DataFrame
-        For each interpretation the predicted and the fitted statements, repeats counted once, the
-        penalty of its inputs for being unusual, the number of its unknowns, the objective of its
-        inputs, and what is computed for the headline numbers; ``predicted_fraction`` is nan without
-        a cross-validation.
+    inputs, then the fewest unknowns.  A row has the predicted and the fitted statements, repeats counted
+    once, the penalty of the inputs for being unusual, the number of unknowns, the objective, and what is
+    computed for the headline numbers; ``predicted_fraction`` is nan without a cross-validation.
     """
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
