@@ -48,18 +48,10 @@ class Content:
 
 @dataclass(frozen=True)
 class CurveFigure:
-    """A figure of curves: a row of the registry.
+    """A figure of curves that differ in one ``parameter`` of their ``Condition``: a row of the registry.
 
-    Attributes
-    ----------
-    parameter : str
-        What distinguishes its curves: an attribute of ``Condition``.
-    contents : tuple of Content
-        Its panels, in order.
-    each_surface : bool
-        Whether each panel stands once for each roughness of the dataset.
-    two_body : bool
-        Whether two-body contact is among the curves, or only what areas are compared with.
+    Its panels show ``contents`` in order, or each for every roughness of the dataset in turn.  Two-body
+    contact is among the curves, or only what areas are compared with.
     """
 
     parameter: str
@@ -75,25 +67,11 @@ class CurveFigure:
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Drawing:
-        """Draw it.
+        """Draw it; ``ValueError`` in one line if ``data`` have nothing that the figure shows.
 
-        Parameters
-        ----------
-        data : PlainDataset
-            Dataset of the figure.
-        turning_points : sequence of Mapping
-            The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        ensemble_range : PlainDataset, optional
-            ``<variable>_low`` and ``_high`` on the axes of ``data``.
-        printed : sequence of Mapping
-            Rows of the table ``printed``: the paper's numbers for this figure.
-        windows : sequence of Mapping
-            Rows of the table ``tpca_windows``.
-
-        Raises
-        ------
-        ValueError
-            In one line, if ``data`` have nothing that the figure shows.
+        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio`` of each;
+        ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and
+        ``windows`` are rows of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
         curves = [one for one in curves_in(data) if self.two_body or not one.condition.is_two_body]
         # in the order of the key
