@@ -10,6 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import matplotlib.style
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -125,6 +126,15 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
 def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
     """Write a figure as one of ``FORMATS``: the same figure gives the same bytes."""
     figure.savefig(path, format=kind, **FORMATS[kind])
+
+
+def save_figure(figure: Figure, path: str | PathLike) -> None:
+    """Write a figure in the format that the ending of its path names, one of ``FORMATS``."""
+    kind = Path(path).suffix.removeprefix(".")
+    if kind not in FORMATS:
+        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
+    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
+        save_image(figure, part, kind)
 
 
 def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
