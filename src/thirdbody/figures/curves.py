@@ -19,7 +19,7 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axe
 from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.printed import printed_series, printed_window_series
 from thirdbody.figures.scales import SCALES, set_scales
-from thirdbody.figures.styles import BAND_EDGE, Styles, band_style
+from thirdbody.figures.styles import Styles, band_style
 
 RATIO = "particle_contact_area_ratio"
 BAND_STEP = 2  # every second load is fine enough for the edge of a range
@@ -233,10 +233,10 @@ def _draw_series(axes: Axes, series: Series, style: dict) -> None:
     """Draw a series in the ``style`` of its curve."""
     colour = {"color": style["color"]} if style else {}
     if series.kind == marks.BAND:
-        # not `fill`, which finds limits of the axes from each edge: its outline has them
+        # not `fill`, which finds limits of the axes from each edge
         area = np.column_stack([series.x, series.y])
         axes.add_artist(Polygon(area, **band_style(style["color"])))
-        axes.plot(series.x, series.y, **BAND_EDGE, **colour)
+        axes.update_datalim(area)
     elif series.kind == CURVE:
         axes.plot(series.x, series.y, **style)
     elif series.kind == marks.TOLERANCE:
