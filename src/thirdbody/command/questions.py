@@ -256,9 +256,12 @@ def _curve(
     if csv:
         _write(csv, found.as_csv())
     if plot:
-        from thirdbody.figures.line import draw, save_drawing
+        from thirdbody.figures.drawing import save_figure
+        from thirdbody.figures.plot import plot_curve
 
-        save_drawing(draw(found.along, found.points, found.values, found.low, found.high), plot)
+        save_figure(
+            plot_curve(found.along, found.points, found.values, found.low, found.high), plot
+        )
     written = " and ".join(filter(None, [csv, plot]))
     return f"{written} written" if written and not json else found, json
 
@@ -327,9 +330,9 @@ def _compare_data(
     if csv:
         _write(csv, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
     if plot:
-        from thirdbody.figures.line import save_drawing
+        from thirdbody.figures.drawing import save_figure
 
-        save_drawing(found.plot(), plot)
+        save_figure(found.plot(), plot)
     return found.answer, json
 
 

@@ -159,25 +159,11 @@ def described_grid(
 
 
 def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
-    """The dataset of one figure.
+    """The dataset of one figure: all variables of ``CONTRACT`` over the five axes, and
+    ``separation_count`` where a point has several separations.
 
-    Parameters
-    ----------
-    scene : Scene
-        Axes, and which of their combinations the figure shows.
-    parameters, rtol
-        As of ``grid``.
-
-    Returns
-    -------
-    PlainDataset
-        All variables of ``CONTRACT`` over the five axes, and ``separation_count`` where a point has
-        several; combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.
-
-    Raises
-    ------
-    ValueError
-        If ``rtol`` or a value on an axis is out of its bounds.
+    Combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
+    ``rtol`` or a value on an axis is out of its bounds.
     """
     axes = {name: scene.axis(name) for name in DIMENSIONS}
     shape = tuple(axis.size for axis in axes.values())

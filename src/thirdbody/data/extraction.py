@@ -15,17 +15,8 @@ from thirdbody.solver.solve import solve_arrays
 
 
 def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``tpca_loads``: one a curve that has a turning point.
-
-    Parameters
-    ----------
-    figure : str
-        Name of the figure, such as ``fig04``.
-    dataset : PlainDataset
-        One of ``read_plain``.
-    parameters : Parameters
-        Inputs that it was solved with.
-    """
+    """Rows of the table ``tpca_loads``, one a curve that has a turning point, of the ``dataset`` of a
+    ``figure`` that was solved with ``parameters``."""
     conditions, shown = curves_of(dataset)
     found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
     curves = np.flatnonzero(found.exists)
@@ -45,10 +36,8 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
 
 
 def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``transitions``: one a crossing of a regime or mode limit.
-
-    The arguments are those of ``tpca_rows``.
-    """
+    """Rows of the table ``transitions``, one a crossing of a regime or mode limit; arguments as of
+    ``tpca_rows``."""
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}

@@ -17,26 +17,9 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files that take their places together, once all of them are written.
 
     Yields names beside the places, to be written to: one, or as many as there are ``paths``.
-
-    Raises
-    ------
-    ValueError
-        For what is no name of a file.
-    OSError
-        Naming the places, if a file was not or cannot be written; what cannot be begun is refused
-        before the block runs.  Whatever the block raises, nothing new appears in any place.
-
-    Examples
-    --------
-    >>> from tempfile import TemporaryDirectory
-    >>> with TemporaryDirectory() as folder:
-    ...     place = Path(folder) / "table.csv"
-    ...     with atomic_write(place) as part:
-    ...         size = part.write_text("load,area")
-    ...         print(place.exists())
-    ...     print(place.exists())
-    False
-    True
+    ``ValueError`` for what is no name of a file.  ``OSError`` names the places, if a file was not or
+    cannot be written; what cannot be begun is refused before the block runs.  Whatever the block
+    raises, nothing new appears in any place.
     """
     places = [_place(path) for path in paths]
     parts = [_part_of(place) for place in places]

@@ -23,21 +23,11 @@ def labelled_dataset(
     conditions: Mapping[str, Any],
     newtons_per_load: float | None = None,
 ) -> xr.Dataset:
-    """Variables and conditions of solved points as a dataset.
+    """Variables of a ``Solution`` and the conditions (SI) that were solved, which broadcast to the
+    same shape, as a dataset.
 
-    Parameters
-    ----------
-    variables : mapping
-        Variables of a ``Solution`` by name: arrays of one shape, of xarray or not.
-    conditions : mapping
-        Those that were solved, by name, SI: they broadcast to the same shape.
-    newtons_per_load : float, optional
-        F_t/F_t* [N]; with it, and a load, the dataset has ``normal_load``.
-
-    Returns
-    -------
-    xarray.Dataset
-        A dimension along which one condition alone varies has the name of this condition.
+    A dimension along which one condition alone varies has the name of this condition.  With
+    ``newtons_per_load``, F_t/F_t* [N], and a load, the dataset has ``normal_load``.
     """
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)

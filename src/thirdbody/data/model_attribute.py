@@ -44,20 +44,8 @@ PARTICLE_KEYS = {
 
 
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
-    """The text of a dataset's attribute ``model_parameters``.
-
-    Parameters
-    ----------
-    parameters : Parameters
-        Inputs of the model.
-    roughness : iterable of float
-        The dataset's coordinate sigma [m], 1-D.
-
-    Returns
-    -------
-    str
-        A flat JSON object, in SI; what depends on the roughness is a list along it.
-    """
+    """The attribute ``model_parameters`` of a dataset with these coordinates ``roughness`` [m]: a
+    flat JSON object, in SI; what depends on the roughness is a list along it."""
     surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
     model = {key: getattr(parameters, name) for name, key in BODY_KEYS.items()}
     for name, key in SURFACE_KEYS.items():
@@ -67,27 +55,11 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
 
 
 def parameters_of_attribute(text: str, roughness: float, index: int = 0) -> Parameters:
-    """The inputs that an attribute ``model_parameters`` describes, for one of its surfaces.
+    """The inputs that an attribute ``model_parameters`` describes, for the surface at ``index`` of
+    its lists, whose ``roughness`` is sigma [m].
 
     The attribute holds the surfaces of some roughnesses, and not the power laws between them: the
     result has the summits of this surface at ``roughness`` alone.
-
-    Parameters
-    ----------
-    text : str
-        The attribute, as ``model_attribute`` makes it.
-    roughness : float
-        sigma [m], the dataset's coordinate at ``index``.
-    index : int
-        Place of the surface in the lists of the attribute.
-
-    Examples
-    --------
-    >>> import thirdbody
-    >>> inputs = thirdbody.load_parameters()
-    >>> again = parameters_of_attribute(model_attribute(inputs, [1e-7, 5e-7]), 5e-7, index=1)
-    >>> again.participation == inputs.participation
-    True
     """
     model = json.loads(text)
     lists = {key: model[key][index] for key in SURFACE_KEYS.values()}
@@ -95,16 +67,10 @@ def parameters_of_attribute(text: str, roughness: float, index: int = 0) -> Para
 
 
 def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
-    """The inputs that ``model`` describes, with one surface.
+    """The inputs that ``model`` describes, with one surface at ``roughness`` [m].
 
-    Parameters
-    ----------
-    model : mapping
-        Values by the keys of ``model_parameters``; numbers may be text, and those of the surface are no
-        lists.  Other keys are ignored; older datasets have no ``particle_plane``, which was that of
-        the surface.
-    roughness : float
-        sigma [m] of the surface.
+    ``model`` has values by the keys of ``model_parameters``, numbers or their texts, and no lists.
+    Older datasets have no ``particle_plane``, which was that of the surface.
     """
     model = {"particle_plane": "surface", **model}
     kinds = Parameters.__annotations__

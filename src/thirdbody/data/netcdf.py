@@ -19,34 +19,11 @@ if TYPE_CHECKING:
 
 
 def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
-    """Write a dataset of points: the same dataset gives the same bytes.
+    """Write a dataset of points as NetCDF-4: the same dataset gives the same bytes.
 
     Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
-    missing ones: the nan of an unsolved point stays what it is.
-
-    Parameters
-    ----------
-    dataset : PlainDataset or xarray.Dataset
-        One of ``grid``, ``scene_dataset`` or ``band``.
-    path : path
-        NetCDF-4 file to write; one that is there is replaced.
-
-    Raises
-    ------
-    OSError
-        If there is no room or no right, however the library below says so.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> import thirdbody as tb
-    >>> axes = dict(viscosity=0.0, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
-    >>> points = tb.grid(load=1e-5, **axes, parameters=tb.load_parameters())
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     write_dataset(points, f"{folder}/points.nc")
-    ...     again = read_plain(f"{folder}/points.nc")
-    >>> bool(again["separation"].values == points["separation"].values)
-    True
+    missing ones: the nan of an unsolved point stays what it is.  ``OSError`` if there is no room or
+    no right, however the library below says so.
     """
     # smallest, to 0.2 %, of what every NetCDF-4 library reads; level 9 takes half as long again to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
@@ -63,22 +40,8 @@ def read_dataset(path: str | PathLike) -> xr.Dataset:
 
 
 def read_plain(path: str | PathLike) -> PlainDataset:
-    """A dataset of ``write_dataset``, in memory; where it holds no point, nan and ``FILL_FLAG``.
-
-    Parameters
-    ----------
-    path : path
-        NetCDF-4 file of a dataset, or of the band around one.
-
-    Raises
-    ------
-    OSError
-        If the file is absent, damaged, or holds something else: one line names it.
-
-    Examples
-    --------
-    See ``write_dataset``.
-    """
+    """A dataset of ``write_dataset``, or a range around one, in memory; where it holds no point, nan
+    and ``FILL_FLAG``.  ``OSError`` names a file that is absent, damaged or something else, in one line."""
     dataset = load(path)
     missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in dataset]
     if missing and not all(f"{name}_low" in dataset for name in QUANTITIES):
@@ -125,26 +88,9 @@ def add_variable(
     coordinates: str = "",
     **storage: Any,
 ) -> netCDF4.Variable:
-    """Declare a variable in a file.
-
-    Parameters
-    ----------
-    file : netCDF4.Dataset
-        A file that is written and has the dimensions.
-    name : str
-        Name of the variable.
-    variable : Variable or xarray.DataArray
-        Its dimensions, type and attributes, of which ``_FillValue`` is one.
-    coordinates : str, optional
-        Names of what stands beside its dimensions.
-    **storage
-        How it is stored: arguments of ``netCDF4.Dataset.createVariable``.
-
-    Returns
-    -------
-    netCDF4.Variable
-        It is empty, and takes values as they are stored.
-    """
+    """Declare a variable in a file that has its dimensions: it is empty, and takes values as they are
+    stored.  ``coordinates`` are names of what stands beside its dimensions, ``storage`` arguments of
+    ``netCDF4.Dataset.createVariable``."""
     attributes = dict(variable.attrs)
     fill = attributes.pop("_FillValue", None)
     added = file.createVariable(name, variable.dtype, variable.dims, fill_value=fill, **storage)

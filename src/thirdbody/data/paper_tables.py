@@ -47,20 +47,8 @@ RECOMPUTED = {  # how an entry derives from the others, and what to say of it
 
 
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
-    """A table of the paper with each derived entry recomputed.
-
-    Parameters
-    ----------
-    rows : list of dict
-        One table of ``config/paper_tables.yaml``: what is printed in each row.
-    inputs : Parameters
-        Inputs of the model that the entries derive from.
-
-    Returns
-    -------
-    list of dict
-        Rows of the table ``paper_table``, in the same order.
-    """
+    """Rows of the table ``paper_table``: those of a table of ``config/paper_tables.yaml``, in the same
+    order, with each entry that derives from ``inputs`` recomputed."""
     return [_judged(row, inputs) for row in rows]
 
 

@@ -8,19 +8,12 @@ FIGURE = re.compile(r"Figures? (\d+)")
 
 
 def part_of_paper(place: str) -> str:
-    """The part of the paper that a statement belongs to: the first that its place names.
-
-    Parameters
-    ----------
-    place : str
-        Field of a claim in ``config/claims.yaml``.
+    """The first part of the paper that the ``place`` of a claim in ``config/claims.yaml`` names.
 
     Examples
     --------
-    >>> part_of_paper("Figures 4B and 4C, section 3.3")
-    'Figure 4'
-    >>> part_of_paper("Conclusion 7")
-    'Conclusions'
+    >>> part_of_paper("Figures 4B and 4C, section 3.3"), part_of_paper("Conclusion 7")
+    ('Figure 4', 'Conclusions')
     """
     figure = FIGURE.match(place)
     if figure:

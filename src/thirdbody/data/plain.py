@@ -18,17 +18,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class Variable:
-    """An array with named dimensions.
-
-    Attributes
-    ----------
-    dims : tuple of str
-        Their names.
-    values : ndarray
-        The array.
-    attrs : Mapping
-        What a file says of it.
-    """
+    """An array with named dimensions, and what a file says of it."""
 
     dims: tuple[str, ...]
     values: NDArray
@@ -47,13 +37,8 @@ class PlainDataset:
     """Arrays over shared dimensions, under the names that they have in ``xarray.Dataset``: what takes
     one takes the other as well.
 
-    Parameters
-    ----------
-    data_vars, coords : mapping
-        Variables, and coordinates along the dimensions, by name: each a variable of a dataset, of
-        xarray or not, or dimensions, values and attributes.
-    attrs : mapping
-        What a file says of all of it.
+    Variables, coordinates along the dimensions, and attributes are given by name; each of the first
+    two as dimensions, values and attributes, or as a variable of a dataset.
 
     Examples
     --------

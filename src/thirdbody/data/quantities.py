@@ -152,34 +152,16 @@ VARIABLES = NUMBERS | FLAGS | _by_name(SEPARATION_COUNT)
 
 
 def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
-    """Which combinations of the four conditions a dataset holds: any point with a status.
-
-    Returns
-    -------
-    ndarray of bool
-        One element a combination, in the shape of the dataset behind its axis of loads.
-    """
+    """Which combinations of the four conditions a dataset holds, any point with a status: an array in
+    the shape of the dataset behind its axis of loads."""
     status = dataset[STATUS].values
     # nan where xarray has masked points, of which it makes floats
     return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
 
 
 def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves that a dataset shows.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Points over the five axes.
-
-    Returns
-    -------
-    conditions : ndarray, shape (4, curves)
-        What is held along each curve, SI, in the order of ``Condition``.
-    shown : ndarray of bool
-        Index of the curves in a variable of the dataset, behind its axis of loads:
-        ``values[:, shown]`` has shape (loads, curves).
-    """
+    """The curves that a dataset shows: what is held along each, SI, in the order of ``Condition``, shape
+    (4, curves); and their index in a variable behind its axis of loads, ``values[:, index]``."""
     shown = shown_combinations(dataset)
     axes = [dataset[name].values for name in Condition._fields]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])

@@ -102,19 +102,8 @@ def result_name(row: Mapping) -> str:
 def readable(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> list[Sheet]:
-    """A table for reading.
-
-    Parameters
-    ----------
-    table : str
-        One of ``READABLE``.
-    rows : sequence of Mapping
-        Its rows.
-    printed : sequence of Mapping
-        Rows of the table ``printed``.
-    newtons_per_load : float
-        F_t/F_t* [N].
-    """
+    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``;
+    ``newtons_per_load`` is F_t/F_t* [N]."""
     return READABLE[table](rows, printed, newtons_per_load)
 
 
@@ -127,14 +116,7 @@ def markdown(sheets: Sequence[Sheet]) -> str:
 
 
 def page(sheets: Sequence[Sheet]) -> str:
-    """HTML page of ``sheets``, one below the other; it needs no other file.
-
-    Examples
-    --------
-    >>> text = page([Sheet("Sizes", "All of them.", [{"x": "x < 3"}])])
-    >>> "<strong>Sizes.</strong> All of them." in text, "<td>x &lt; 3</td>" in text
-    (True, True)
-    """
+    """HTML page of ``sheets``, one below the other; it needs no other file."""
     parts = [
         f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
         f"{sheet.table('html')}"

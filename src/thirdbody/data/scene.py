@@ -101,13 +101,8 @@ class Scene:
         return np.unique(np.concatenate([getattr(group, name) for group in self.groups]))
 
     def placed(self, group: Curves) -> tuple[NDArray[np.intp], ...]:
-        """Where the points of ``group`` stand in arrays over the five axes of the scene.
-
-        Returns
-        -------
-        tuple of ndarray
-            Five index arrays that broadcast against each other, as of ``numpy.ix_``.
-        """
+        """Where the points of ``group`` stand in arrays over the five axes of the scene: five index arrays,
+        as of ``numpy.ix_``."""
         positions = [np.searchsorted(self.axis(n), getattr(group, n)) for n in Condition._fields]
         return np.ix_(np.arange(self.load.size), *positions)
 
@@ -115,20 +110,12 @@ class Scene:
 def load_values(
     axis: Mapping, named_loads: Iterable[float], newtons_per_load: float
 ) -> NDArray[np.float64]:
-    """Values of the load axis: evenly spaced in their logarithm, joined by loads of the text.
-
-    Parameters
-    ----------
-    axis : Mapping
-        ``load_N``, first and last normal load [N], and ``count`` of loads from one to the other.
-    named_loads : iterable of float
-        F_t* [1] that the text names; those beyond the ends are left out.
-    newtons_per_load : float
-        F_t/F_t* [N].
+    """Values of the load axis [1]: as many as the ``axis`` counts, evenly spaced in their logarithm
+    between its ends [N], joined by those ``named_loads`` [1] of the text that lie between them.
 
     Examples
     --------
-    >>> load_values({"load_N": [1.0, 100.0], "count": 3}, [2e-5, 1.0], 1e6)
+    >>> load_values({"load_N": [1.0, 100.0], "count": 3}, [2e-5, 1.0], newtons_per_load=1e6)
     array([1.e-06, 1.e-05, 2.e-05, 1.e-04])
     """
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])

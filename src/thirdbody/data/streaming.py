@@ -158,25 +158,11 @@ def declare(
     compression: int,
     digits: Mapping[str, int] | None = None,
 ) -> dict[str, netCDF4.Variable]:
-    """Write all of a dataset to a file except the values of its variables.
+    """Write all of a dataset to a new file except the values of its variables, which are returned by
+    name, empty, and take values as they are stored.
 
-    Parameters
-    ----------
-    file : netCDF4.Dataset
-        A new file: it gets the dimensions, coordinates and attributes.
-    described : PlainDataset or xarray.Dataset
-        What the file will hold.
-    lengths : mapping
-        Of the pieces in which variables are stored, by dimension.
-    compression : int
-        Level of zlib.
-    digits : mapping, optional
-        Significant digits that variables are rounded to, by name, which then take less room.
-
-    Returns
-    -------
-    dict
-        The variables by name, empty, which take values as they are stored.
+    ``lengths`` are those of the pieces in which variables are stored, by dimension; ``compression`` is
+    a level of zlib.  Variables of which ``digits`` names a number of significant digits are rounded.
     """
     digits = digits or {}
     file.setncatts(described.attrs)

@@ -15,18 +15,8 @@ def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
 
 
 def require_sums(path: str | Path) -> None:
-    """Require that all products are what the file of sums says.
-
-    Parameters
-    ----------
-    path : path
-        A file that ``sums_text`` made, in the folder of the products.
-
-    Raises
-    ------
-    ValueError
-        Naming a product that is missing or differs, and the command that makes it again.
-    """
+    """Require that all products are what the file of ``sums_text`` in their folder says; ``ValueError``
+    names one that is missing or differs, and the command that makes it again."""
     for line in Path(path).read_text(encoding="utf-8").splitlines():
         expected, name = line.split("  ", 1)
         product = Path(path).parent / name

@@ -56,17 +56,8 @@ DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 
 
 def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
-    """Write a table as CSV, numbers with ten significant digits.
-
-    Parameters
-    ----------
-    path : path
-        File to write.
-    rows : iterable of Mapping
-        A value, or None, for the name of each column.
-    columns : sequence of Column
-        Columns, in order: one of ``TABLES``.
-    """
+    """Write a table as CSV, numbers with ten significant digits: of each row, a value or None for the
+    name of each column."""
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
@@ -75,13 +66,8 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
-    """Rows of a table of ``write_csv``: a value, or None, for the name of each column.
-
-    Raises
-    ------
-    OSError
-        If the file is damaged or has other columns: one line names it.
-    """
+    """Rows of a table of ``write_csv``; ``OSError`` in one line names a file that is damaged or has
+    other columns."""
     names = [column.name for column in columns]
     try:
         with open(path, encoding="utf-8", newline="") as stream:

@@ -21,10 +21,8 @@ RANGE = "90 % of the ensemble"
 
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
-    """Draw the limit ``name``, one of ``SCALES``, in a panel for each of ``charts``.
-
-    These are the datasets of ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses.
-    """
+    """The limit ``name``, one of ``SCALES``, in a panel for each of ``charts``: datasets of
+    ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses."""
     surfaces = charts[0]["roughness"].values
     looks = {
         f"sigma = {value_text('roughness', surface)} nm": look | {"markevery": (index, MARK_EVERY)}

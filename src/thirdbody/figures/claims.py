@@ -38,13 +38,8 @@ LAST = score_of(DISTANCES[-1])  # scores beyond it are drawn here
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """The score of each statement of the paper, from rows of the table ``claims``.
-
-    The statements that hold stand in one line for each figure of the paper, all others below it in a
-    line of their own.  The colour is the verdict.  A diamond does not hold when its figure is left out
-    of the search for inputs.  Hollow markers: less than three quarters of the ensemble give this
-    verdict.
-    """
+    """The score of each statement of the paper, from rows of the table ``claims``: those that hold in
+    one line for each figure of the paper, all others below it in a line of their own."""
     lines = _lines(rows)
     height = len(lines) * LINE_INCHES + KEY_INCHES
     figure = Figure(figsize=(WIDTH, height), layout="constrained")

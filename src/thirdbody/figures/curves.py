@@ -19,7 +19,7 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axe
 from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.printed import printed_series, printed_window_series
 from thirdbody.figures.scales import SCALES, set_scales
-from thirdbody.figures.styles import BAND_EDGE, Styles, band_style
+from thirdbody.figures.styles import Styles, band_style
 
 RATIO = "particle_contact_area_ratio"
 BAND_STEP = 2  # every second load is fine enough for the edge of a range
@@ -48,18 +48,10 @@ class Content:
 
 @dataclass(frozen=True)
 class CurveFigure:
-    """A figure of curves: a row of the registry.
+    """A figure of curves that differ in one ``parameter`` of their ``Condition``: a row of the registry.
 
-    Attributes
-    ----------
-    parameter : str
-        What distinguishes its curves: an attribute of ``Condition``.
-    contents : tuple of Content
-        Its panels, in order.
-    each_surface : bool
-        Whether each panel stands once for each roughness of the dataset.
-    two_body : bool
-        Whether two-body contact is among the curves, or only what areas are compared with.
+    Its panels show ``contents`` in order, or each for every roughness of the dataset in turn.  Two-body
+    contact is among the curves, or only what areas are compared with.
     """
 
     parameter: str
@@ -75,25 +67,11 @@ class CurveFigure:
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Drawing:
-        """Draw it.
+        """Draw it; ``ValueError`` in one line if ``data`` have nothing that the figure shows.
 
-        Parameters
-        ----------
-        data : PlainDataset
-            Dataset of the figure.
-        turning_points : sequence of Mapping
-            The four conditions (SI), ``load`` and ``peak_ratio`` of each, to be marked.
-        ensemble_range : PlainDataset, optional
-            ``<variable>_low`` and ``_high`` on the axes of ``data``.
-        printed : sequence of Mapping
-            Rows of the table ``printed``: the paper's numbers for this figure.
-        windows : sequence of Mapping
-            Rows of the table ``tpca_windows``.
-
-        Raises
-        ------
-        ValueError
-            In one line, if ``data`` have nothing that the figure shows.
+        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio`` of each;
+        ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and
+        ``windows`` are rows of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
         curves = [one for one in curves_in(data) if self.two_body or not one.condition.is_two_body]
         # in the order of the key
@@ -255,10 +233,10 @@ def _draw_series(axes: Axes, series: Series, style: dict) -> None:
     """Draw a series in the ``style`` of its curve."""
     colour = {"color": style["color"]} if style else {}
     if series.kind == marks.BAND:
-        # not `fill`, which finds limits of the axes from each edge: its outline has them
+        # not `fill`, which finds limits of the axes from each edge
         area = np.column_stack([series.x, series.y])
         axes.add_artist(Polygon(area, **band_style(style["color"])))
-        axes.plot(series.x, series.y, **BAND_EDGE, **colour)
+        axes.update_datalim(area)
     elif series.kind == CURVE:
         axes.plot(series.x, series.y, **style)
     elif series.kind == marks.TOLERANCE:

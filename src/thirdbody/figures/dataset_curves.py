@@ -51,11 +51,8 @@ def curves_in(data: PlainDataset) -> list[Curve]:
 
 
 def with_relative_area(data: PlainDataset) -> PlainDataset:
-    """``data`` with A_t* over that of dry two-body contact at the same load and roughness.
-
-    The variable ``AREA_OVER_TWO_BODY`` is left out where a surface with curves has no such contact,
-    or ``data`` no areas.
-    """
+    """``data`` with A_t* over that of dry two-body contact at the same load and roughness, unless it has
+    no areas, or a surface no such contact."""
     if AREA not in data:
         return data
     curves = curves_in(data)

@@ -10,6 +10,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import matplotlib.style
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -87,11 +88,10 @@ def grid_of_axes(
     columns: int = 2,
     below: float = 0.0,
 ) -> Figure:
-    """A figure with axes in rows.
+    """A figure with axes in rows, each in a ``cell`` of this width and height with ``margins`` left,
+    right, below and above it, and room ``below`` all [inches].
 
-    Each has a ``cell`` of this width and height, with ``margins`` left, right, below and above it; there
-    is room ``below`` all [inches].  Margins are fixed: to find them from the texts takes longer
-    than to draw.
+    Margins are fixed: to find them from the texts takes longer than to draw.
     """
     (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)
@@ -111,13 +111,8 @@ def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
-    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md.
-
-    Raises
-    ------
-    OSError
-        If there is no room or no right to write.
-    """
+    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError`` if
+    there is no room or no right to write."""
     if drawing.figure.get_layout_engine() is not None:
         drawing.figure.get_layout_engine().execute(drawing.figure)
         drawing.figure.set_layout_engine(None)  # once for all formats
@@ -131,6 +126,15 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
 def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
     """Write a figure as one of ``FORMATS``: the same figure gives the same bytes."""
     figure.savefig(path, format=kind, **FORMATS[kind])
+
+
+def save_figure(figure: Figure, path: str | PathLike) -> None:
+    """Write a figure in the format that the ending of its path names, one of ``FORMATS``."""
+    kind = Path(path).suffix.removeprefix(".")
+    if kind not in FORMATS:
+        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
+    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
+        save_image(figure, part, kind)
 
 
 def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:

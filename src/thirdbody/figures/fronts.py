@@ -24,10 +24,8 @@ DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
 
 
 def plot(interpretations: Sequence[Mapping]) -> Drawing:
-    """The front of each headline statement against all others, a line an interpretation.
-
-    ``interpretations`` are contents of the calibrated files; the first one is drawn above the others.
-    """
+    """The front of each headline statement against all others, a line an interpretation; these are the
+    contents of the calibrated files, the first of which is drawn above the others."""
     statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
     figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
     panels = []

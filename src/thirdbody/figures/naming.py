@@ -29,13 +29,7 @@ def unit_text(parameter: str) -> str:
 
 
 def parameter_title(parameter: str) -> str:
-    """Title of a key whose curves differ in ``parameter``: a condition, or the ``diameter_ratio``.
-
-    Examples
-    --------
-    >>> parameter_title("viscosity")
-    'Viscosity ν (cSt)'
-    """
+    """Title of a key whose curves differ in ``parameter``: a condition, or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
     name = parameter.replace("_", " ").capitalize()

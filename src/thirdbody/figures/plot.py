@@ -1,4 +1,4 @@
-"""``plot``: the panels of the paper for any dataset, over the load or over another axis."""
+"""``plot``: the panels of the paper for any dataset or curve, over the load or over another axis."""
 
 from __future__ import annotations
 
@@ -8,16 +8,18 @@ from os import PathLike
 from pathlib import Path
 
 import matplotlib.style
+import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import draw_panels, key_title
+from thirdbody.figures.curves import draw_panels, key_title, range_outline
 from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series
-from thirdbody.figures.marks import read_turning_points
+from thirdbody.figures.marks import BAND, read_turning_points
 from thirdbody.figures.naming import note
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES
@@ -138,6 +140,31 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     looks = dict(zip(curves, level_styles(len(curves)), strict=True))
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
     return draw_panels(panels, lambda one: looks[one.name], None, entries, key_title("", common))
+
+
+def plot_curve(
+    along: str,
+    points: NDArray,
+    values: Mapping[str, NDArray],
+    low: Mapping[str, NDArray],
+    high: Mapping[str, NDArray],
+) -> Figure:
+    """Draw the curve of one interface over an axis that is named with its unit, and its range.
+
+    ``values``, ``low`` and ``high`` are arrays in the shape of ``points`` by the names of variables; the
+    last two may be empty.
+    """
+    units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
+    name, unit = units.get(along, ("normal_load", 1.0))
+    x = unit * np.asarray(points)
+    panels = []
+    for letter, variable in zip("ABCD", DRAWN, strict=True):
+        series = [Series(CURVE, "", x, values[variable])]
+        if variable in low:
+            series.append(Series(BAND, "", *range_outline(x, low[variable], high[variable])))
+        panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
+    with matplotlib.style.context(STYLE, after_reset=True):
+        return draw_panels(panels, lambda series: {"color": "#0072B2"})
 
 
 def _note(data, name, value) -> str:

@@ -28,14 +28,10 @@ def sections(figure: str, states: Sequence[State], parameters: Parameters) -> li
 
 
 def section_through(state: State, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section of this ``length`` [m] that meets the contacts which carry the load.
+    """A section of this ``length`` [m] that meets the contacts which carry the load: summits touch in
+    the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
 
-    Summits touch in the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
-
-    Raises
-    ------
-    ValueError
-        If no random section is of this kind.
+    ``ValueError`` if no random section is of this kind.
     """
     random = np.random.default_rng(seed)
     position = np.linspace(0.0, length, POINTS)

@@ -57,16 +57,11 @@ CURVE_FIGURES = {
 
 
 def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
-    """What a figure of curves shows.
+    """What a figure of curves shows: a row of the registry, or for any other scene of a ``data`` set
+    areas, and fractions of the load and the film unless all is dry, over the load, on each surface, with
+    curves that differ in the one condition that varies, beside dry and lubricated contact.
 
-    A figure of the paper is its row.  Any other scene of a ``data`` set has areas, and fractions of the
-    load and the film unless all is dry, over the load, on each surface, with curves that differ in
-    the one condition that varies, beside dry and lubricated contact.
-
-    Raises
-    ------
-    ValueError
-        If more conditions vary than one figure can tell apart.
+    ``ValueError`` if more conditions vary than one figure can tell apart.
     """
     if name in CURVE_FIGURES:
         return CURVE_FIGURES[name]

@@ -39,13 +39,8 @@ MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid"
 
 
 def plot_interface(sections: Sequence[Section]) -> Drawing:
-    """Figure 1: one section of the lubricated three-body interface.
-
-    Raises
-    ------
-    ValueError
-        If there is no lubricant or there are no particles.
-    """
+    """Figure 1: one section of the lubricated three-body interface; ``ValueError`` without lubricant or
+    particles."""
     (section,) = sections
     state, condition = section.state, section.state.condition
     if condition.is_dry or condition.is_two_body:
@@ -62,13 +57,8 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
 
 
 def plot_modes(sections: Sequence[Section]) -> Drawing:
-    """Figure 2: a section in each of ``MODES``, in this order.
-
-    Raises
-    ------
-    ValueError
-        If the model finds another mode than the panel is to show.
-    """
+    """Figure 2: a section in each of ``MODES``, in this order; ``ValueError`` if the model finds another
+    mode than a panel is to show."""
     figure = grid_of_axes(len(MODES), MODE, MODE_MARGINS)
     common = shared_notes([section.state.condition for section in sections])
     panels = []

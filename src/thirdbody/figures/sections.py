@@ -61,17 +61,8 @@ class Particle:
 class Section:
     """A section through two rough surfaces with particles between them.
 
-    Attributes
-    ----------
-    state : State
-        The interface that is cut.
-    position, lower, upper : ndarray, shape (n,)
-        Places along the section and heights of both surfaces there [m]; these are equal and flat
-        where the surfaces touch.
-    touches : ndarray of bool, shape (n,)
-        Where they touch.
-    particles : tuple of Particle
-        Particles that the section meets.
+    ``position`` along it and the heights ``lower`` and ``upper`` of both surfaces have shape (n,) [m];
+    the heights are equal and flat where the surfaces touch, as ``touches`` says.
     """
 
     state: State

@@ -21,7 +21,6 @@ MARKERS_PER_CURVE = 5
 # Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
-BAND_EDGE = {"linewidth": 0.5, "alpha": 0.6, "zorder": 1.6}
 TINT = 0.13  # of the colour in a range, the rest is white
 
 
@@ -36,9 +35,9 @@ def level_styles(count: int) -> list[dict]:
 
 
 def band_style(colour) -> dict:
-    """Properties of the area of a range: opaque, as many ranges may lie on one another."""
+    """Properties of the area of a range: opaque with an edge, as many may lie on one another."""
     tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
-    return {"facecolor": tint, "linewidth": 0.0, "zorder": 1.5}
+    return {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
 
 
 class Styles:
