@@ -12,8 +12,8 @@ export const MARKERS = [
   d3.symbolWye,
 ];
 const STAR = d3.symbol(d3.symbolStar, 90)();
-const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
-const CROSS = d3.symbol(d3.symbolCross, 110)();
+export const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
+export const CROSS = d3.symbol(d3.symbolCross, 110)();
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const TICKS = 6;
@@ -58,7 +58,7 @@ export function sizeIn(element) {
 }
 
 // Scales of a panel and the pixels at its four sides.
-export function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
+function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
   const [left, right] = [58 * em, width - 14 * em];
   const [top, bottom] = [(newtonsPerLoad ? 36 : 12) * em, height - 40 * em];
   const scales = { x: scaleOf(x).range([left, right]), y: scaleOf(y).range([bottom, top]) };
@@ -66,7 +66,7 @@ export function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
 }
 
 // Draw both axes and the grid; above, the load in newtons where `newtonsPerLoad` is given.
-export function drawAxes(group, spec, frame, em) {
+function drawAxes(group, spec, frame, em) {
   const { x, y, left, right, top, bottom } = frame;
   const middle = [0.5 * (left + right), 0.5 * (top + bottom)];
   const [across, upwards] = [ticksOf(x, spec.x.log, right - left), ticksOf(y, spec.y.log, bottom - top)];
@@ -130,7 +130,8 @@ function titleMarkup(name) {
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
-  const svg = svgIn(figure, "chart");
+  const svg = figure.append("svg").attr("class", "chart").attr("xmlns", "http://www.w3.org/2000/svg");
+  svg.attr("tabindex", 0).attr("role", "application").attr("aria-roledescription", "chart; arrow keys read it");
   const description = svg.append("desc");
   const clipId = `clip-${Math.random().toString(36).slice(2)}`;
   const clip = svg.append("clipPath").attr("id", clipId).append("rect");
@@ -171,7 +172,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     const cross = `M${x},${frame.top}V${frame.bottom}M${frame.left},${y}H${frame.right}`;
     cursor.html(`<path class="cursor" d="${cross}"/><circle class="dot" cx="${x}" cy="${y}" r="4.5"/>`);
     const box = svg.node().getBoundingClientRect();
-    onRead({ chart, line, point, at: [box.left + x, box.top + y], event });
+    onRead({ spec: chart.spec, line, point, at: [box.left + x, box.top + y], event });
   }
 
   function leave() {
@@ -219,17 +220,6 @@ const MOVES = {
   End: [0, 1e6],
 };
 
-// An empty drawing that can be read with the arrow keys; `kind` is what it is called.
-export function svgIn(figure, kind) {
-  return figure
-    .append("svg")
-    .attr("class", `chart ${kind}`)
-    .attr("xmlns", "http://www.w3.org/2000/svg")
-    .attr("tabindex", 0)
-    .attr("role", "application")
-    .attr("aria-roledescription", `${kind}; arrow keys read it`);
-}
-
 // Ranges, curves and marks of a panel, as SVG.
 function marksOf(spec, frame, em) {
   const inX = (value) => frame.x(value).toFixed(1);
@@ -239,11 +229,17 @@ function marksOf(spec, frame, em) {
   const path = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(isShown).digits(1);
   const border = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(({ onBorder }) => onBorder).digits(1);
   const classOf = ({ faded, chosen }) => (faded ? " faded" : "") + (chosen ? " chosen" : "");
-  const ring = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).digits(1);
-  const areas = spec.areas.map(({ rings, fill }) => `<path class="area" d="${rings.map((each) => `${ring(each)}Z`).join("")}" fill="${fill}"/>`);
   const shape = (mark, d, kind) =>
     `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})"/>`;
 
+  const areas = spec.areas.map(({ rings, fill }) => {
+    const outline = rings.map((ring) => `${path(ring)}Z`).join("");
+    return `<path class="area" d="${outline}" fill="${fill}"/>`;
+  });
+  const borders = spec.borders.map(({ rings, kind, dash }) => {
+    const outline = rings.map((ring) => border(ring) ?? "").join("");
+    return `<path class="${kind}" d="${outline}" stroke-dasharray="${dash}"/>`;
+  });
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${heldY(y)}`).join("L");
     return `<path d="M${outline}" fill="${color}" fill-opacity="${faded ? 0.03 : 0.1}"/>`;
@@ -275,17 +271,9 @@ function marksOf(spec, frame, em) {
   });
   const stars = spec.stars.filter(isShown);
   const locus = spec.locus && stars.length > 1 ? `<path class="locus" d="${path(stars)}"/>` : "";
-  const borders = spec.borders.map(({ rings, kind, dash }) => {
-    const outline = rings.map((each) => border(each) ?? "").join("");
-    return `<path class="${kind}" d="${outline}" stroke-dasharray="${dash}"/>`;
-  });
-  const ground = `<rect x="${frame.left}" y="${frame.top}" width="${frame.right - frame.left}" height="${frame.bottom - frame.top}" fill="${spec.ground}"/>`;
-  const crosses = spec.crosses.filter(isShown).map((mark) => shape(mark, CROSS, "star"));
   return [
-    ground,
     ...areas,
     ...borders,
-    ...crosses,
     ...ranges,
     ghosts,
     ...lines,
@@ -295,7 +283,7 @@ function marksOf(spec, frame, em) {
     ...measured,
     ...printed,
     locus,
-    ...stars.map((star) => shape(star, star.diamond ? DIAMOND : STAR, "star")),
+    ...stars.map((star) => shape(star, star.symbol ?? STAR, "star")),
   ].join("");
 }
 
