@@ -70,8 +70,14 @@ function drawAxes(group, spec, frame, em) {
   const { x, y, left, right, top, bottom } = frame;
   const middle = [0.5 * (left + right), 0.5 * (top + bottom)];
   const [across, upwards] = [ticksOf(x, spec.x.log, right - left), ticksOf(y, spec.y.log, bottom - top)];
-  const grid = [...across.map((value) => `M${x(value)},${top}V${bottom}`), ...upwards.map((value) => `M${left},${y(value)}H${right}`)];
-  const small = [...minorTicks(x, spec.x.log).map((at) => `M${at},${bottom}v4`), ...minorTicks(y, spec.y.log).map((at) => `M${left},${at}h-4`)];
+  const grid = [
+    ...across.map((value) => `M${x(value)},${top}V${bottom}`),
+    ...upwards.map((value) => `M${left},${y(value)}H${right}`),
+  ];
+  const small = [
+    ...minorTicks(x, spec.x.log).map((at) => `M${at},${bottom}v4`),
+    ...minorTicks(y, spec.y.log).map((at) => `M${left},${at}h-4`),
+  ];
   const axes = [
     [d3.axisBottom(x).tickValues(across), spec.x.name, [0, bottom], [middle[0], bottom + 34 * em, 0]],
     [d3.axisLeft(y).tickValues(upwards), spec.y.name, [left, 0], [13 * em, middle[1], -90]],
@@ -226,11 +232,14 @@ function marksOf(spec, frame, em) {
   const inY = (value) => frame.y(value).toFixed(1);
   const heldY = (value) => inY(spec.y.log ? Math.max(value, spec.y.domain[0] * 1e-3) : value);
   const isShown = (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
-  const path = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(isShown).digits(1);
-  const border = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(({ onBorder }) => onBorder).digits(1);
+  const line = () => d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).digits(1);
+  const path = line().defined(isShown);
+  const border = line().defined(({ onBorder }) => onBorder);
   const classOf = ({ faded, chosen }) => (faded ? " faded" : "") + (chosen ? " chosen" : "");
-  const shape = (mark, d, kind) =>
-    `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})"/>`;
+  const shape = (mark, d, kind) => {
+    const place = `translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})`;
+    return `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="${place}"/>`;
+  };
 
   const areas = spec.areas.map(({ rings, fill }) => {
     const outline = rings.map((ring) => `${path(ring)}Z`).join("");
@@ -245,11 +254,12 @@ function marksOf(spec, frame, em) {
     return `<path d="M${outline}" fill="${color}" fill-opacity="${faded ? 0.03 : 0.1}"/>`;
   });
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
-  const lines = spec.lines.map((line) => {
-    const width = (line.chosen ? 2.8 : line.mine ? 2.6 : 1.6) * em;
-    const dash = line.dash ? `stroke-dasharray="${line.dash}"` : "";
-    const look = `stroke="${line.color}" stroke-width="${width}" ${dash}`;
-    return `<path class="line${classOf(line)}" data-label="${escaped(line.label)}" d="${path(line.points)}" ${look}/>`;
+  const lines = spec.lines.map((curve) => {
+    const width = (curve.chosen ? 2.8 : curve.mine ? 2.6 : 1.6) * em;
+    const dash = curve.dash ? `stroke-dasharray="${curve.dash}"` : "";
+    const look = `stroke="${curve.color}" stroke-width="${width}" ${dash}`;
+    const label = `data-label="${escaped(curve.label)}"`;
+    return `<path class="line${classOf(curve)}" ${label} d="${path(curve.points)}" ${look}/>`;
   });
   const markers = markersOf(spec.lines).filter(isShown).map((mark) => shape(mark, mark.shape, "marker"));
   const doubts = spec.lines

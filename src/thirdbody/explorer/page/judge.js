@@ -67,13 +67,11 @@ class Course {
   }
 }
 
-// The rule of numpy.gradient for uneven steps.
+// Slopes between the neighbours of each point, whose steps are equal.
 function gradient(y, x) {
   return y.map((_, i) => {
-    if (i === 0) return (y[1] - y[0]) / (x[1] - x[0]);
-    if (i === y.length - 1) return (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
-    const [h, k] = [x[i] - x[i - 1], x[i + 1] - x[i]];
-    return (h * h * y[i + 1] + (k * k - h * h) * y[i] - k * k * y[i - 1]) / (h * k * (h + k));
+    const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
+    return (y[after] - y[before]) / (x[after] - x[before]);
   });
 }
 
