@@ -14,7 +14,7 @@ import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
 import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
 import { modelOf } from "./model.js";
-import { turningPointBetween } from "./curves.js";
+import { engineOf } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
@@ -286,10 +286,6 @@ fromFragment(location.hash);
 globalThis.thirdbody = {
   inputs: defaultInputs,
   solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),
-  turningPoint: (inputs, condition) => {
-    const model = modelOf(inputs);
-    const loads = axes[0].range.map((force) => force / model.newtonsPerLoad);
-    return turningPointBetween(model.contact(condition), ...loads);
-  },
+  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint,
   judge: judgedUnder,
 };

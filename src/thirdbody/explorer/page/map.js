@@ -152,7 +152,7 @@ export const mapKey = () => [
 ];
 
 function described(cells, x, y) {
-  const percent = (mode) => Math.round((100 * cells.filter((cell) => cell.mode === mode).length) / cells.length);
-  const parts = MODE_TEXT.map((text, mode) => [text, percent(mode)]).filter(([, part]) => part > 0);
-  return `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.map(([text, part]) => `${text} in ${part} % of the map`).join(", ")}.`;
+  const count = (mode) => cells.filter((cell) => cell.mode === mode).length;
+  const parts = MODE_TEXT.map((text, mode) => `${text} in ${Math.round((100 * count(mode)) / cells.length)} % of the map`);
+  return `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.join(", ")}.`;
 }

@@ -136,16 +136,8 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
 
 // phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
 const SIZES = {
-  uncentred: (inputs) => ({
-    place: (x) => [0, inputs.spread_ratio * x],
-    square: (alpha) => (inputs.spread_ratio * alpha) ** 2,
-    least: 0,
-  }),
-  centred: (inputs) => ({
-    place: (x) => [inputs.mean_ratio * x, inputs.spread_ratio * x],
-    square: (alpha) => (inputs.mean_ratio + inputs.spread_ratio * alpha) ** 2,
-    least: -inputs.mean_ratio / inputs.spread_ratio,
-  }),
+  uncentred: (inputs) => sizesAbout(0, inputs),
+  centred: (inputs) => sizesAbout(inputs.mean_ratio, inputs),
   gap_convolved: (inputs) => ({
     place: (x, sigma) => [
       inputs.mean_ratio * x,
@@ -155,6 +147,12 @@ const SIZES = {
     least: -Infinity,
   }),
 };
+
+const sizesAbout = (mean, { spread_ratio: spread }) => ({
+  place: (x) => [mean * x, spread * x],
+  square: (alpha) => (mean + spread * alpha) ** 2,
+  least: -mean / spread,
+});
 
 // I(x, X_max)/x_a^2 over alpha: the integral of x^2 phi_a in Eqs. 4 and 5.
 function momentTable(inputs, sizes) {
@@ -408,11 +406,8 @@ export function modelOf(inputs) {
   return { inputs, contact, newtonsPerLoad: inputs.apparent_area * inputs.elastic_modulus_surfaces };
 }
 
-function nothing(load, status) {
-  const names = ["total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"];
-  names.push("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness");
-  return { ...Object.fromEntries(names.map((name) => [name, NaN])), load, regime: -1, mode: -1, status };
-}
+const NO_VALUES = Object.fromEntries(content.quantities.map((name) => [name, NaN]));
+const nothing = (load, status) => ({ ...NO_VALUES, load, regime: -1, mode: -1, status });
 
 // Where a function changes its sign between two places: Chandrupatla (1997), Adv. Eng. Softw. 28:145.
 function rootOf(f, low, high) {
