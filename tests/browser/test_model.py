@@ -132,7 +132,7 @@ def test_status_regime_and_mode_are_the_librarys(solved_by_the_library, solved_b
 
 
 def test_statuses_of_all_datasets_are_the_librarys(explorer, page, defaults, tell):
-    """At every point of the workflow's own: among them those that float64 does not promise."""
+    """At every point of the datasets of the workflow."""
     asked, expected = [], []
     for figure in FIGURES:
         data = read_dataset(page.parents[1] / "datasets" / f"{figure}.nc")

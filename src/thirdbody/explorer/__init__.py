@@ -1,8 +1,7 @@
 """The explorer: one page for a browser that shows the paper's figures and evaluates its equations.
 
-This room gathers what the page tells from products of the workflow (``content``) and puts it into one
-file together with a template, a style, scripts and a charting library (``page``).  The scripts lie in
-the folder ``page/``: ``model.js`` has the equations and alone knows them, ``curves.js`` what follows from
-them over the load, ``judge.js`` the checks of the statements; the others show it.  It may import
-``thirdbody.data`` and what is below.  Begin with ``page.page_text``.
+``content`` gathers what the page shows from products of the workflow, ``page`` puts it into one file
+with the template, style and scripts of the folder ``page/`` and with D3. Of the scripts, ``model.js``
+has the equations, ``curves.js`` what follows from them over the load, and ``judge.js`` the checks of
+the statements; the others show it. Begin with ``page.page_text``.
 """

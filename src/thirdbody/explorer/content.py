@@ -25,10 +25,6 @@ DIGITS = 5  # of places in panels
 RANGE_STEP = 2  # of the points around an ensemble range, one is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
 PRINTED, TOLERANCE, RANGE = "printed; ", "tolerance; ", "band; "
-FLAGS = {  # what a panel shows beside its curves, by the labels of the points drawn
-    "turning points": "turning_points",
-    "locus of the turning points": "locus",
-}
 STATED = (  # fields of a statement that the page needs to judge and to show it
     *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
     *("extreme", "against", "open_end", "any_curve", "must_be_reached", "tolerance", "relative"),
@@ -207,7 +203,9 @@ def _panel(letter, panel, places):
         "curves": [places[label] for label in drawn if label in places],
         "ranges": {places[label]: _outline(drawn[RANGE + label]) for label in ranges},
         "printed": [mark for name in printed for mark in _marks(name, drawn)],
-    } | {flag: label in drawn for label, flag in FLAGS.items()}
+        "turning_points": "turning points" in drawn,
+        "locus": "locus of the turning points" in drawn,
+    }
 
 
 def _outline(points):

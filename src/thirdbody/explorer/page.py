@@ -1,4 +1,4 @@
-"""One file out of a template, a style, scripts, a charting library and the content of the page."""
+"""One file made of a template, a style, scripts, D3 and the content of the page."""
 
 from __future__ import annotations
 
@@ -39,27 +39,13 @@ def page_text(content: Mapping[str, Any]) -> str:
         "d3.LICENSE": _read("vendor/d3.LICENSE"),
         "d3.min.js": _read("vendor/d3.min.js"),
         "content.json": data.replace("</", "<\\/"),
-        "main.js": one_script(FIRST),
+        "main.js": _one_script(FIRST),
     }
-    template = _read("page/index.html")
-    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], template)
+    return re.sub(r"\{\{([\w.]+)\}\}", lambda found: parts[found[1]], _read("page/index.html"))
 
 
-def one_script(first: str) -> str:
-    """A script and all that it imports as one: each module once, after those that it imports.
-
-    A module becomes a function that is called at once and returns what the module exports.
-
-    Parameters
-    ----------
-    first : str
-        Name of a file in the folder ``page/``.
-
-    Examples
-    --------
-    >>> one_script("text.js").splitlines()[:2]
-    ['const modules = {};', 'modules["text.js"] = (() => {']
-    """
+def _one_script(first: str) -> str:
+    """A script and all that it imports as one: each module is a function that is called once."""
     joined: dict[str, str] = {}
 
     def join(name):

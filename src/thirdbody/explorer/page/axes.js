@@ -55,7 +55,7 @@ export function axesView() {
   const shared = axes.filter(({ name }) => name !== along && name !== by);
   const notes = shared.map(({ name }) => conditionWord(name, point[name]));
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
-  return { specs: [spec], notes, key };
+  return { specs: [spec], key, notes, heading: spec.title };
 }
 
 function styleOf(level, rank, count, mine) {

@@ -12,8 +12,8 @@ export const MARKERS = [
   d3.symbolWye,
 ];
 const STAR = d3.symbol(d3.symbolStar, 90)();
-const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
-const CROSS = d3.symbol(d3.symbolCross, 110)();
+export const DIAMOND = d3.symbol(d3.symbolDiamond, 60)();
+export const CROSS = d3.symbol(d3.symbolCross, 110)();
 const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const TICKS = 6;
@@ -58,7 +58,7 @@ export function sizeIn(element) {
 }
 
 // Scales of a panel and the pixels at its four sides.
-export function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
+function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
   const [left, right] = [58 * em, width - 14 * em];
   const [top, bottom] = [(newtonsPerLoad ? 36 : 12) * em, height - 40 * em];
   const scales = { x: scaleOf(x).range([left, right]), y: scaleOf(y).range([bottom, top]) };
@@ -66,12 +66,18 @@ export function frameOf({ x, y, newtonsPerLoad }, { em, width, height }) {
 }
 
 // Draw both axes and the grid; above, the load in newtons where `newtonsPerLoad` is given.
-export function drawAxes(group, spec, frame, em) {
+function drawAxes(group, spec, frame, em) {
   const { x, y, left, right, top, bottom } = frame;
   const middle = [0.5 * (left + right), 0.5 * (top + bottom)];
   const [across, upwards] = [ticksOf(x, spec.x.log, right - left), ticksOf(y, spec.y.log, bottom - top)];
-  const grid = [...across.map((value) => `M${x(value)},${top}V${bottom}`), ...upwards.map((value) => `M${left},${y(value)}H${right}`)];
-  const small = [...minorTicks(x, spec.x.log).map((at) => `M${at},${bottom}v4`), ...minorTicks(y, spec.y.log).map((at) => `M${left},${at}h-4`)];
+  const grid = [
+    ...across.map((value) => `M${x(value)},${top}V${bottom}`),
+    ...upwards.map((value) => `M${left},${y(value)}H${right}`),
+  ];
+  const small = [
+    ...minorTicks(x, spec.x.log).map((at) => `M${at},${bottom}v4`),
+    ...minorTicks(y, spec.y.log).map((at) => `M${left},${at}h-4`),
+  ];
   const axes = [
     [d3.axisBottom(x).tickValues(across), spec.x.name, [0, bottom], [middle[0], bottom + 34 * em, 0]],
     [d3.axisLeft(y).tickValues(upwards), spec.y.name, [left, 0], [13 * em, middle[1], -90]],
@@ -130,7 +136,8 @@ function titleMarkup(name) {
 export function chartIn(parent, { onRead, onLeave }) {
   const figure = d3.select(parent).append("figure");
   const title = figure.append("figcaption");
-  const svg = svgIn(figure, "chart");
+  const svg = figure.append("svg").attr("class", "chart").attr("xmlns", "http://www.w3.org/2000/svg");
+  svg.attr("tabindex", 0).attr("role", "application").attr("aria-roledescription", "chart; arrow keys read it");
   const description = svg.append("desc");
   const clipId = `clip-${Math.random().toString(36).slice(2)}`;
   const clip = svg.append("clipPath").attr("id", clipId).append("rect");
@@ -171,7 +178,7 @@ export function chartIn(parent, { onRead, onLeave }) {
     const cross = `M${x},${frame.top}V${frame.bottom}M${frame.left},${y}H${frame.right}`;
     cursor.html(`<path class="cursor" d="${cross}"/><circle class="dot" cx="${x}" cy="${y}" r="4.5"/>`);
     const box = svg.node().getBoundingClientRect();
-    onRead({ chart, line, point, at: [box.left + x, box.top + y], event });
+    onRead({ spec: chart.spec, line, point, at: [box.left + x, box.top + y], event });
   }
 
   function leave() {
@@ -219,41 +226,40 @@ const MOVES = {
   End: [0, 1e6],
 };
 
-// An empty drawing that can be read with the arrow keys; `kind` is what it is called.
-export function svgIn(figure, kind) {
-  return figure
-    .append("svg")
-    .attr("class", `chart ${kind}`)
-    .attr("xmlns", "http://www.w3.org/2000/svg")
-    .attr("tabindex", 0)
-    .attr("role", "application")
-    .attr("aria-roledescription", `${kind}; arrow keys read it`);
-}
-
 // Ranges, curves and marks of a panel, as SVG.
 function marksOf(spec, frame, em) {
   const inX = (value) => frame.x(value).toFixed(1);
   const inY = (value) => frame.y(value).toFixed(1);
   const heldY = (value) => inY(spec.y.log ? Math.max(value, spec.y.domain[0] * 1e-3) : value);
   const isShown = (point) => canShow(spec.x, point.x) && canShow(spec.y, point.y);
-  const path = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(isShown).digits(1);
-  const border = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).defined(({ onBorder }) => onBorder).digits(1);
+  const line = () => d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).digits(1);
+  const path = line().defined(isShown);
+  const border = line().defined(({ onBorder }) => onBorder);
   const classOf = ({ faded, chosen }) => (faded ? " faded" : "") + (chosen ? " chosen" : "");
-  const ring = d3.line(({ x }) => frame.x(x), ({ y }) => frame.y(y)).digits(1);
-  const areas = spec.areas.map(({ rings, fill }) => `<path class="area" d="${rings.map((each) => `${ring(each)}Z`).join("")}" fill="${fill}"/>`);
-  const shape = (mark, d, kind) =>
-    `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})"/>`;
+  const shape = (mark, d, kind) => {
+    const place = `translate(${inX(mark.x)},${inY(mark.y)}) scale(${em})`;
+    return `<path class="${kind}${classOf(mark)}" d="${d}" fill="${mark.color}" transform="${place}"/>`;
+  };
 
+  const areas = spec.areas.map(({ rings, fill }) => {
+    const outline = rings.map((ring) => `${path(ring)}Z`).join("");
+    return `<path class="area" d="${outline}" fill="${fill}"/>`;
+  });
+  const borders = spec.borders.map(({ rings, kind, dash }) => {
+    const outline = rings.map((ring) => border(ring) ?? "").join("");
+    return `<path class="${kind}" d="${outline}" stroke-dasharray="${dash}"/>`;
+  });
   const ranges = spec.ranges.map(({ points, color, faded }) => {
     const outline = points.map(([x, y]) => `${inX(x)},${heldY(y)}`).join("L");
     return `<path d="M${outline}" fill="${color}" fill-opacity="${faded ? 0.03 : 0.1}"/>`;
   });
   const ghosts = `<path class="ghost" d="${spec.ghosts.map(path).join("")}"/>`;
-  const lines = spec.lines.map((line) => {
-    const width = (line.chosen ? 2.8 : line.mine ? 2.6 : 1.6) * em;
-    const dash = line.dash ? `stroke-dasharray="${line.dash}"` : "";
-    const look = `stroke="${line.color}" stroke-width="${width}" ${dash}`;
-    return `<path class="line${classOf(line)}" data-label="${escaped(line.label)}" d="${path(line.points)}" ${look}/>`;
+  const lines = spec.lines.map((curve) => {
+    const width = (curve.chosen ? 2.8 : curve.mine ? 2.6 : 1.6) * em;
+    const dash = curve.dash ? `stroke-dasharray="${curve.dash}"` : "";
+    const look = `stroke="${curve.color}" stroke-width="${width}" ${dash}`;
+    const label = `data-label="${escaped(curve.label)}"`;
+    return `<path class="line${classOf(curve)}" ${label} d="${path(curve.points)}" ${look}/>`;
   });
   const markers = markersOf(spec.lines).filter(isShown).map((mark) => shape(mark, mark.shape, "marker"));
   const doubts = spec.lines
@@ -275,17 +281,9 @@ function marksOf(spec, frame, em) {
   });
   const stars = spec.stars.filter(isShown);
   const locus = spec.locus && stars.length > 1 ? `<path class="locus" d="${path(stars)}"/>` : "";
-  const borders = spec.borders.map(({ rings, kind, dash }) => {
-    const outline = rings.map((each) => border(each) ?? "").join("");
-    return `<path class="${kind}" d="${outline}" stroke-dasharray="${dash}"/>`;
-  });
-  const ground = `<rect x="${frame.left}" y="${frame.top}" width="${frame.right - frame.left}" height="${frame.bottom - frame.top}" fill="${spec.ground}"/>`;
-  const crosses = spec.crosses.filter(isShown).map((mark) => shape(mark, CROSS, "star"));
   return [
-    ground,
     ...areas,
     ...borders,
-    ...crosses,
     ...ranges,
     ghosts,
     ...lines,
@@ -295,7 +293,7 @@ function marksOf(spec, frame, em) {
     ...measured,
     ...printed,
     locus,
-    ...stars.map((star) => shape(star, star.diamond ? DIAMOND : STAR, "star")),
+    ...stars.map((star) => shape(star, star.symbol ?? STAR, "star")),
   ].join("");
 }
 

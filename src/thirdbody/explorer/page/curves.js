@@ -3,7 +3,6 @@
 export const PROMINENCE = 0.02; // by how much A_sa,t* stands out at a turning point, on both sides
 const SEPARATIONS = 60; // between which a maximum is searched for
 const RATIOS = d3.range(111).map((i) => 0.3 + (2.2 * i) / 110); // x_a/sigma at which curves may turn
-const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 // The states along a curve at `count` loads F_t* from `low` to `high`, evenly spaced in logarithms.
 // The two states before give the separations between which the next is searched for first.
@@ -53,20 +52,12 @@ export const turningPointOf = (contact, states) =>
 export const turningPointBetween = (contact, low, high) =>
   prominent(highestMaximumBetween(contact, low, high));
 
-// Where a function with one maximum has it, by golden sections.
+// Where a function with one maximum has it, by thirds.
 function maximum(f, low, high) {
-  let [a, b] = [high - GOLDEN * (high - low), low + GOLDEN * (high - low)];
-  let [fa, fb] = [f(a), f(b)];
-  for (let step = 0; step < 40; step++) {
-    if (fa > fb) {
-      [high, b, fb] = [b, a, fa];
-      a = high - GOLDEN * (high - low);
-      fa = f(a);
-    } else {
-      [low, a, fa] = [a, b, fb];
-      b = low + GOLDEN * (high - low);
-      fb = f(b);
-    }
+  for (let step = 0; step < 50; step++) {
+    const third = (high - low) / 3;
+    if (f(low + third) < f(high - third)) low += third;
+    else high -= third;
   }
   return 0.5 * (low + high);
 }

@@ -68,7 +68,8 @@ export function svgOf(figures, entries) {
   const svg = d3.create("svg:svg").attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
   svg.append("rect").attr("width", "100%").attr("height", "100%").attr("fill", style.getPropertyValue("--paper"));
   svg.attr("font-family", "sans-serif").attr("font-size", 13);
-  const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", style.getPropertyValue("--ink")).text(text);
+  const color = style.getPropertyValue("--ink");
+  const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", color).text(text);
   figures.forEach((figure, i) => {
     const [x, y] = [(i % columns) * cellWidth, Math.floor(i / columns) * cellHeight];
     const parts = [...figure.querySelector("figcaption").childNodes].map((node) => node.textContent);

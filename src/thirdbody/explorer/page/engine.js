@@ -8,7 +8,7 @@ const SLICE = 12; // milliseconds
 const NEWTONS = axes[0].range;
 export const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
 
-function engineOf(inputs) {
+export function engineOf(inputs) {
   const model = modelOf(inputs);
   const { newtonsPerLoad } = model;
   const loads = NEWTONS.map((force) => force / newtonsPerLoad); // first and last F_t* of curves

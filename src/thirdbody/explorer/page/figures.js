@@ -3,7 +3,7 @@
 import { conditionAxes, content, state } from "./state.js";
 import { currentEngine, defaultEngine, DRY_TWO_BODY } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { axisFor, ink, isDark, mineColour, shade } from "./chart.js";
+import { DIAMOND, axisFor, ink, isDark, mineColour, shade } from "./chart.js";
 import { curvesOf, referencesOf } from "./judge.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
@@ -21,7 +21,7 @@ export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) =
 // a spec of a chart; what is not given is empty
 export const specOf = (given) => ({
   ...{ letter: "", newtonsPerLoad: null, lines: [], ghosts: [], ranges: [], printed: [] },
-  ...{ stars: [], measured: [], locus: false, ground: "none", areas: [], borders: [], crosses: [] },
+  ...{ stars: [], measured: [], locus: false, areas: [], borders: [] },
   ...given,
 });
 
@@ -153,7 +153,8 @@ export function figureView() {
     return curveSpec(panel, mine, engine, { claim, changed, paper: figure.curves });
   });
   if (changed) notes.push("thin grey: the paper's conditions with the calibrated inputs");
-  return { specs, notes, figure, key: keyEntries(drawn, parameter, comparesMedia) };
+  const key = keyEntries(drawn, parameter, comparesMedia);
+  return { specs, key, notes, heading: figure.title, caption: figure.caption };
 }
 
 function curveSpec(panel, curves, engine, { claim, changed, paper }) {
@@ -237,7 +238,7 @@ function windowSpec(figure, panel, engine, surface, claim) {
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
   });
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
-  const diamonds = ends.map((x) => ({ x, y: WINDOW_HEIGHT, diamond: true, color: mineColour() }));
+  const diamonds = ends.map((x) => ({ x, y: WINDOW_HEIGHT, symbol: DIAMOND, color: mineColour() }));
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,

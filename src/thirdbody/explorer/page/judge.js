@@ -25,8 +25,6 @@ const TURNING_POINT = {
   turning_point_solid_load: (point) => point.solid_load_fraction * point.load,
 };
 const NO_TURNING_POINT = { load: NaN, particle_contact_area_ratio: NaN, solid_load_fraction: NaN };
-const BETWEEN_CURVES = ["total_contact_area_reversal_load", "bend_load", "bend_load_over_mixed_load"];
-
 const log = (values) => values.map((value) => Math.log(Math.max(value, TINY)));
 const negated = (values) => values.map((value) => -value);
 const most = (values) => Math.max(...values); // NaN if one is
@@ -67,13 +65,11 @@ class Course {
   }
 }
 
-// The rule of numpy.gradient for uneven steps.
+// Slopes between the neighbours of each point, whose steps are equal.
 function gradient(y, x) {
   return y.map((_, i) => {
-    if (i === 0) return (y[1] - y[0]) / (x[1] - x[0]);
-    if (i === y.length - 1) return (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
-    const [h, k] = [x[i] - x[i - 1], x[i + 1] - x[i]];
-    return (h * h * y[i + 1] + (k * k - h * h) * y[i] - k * k * y[i - 1]) / (h * k * (h + k));
+    const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
+    return (y[after] - y[before]) / (x[after] - x[before]);
   });
 }
 
@@ -141,7 +137,7 @@ function measure(claim, evidence) {
 
 // A load beyond the last one is known to be larger, and no more.
 function isWithinTheLoads(claim, evidence) {
-  if (claim.quantity !== "load" && !BETWEEN_CURVES.includes(claim.quantity)) return true;
+  if (claim.quantity !== "load" && !(claim.quantity in BETWEEN_CURVES)) return true;
   const end = last(evidence.curve(claim.curves[0]).load);
   if (claim.quantity === "bend_load_over_mixed_load") {
     return most([...bendLoads(claim, evidence), ...mixedLoads(claim, evidence)]) < end;
@@ -224,12 +220,7 @@ function fromPublished(claim, values) {
 // The quantity of a statement as one number for each curve.
 function scalars(claim, evidence) {
   const { quantity } = claim;
-  if (quantity === "total_contact_area_reversal_load") return [reversalLoad(claim, evidence)];
-  if (quantity === "bend_load") return bendLoads(claim, evidence);
-  if (quantity === "bend_load_over_mixed_load") {
-    const mixed = mixedLoads(claim, evidence);
-    return bendLoads(claim, evidence).map((load, i) => load / mixed[i]);
-  }
+  if (quantity in BETWEEN_CURVES) return BETWEEN_CURVES[quantity](claim, evidence);
   if (quantity === "departure_sharpness") return departureSharpness(claim, evidence);
   if (claim.source === "turning_point") {
     const pick = (curve) => TURNING_POINT[quantity](evidence.turningPoint(curve));
@@ -261,12 +252,22 @@ function gaps(claim, evidence) {
   });
 }
 
+// Loads at which two curves part or cross.
+const BETWEEN_CURVES = {
+  total_contact_area_reversal_load: reversalLoads,
+  bend_load: bendLoads,
+  bend_load_over_mixed_load(claim, evidence) {
+    const mixed = mixedLoads(claim, evidence);
+    return bendLoads(claim, evidence).map((load, i) => load / mixed[i]);
+  },
+};
+
 // Load above which the areas increase from curve to curve.
-function reversalLoad(claim, evidence) {
+function reversalLoads(claim, evidence) {
   const [loads, areas] = table(claim, evidence, claim.curves, "total_contact_area");
   const falling = d3.reverse(loads);
   const rises = d3.pairs(areas.map(log), (below, above) => d3.reverse(difference(above, below)));
-  return most(rises.map((gap) => firstFall(falling, gap)));
+  return [most(rises.map((gap) => firstFall(falling, gap)))];
 }
 
 // Loads at which the slope of the area has fallen below that of the reference.

@@ -11,9 +11,10 @@ import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
-import { MODE_TEXT, REGIME_TEXT, VARIABLES, conditionWord, letterOf, numberText, plainSymbol, statusText, wordOf } from "./names.js";
+import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
+import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
 import { modelOf } from "./model.js";
-import { turningPointBetween } from "./curves.js";
+import { engineOf } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
@@ -32,55 +33,48 @@ let shown = null; // what can be downloaded
 
 // --- values under the pointer ---
 
-function showTooltip({ at, label, rows, event }) {
+function showTooltip({ spec: { x, y, rows }, line, point, at, event }) {
   const tooltip = $("tooltip");
-  tooltip.innerHTML = `<b>${escaped(label)}</b>${rows.map((row) => `<div>${escaped(row)}</div>`).join("")}`;
+  const { state: found } = point;
+  const isSolved = found?.mode >= 0;
+  const more = rows && isSolved ? ["particle_contact_area_ratio", "solid_load_fraction"] : []; // on a map
+  const texts = [
+    valueText(x.name, point.x) + (x.name === "load" ? ` (${readable(found.normal_load)} N)` : ""),
+    valueText(y.name, point.y),
+    ...more.map((name) => valueText(name, found[name])),
+    isSolved ? `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication` : "",
+    found ? statusText(found.status) : "",
+  ].filter(Boolean);
+  tooltip.innerHTML = `<b>${escaped(line.label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
   tooltip.style.left = `${Math.max(left, 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
-  if (event.type === "keydown") $("live").textContent = [label, ...rows].join(", ");
+  if (event.type === "keydown") $("live").textContent = [line.label, ...texts].join(", ");
 }
+
+const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
 
 const hideTooltip = () => {
   $("tooltip").hidden = true;
 };
 
-const valueRow = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
-
-function stateRows(found) {
-  if (!found) return [];
-  const words = found.mode < 0 ? "" : `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication`;
-  return [words, statusText(found.status)].filter(Boolean);
-}
-
-function readChart({ chart, line, point, at, event }) {
-  const { x, y } = chart.spec;
-  const newtons = x.name === "load" ? ` (${readable(point.state.normal_load)} N)` : "";
-  const ofMap = chart.spec.rows && point.state.mode >= 0 ? ["particle_contact_area_ratio", "solid_load_fraction"] : [];
-  const rows = [
-    valueRow(x.name, point.x) + newtons,
-    valueRow(y.name, point.y),
-    ...ofMap.map((name) => valueRow(name, point.state[name])),
-    ...stateRows(point.state),
-  ];
-  showTooltip({ at, event, label: line.label, rows });
-}
-
 // --- drawing ---
 
-function drawCharts({ specs, key }, name) {
+function drawCharts(view, name) {
+  const { specs, key } = view;
   const parent = $("charts");
   if (charts.length !== specs.length || parent.dataset.kind !== state.view) {
     parent.replaceChildren();
     parent.dataset.kind = state.view;
-    charts = specs.map(() => chartIn(parent, { onRead: readChart, onLeave: hideTooltip }));
+    charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
   const sizes = charts.map(({ figure }) => sizeIn(figure)); // before any of them changes
   specs.forEach((spec, i) => charts[i].update(spec, sizes[i]));
   shown = { csv: () => csvOf(specs), name };
   showKey(key);
+  return view;
 }
 
 // The key: an entry has a text and a colour with dashes and marker, or a fill.
@@ -96,25 +90,11 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
+// Each draws a view, and returns its heading, notes and, if it has its own, its caption.
 const VIEWS = {
-  figures() {
-    const view = figureView();
-    drawCharts(view, state.figure);
-    $("notes").textContent = view.notes.join("; ");
-    $("heading").textContent = view.figure.title;
-    $("caption").textContent = view.figure.caption;
-  },
-  axes() {
-    const view = axesView();
-    drawCharts(view, "thirdbody");
-    $("notes").textContent = view.notes.join(", ");
-    $("heading").textContent = view.specs[0].title;
-  },
+  figures: () => drawCharts(figureView(), state.figure),
+  axes: () => drawCharts(axesView(), "thirdbody"),
   map() {
-    $("heading").textContent = "Map of modes and regimes";
-    const point = currentPoint();
-    const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
-    $("notes").textContent = others.map(({ name }) => conditionWord(name, point[name])).join(", ");
     if ($("charts").dataset.kind !== "map") {
       $("charts").replaceChildren("Solving all points of the map …");
       $("key").replaceChildren();
@@ -129,13 +109,17 @@ const VIEWS = {
       $("charts").dataset.done = toFragment();
       showToolbar();
     });
+    const point = currentPoint();
+    const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
+    const notes = others.map(({ name }) => conditionWord(name, point[name]));
+    return { heading: "Map of modes and regimes", notes };
   },
   section() {
-    $("heading").textContent = "The interface at your conditions";
     $("charts").dataset.kind = "section";
-    $("notes").textContent = drawSection($("charts"));
+    const notes = [drawSection($("charts"))];
     showKey(sectionKey());
     shown = { csv: null, name: "section" };
+    return { heading: "The interface at your conditions", notes };
   },
 };
 
@@ -143,8 +127,10 @@ let asked = false;
 let addressing = 0;
 function draw() {
   hideTooltip();
-  VIEWS[state.view]();
-  if (CAPTIONS[state.view]) $("caption").textContent = CAPTIONS[state.view];
+  const { heading, notes, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  $("heading").textContent = heading;
+  $("notes").textContent = notes.join("; ");
+  $("caption").textContent = caption;
 }
 
 function render() {
@@ -300,10 +286,6 @@ fromFragment(location.hash);
 globalThis.thirdbody = {
   inputs: defaultInputs,
   solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),
-  turningPoint: (inputs, condition) => {
-    const model = modelOf(inputs);
-    const loads = axes[0].range.map((force) => force / model.newtonsPerLoad);
-    return turningPointBetween(model.contact(condition), ...loads);
-  },
+  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint,
   judge: judgedUnder,
 };

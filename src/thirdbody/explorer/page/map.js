@@ -6,7 +6,7 @@ import { shownRange } from "./axes.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./figures.js";
 import { LIMITS } from "./model.js";
-import { isDark } from "./chart.js";
+import { CROSS, isDark } from "./chart.js";
 import { MODE_TEXT, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis
@@ -18,6 +18,7 @@ const FILLS = {
 };
 const [BOUNDARY_DASH, FULL_FILM_DASH] = ["7 3", "2 3"];
 const TESTS = {
+  all: () => true,
   twoBody: ({ mode }) => mode === 0,
   hybrid: ({ mode }) => mode >= 2,
   particles: ({ mode }) => mode === 3,
@@ -125,8 +126,8 @@ function mapSpec({ x, y, ends, point, borders, turns, cells, rows }) {
     description: described(cells, x, y),
     x: axisOver(x),
     y: axisOver(y),
-    ground: surfaces,
     areas: [
+      { rings: borders.all, fill: surfaces },
       { rings: borders.hybrid, fill: hybrid },
       { rings: borders.particles, fill: particles },
       { rings: borders.twoBody, fill: twoBody },
@@ -137,7 +138,7 @@ function mapSpec({ x, y, ends, point, borders, turns, cells, rows }) {
       { rings: borders.full_film, kind: "regime", dash: FULL_FILM_DASH },
       { rings: turns, kind: "turning", dash: "none" },
     ],
-    crosses: [{ x: point[x], y: point[y], color: "var(--ink)" }],
+    stars: [{ x: point[x], y: point[y], color: "var(--ink)", symbol: CROSS }],
     rows,
   });
 }
@@ -151,7 +152,7 @@ export const mapKey = () => [
 ];
 
 function described(cells, x, y) {
-  const percent = (mode) => Math.round((100 * cells.filter((cell) => cell.mode === mode).length) / cells.length);
-  const parts = MODE_TEXT.map((text, mode) => [text, percent(mode)]).filter(([, part]) => part > 0);
-  return `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.map(([text, part]) => `${text} in ${part} % of the map`).join(", ")}.`;
+  const count = (mode) => cells.filter((cell) => cell.mode === mode).length;
+  const parts = MODE_TEXT.map((text, mode) => `${text} in ${Math.round((100 * count(mode)) / cells.length)} % of the map`);
+  return `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.join(", ")}.`;
 }

@@ -17,13 +17,8 @@ const SUMMIT_STEP = 1 / 32; // of tables in t, for errors below 1e-9
 const SIZE_STEP = 1 / 256; // of tables in alpha
 const MOST_TABLES = 200; // surfaces whose tables are kept
 const EPSILON = 2 ** -52;
-const BOUNDED = 3.4; // times rounding of d is the bound of the library, which adds up several such errors
-const LEFT_ROUNDED = 1.5; // the same where the film carries what the solids leave
-const SOLIDS_ROUNDED = 240; // rounding of the load of the solids at a separation [EPSILON]
 const ROOT_TOLERANCE = 1e-13; // of d
-const SLOPE_STEP = 1e-6; // of d, for the slope of the solids' load
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
-const RTOL = 1e-9; // the relative error that is promised where the status is not `not_converged`
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
 const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
 
@@ -77,7 +72,7 @@ const SUMMIT_PLACES = new Map([
   [false, (sigma) => [sigma, 0]],
 ]);
 
-export function surfaceOf(inputs, roughness) {
+function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;
   const parameter = inputs.summit_parameter * scale ** inputs.summit_parameter_exponent;
   const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
@@ -141,16 +136,8 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
 
 // phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
 const SIZES = {
-  uncentred: (inputs) => ({
-    place: (x) => [0, inputs.spread_ratio * x],
-    square: (alpha) => (inputs.spread_ratio * alpha) ** 2,
-    least: 0,
-  }),
-  centred: (inputs) => ({
-    place: (x) => [inputs.mean_ratio * x, inputs.spread_ratio * x],
-    square: (alpha) => (inputs.mean_ratio + inputs.spread_ratio * alpha) ** 2,
-    least: -inputs.mean_ratio / inputs.spread_ratio,
-  }),
+  uncentred: (inputs) => sizesAbout(0, inputs),
+  centred: (inputs) => sizesAbout(inputs.mean_ratio, inputs),
   gap_convolved: (inputs) => ({
     place: (x, sigma) => [
       inputs.mean_ratio * x,
@@ -160,6 +147,12 @@ const SIZES = {
     least: -Infinity,
   }),
 };
+
+const sizesAbout = (mean, { spread_ratio: spread }) => ({
+  place: (x) => [mean * x, spread * x],
+  square: (alpha) => (mean + spread * alpha) ** 2,
+  least: -mean / spread,
+});
 
 // I(x, X_max)/x_a^2 over alpha: the integral of x^2 phi_a in Eqs. 4 and 5.
 function momentTable(inputs, sizes) {
@@ -191,13 +184,12 @@ function meanOf(inputs, sizes) {
 // Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
 const ELASTIC_SIDE = { printed: -1, physical: 1 };
 
-export function elasticFactor(inputs) {
-  return (
-    ((9 * Math.PI ** 2) / 4) *
-    ((inputs.hardness_surface_1 / inputs.elastic_modulus_particle) ** 2 +
-      (inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces) ** 2)
-  ); // of Eqs. 4 and 5
-}
+// of Eqs. 4 and 5
+const elasticFactor = (inputs) =>
+  2.25 *
+  Math.PI ** 2 *
+  ((inputs.hardness_surface_1 / inputs.elastic_modulus_particle) ** 2 +
+    (inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces) ** 2);
 
 // --- film ---
 
@@ -236,8 +228,6 @@ function filmOf(inputs, viscosity, roughness) {
       }
       return lnW;
     },
-    // error that rounding leaves in ln H_c, by the size of its terms [EPSILON]
-    rounding: (lnW) => Math.abs(smooth) + Math.abs(rough) + 2 * Math.abs(b * lnW),
     // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0; and the softer surface is as
     // hard as the mean pressure of the load
     isMeaningful: (lnW) =>
@@ -247,16 +237,14 @@ function filmOf(inputs, viscosity, roughness) {
 
 // Which load stands in W of Eq. 8: that of the film, or the total load as printed. `total` is F_t* at a
 // separation where solids carry one load and the film in W another (Eq. 1), `fractions` are L_s and L_f
-// (Eq. 9), `inW` is the load in W, which depends on the fractions or is known before d.
+// (Eq. 9), and `inW` is the load in W.
 const FILM_LOADS = {
   fluid: {
-    dependsOnFractions: true,
     total: (solid, film) => solid + film,
     fractions: (solid, film) => [solid / (solid + film), film / (solid + film)],
     inW: (load, filmFraction) => load * filmFraction,
   },
   total: {
-    dependsOnFractions: false,
     total: (solid, film) => Math.max(solid, film),
     // a film that is thinner than that of the load carries nothing
     fractions: (solid, film, load) =>
@@ -353,7 +341,6 @@ export function modelOf(inputs) {
 
     function statusOf(found, solid, count) {
       if (solid.bare <= EPSILON) return "coverage_exceeded";
-      if (uncertain(found)) return "not_converged";
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
@@ -362,31 +349,6 @@ export function modelOf(inputs) {
       }
       return count > 1 ? "several_separations" : "converged";
     }
-
-    // Whether rounding changes a result by more than RTOL. That of d, and of the film's load where it is
-    // found with d, changes the particles' area, which vanishes at their reach. Where the film carries
-    // what the solids leave of the total load, a small fraction has few digits.
-    function uncertain({ separation: d, fluid_load_fraction: fraction }) {
-      const rounding = () => film.rounding(film.loadParameter(d / inputs.ball_radius));
-      const isFoundWithD = film && filmLoad.dependsOnFractions;
-      if (film && !isFoundWithD && fraction > 0) {
-        const ofSolids = LEFT_ROUNDED * (8 + rounding()) * steepness(d) + SOLIDS_ROUNDED;
-        if (EPSILON * ofSolids * (1 - fraction) > RTOL * fraction) return true;
-      }
-      if (twoBody || d > (1 + 4 * EPSILON) * reach) return false;
-      const ofFilm = isFoundWithD ? rounding() * partOfFilm(d, fraction) : 0;
-      return BOUNDED * EPSILON * (8 + ofFilm) * reach > RTOL * (reach - d);
-    }
-
-    // the part of the film in |d ln F_t/d ln d|: where solids are stiffer, its rounding moves d less
-    function partOfFilm(d, fraction) {
-      const [here, there] = [d, d * (1 + SLOPE_STEP)].map((each) => film.loadParameter(each / inputs.ball_radius));
-      const ofFilm = (fraction * Math.abs(there - here)) / SLOPE_STEP;
-      return ofFilm / (ofFilm + (1 - fraction) * steepness(d));
-    }
-
-    // |d ln F_s/d ln d|
-    const steepness = (d) => Math.abs(solids(d * (1 + SLOPE_STEP)).load / solids(d).load - 1) / SLOPE_STEP;
 
     const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
 
@@ -400,7 +362,7 @@ export function modelOf(inputs) {
       if (!film && excess(0) < 0) {
         return nothing(load, solids(0).bare <= EPSILON ? "coverage_exceeded" : "load_exceeded");
       }
-      if (!twoBody && load > onlyOne) return solveSeveral(load, low, held);
+      if (!twoBody && load > onlyOne) return solveSeveral(load, excess, low, held);
       if (held || excess(low) <= 0) return state(low, load); // the film carries all
       let high = far > low ? far : Math.max(2 * low, surface.deviation);
       if (near > low && near < high && excess(near) > 0) low = near;
@@ -412,8 +374,7 @@ export function modelOf(inputs) {
     }
 
     // Where F_s may rise with d: all separations are searched for, from a dense row of them.
-    function solveSeveral(load, low, held) {
-      const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
+    function solveSeveral(load, excess, low, held) {
       let far = Math.max(low, reach, surface.offset) + 8 * surface.deviation;
       while (excess(far) > 0) far *= 1.25;
       const edges = [inputs.truncation, sizes.least, -3, -1.5, 0, 1.5]
@@ -425,8 +386,8 @@ export function modelOf(inputs) {
         .sort((a, b) => a - b);
       const places = edges.slice(1).flatMap((edge, i) =>
         Array.from({ length: 96 }, (_, n) => {
-          const share = Math.sin((Math.PI * (n + 1)) / 192) ** 2;
-          return edges[i] + (edge - edges[i]) * share * share * (3 - 2 * share);
+          const part = Math.sin((Math.PI * (n + 1)) / 192) ** 2;
+          return edges[i] + (edge - edges[i]) * part * part * (3 - 2 * part);
         }),
       );
       const values = places.map(excess);
@@ -445,23 +406,20 @@ export function modelOf(inputs) {
   return { inputs, contact, newtonsPerLoad: inputs.apparent_area * inputs.elastic_modulus_surfaces };
 }
 
-function nothing(load, status) {
-  const names = ["total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"];
-  names.push("solid_load_fraction", "fluid_load_fraction", "separation", "film_thickness");
-  return { ...Object.fromEntries(names.map((name) => [name, NaN])), load, regime: -1, mode: -1, status };
-}
+const NO_VALUES = Object.fromEntries(content.quantities.map((name) => [name, NaN]));
+const nothing = (load, status) => ({ ...NO_VALUES, load, regime: -1, mode: -1, status });
 
 // Where a function changes its sign between two places: Chandrupatla (1997), Adv. Eng. Softw. 28:145.
-export function rootOf(f, low, high) {
+function rootOf(f, low, high) {
   let a = low;
   let b = high;
   let c = high;
   let fa = f(a);
   let fb = f(b);
   let fc = fb;
-  let share = 0.5;
+  let part = 0.5;
   for (let step = 0; step < 200 && fa !== 0 && fb !== 0; step++) {
-    const trial = a + share * (b - a);
+    const trial = a + part * (b - a);
     const value = f(trial);
     const same = value > 0 === fa > 0;
     c = same ? a : b;
@@ -476,11 +434,11 @@ export function rootOf(f, low, high) {
     const place = (a - b) / (c - b);
     const level = (fa - fb) / (fc - fb);
     const bends = level * level < place && (1 - level) ** 2 < 1 - place;
-    share = bends
+    part = bends
       ? (fa / (fb - fa)) * (fc / (fb - fc)) +
         ((c - a) / (b - a)) * (fa / (fc - fa)) * (fb / (fc - fb))
       : 0.5;
-    share = Math.min(Math.max(share, least), 1 - least);
+    part = Math.min(Math.max(part, least), 1 - least);
   }
   return fa === 0 ? a : b;
 }

@@ -4,7 +4,8 @@ import { axes, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
-import { MODE_TEXT, REGIME_TEXT, VARIABLES, conditionWord, numberText, plainSymbol, statusText, valueText, wordOf } from "./names.js";
+import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText, valueText } from "./names.js";
+import { conditionWord, numberText, plainSymbol, wordOf } from "./names.js";
 
 const VALUES = [
   ...["particle_contact_area_ratio", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"],
@@ -52,9 +53,10 @@ function sizesText(engine, { load, ...condition }) {
   if (contact.twoBody) return "";
   const text = (length) => numberText("separation", length);
   const { mean, largest } = contact.sizes;
+  const scale = conditionWord("particle_diameter", condition.particle_diameter);
   return (
-    `${conditionWord("particle_diameter", condition.particle_diameter)} is a scale: with these inputs the particles ` +
-    `are ${text(mean)} large on average and ${text(largest)} at most, and carry load where the separation is below ${text(contact.reach)}.`
+    `${scale} is a scale: with these inputs the particles are ${text(mean)} large on average and ` +
+    `${text(largest)} at most, and carry load where the separation is below ${text(contact.reach)}.`
   );
 }
 

@@ -84,7 +84,8 @@ export function showStatements({ filter, list, tally }) {
   const [[holds, fails], [allHold, allFail]] = [counts(shown), counts(content.claims)];
   const chosen = conditionAxes.filter(({ name }) => name in state.conditions).map(({ name }) => wordOf(name).toLowerCase());
   const note = chosen.length ? ` Statements for one ${chosen.join(" or ")} are judged at yours.` : "";
-  tally.textContent = `${shown.length} statements: ${holds} hold, ${fails} fail (of all ${content.claims.length}: ${allHold} hold, ${allFail} fail).${note}`;
+  const ofAll = `of all ${content.claims.length}: ${allHold} hold, ${allFail} fail`;
+  tally.textContent = `${shown.length} statements: ${holds} hold, ${fails} fail (${ofAll}).${note}`;
   list.replaceChildren(...shown.map(item));
 }
 
@@ -109,7 +110,8 @@ function item(claim) {
   const li = document.createElement("li");
   const changed = verdict === verdictBefore(claim) ? "" : " changed";
   const place = `${claim.place.replace(", section 3.3", "")} — ${verdictText(claim)}`;
-  li.innerHTML = `<button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${verdict.split(" ")[0]}${changed}">
+  const kind = verdict.split(" ")[0] + changed;
+  li.innerHTML = `<button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${kind}">
     <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span>
     <span>${escaped(claim.statement)} <span class="place">${escaped(place)}</span></span></button>`;
   if (chosen) li.insertAdjacentHTML("beforeend", more(claim));
