@@ -1,16 +1,15 @@
 """How far a long call has come: a bar on a terminal, a line now and then in a log.
 
-Both go to the standard error stream.  A call that is over soon says nothing.
+Both go to the standard error stream.  A call that is over soon writes nothing.  The package ``tqdm`` is
+not used: its import takes a sixth of the time of all others, and its bar fills a log with one long line.
 """
 
 from __future__ import annotations
 
 import sys
 from contextlib import suppress
-from threading import Lock
 from time import monotonic
-from types import TracebackType
-from typing import Any, Self, TextIO
+from typing import Any, Self
 
 FIRST_BAR, NEXT_BAR = 2.0, 0.2  # s
 FIRST_LINE = NEXT_LINE = 30.0  # s
@@ -24,16 +23,7 @@ def check_progress(progress: Any) -> None:
 
 
 class Progress:
-    """The progress of one call, a context manager.
-
-    Parameters
-    ----------
-    total : int
-        How many there are to be done.
-    things : str
-        What they are called.
-    is_shown : bool
-        Whether anything is said.
+    """The progress of one call, a context manager; nothing is written unless it ``is_shown``.
 
     Examples
     --------
@@ -45,57 +35,42 @@ class Progress:
     def __init__(self, total: int, things: str, is_shown: bool) -> None:
         self._total, self._things = total, things
         self._done = 0
-        self._lock = Lock()
-        self._stream: TextIO | None = sys.stderr if is_shown else None
+        self._stream = sys.stderr if is_shown else None
         self._is_bar = self._stream is not None and self._stream.isatty()
         self._start = monotonic()
         self._due = self._start + (FIRST_BAR if self._is_bar else FIRST_LINE)
-        self._told: int | None = None  # how many were done when this was last said
+        self._last: int | None = None  # how many were done when this was last written
 
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        if self._told is not None and (self._is_bar or self._told != self._done):
-            self._say(monotonic(), end="\n")
+    def __exit__(self, *error: object) -> None:
+        if self._last is not None and (self._is_bar or self._last != self._done):
+            self._write(end="\n")
 
     def add(self, count: int) -> None:
-        """So many more are done; from any thread."""
-        with self._lock:
-            self._done += count
-            now = monotonic()
-            if self._stream is not None and now >= self._due:
-                self._say(now, end="" if self._is_bar else "\n")
-                self._due = now + (NEXT_BAR if self._is_bar else NEXT_LINE)
+        """So many more are done."""
+        self._done += count
+        if self._stream is not None and monotonic() >= self._due:
+            self._write(end="" if self._is_bar else "\n")
+            self._due = monotonic() + (NEXT_BAR if self._is_bar else NEXT_LINE)
 
-    def _say(self, now: float, end: str) -> None:
-        share = self._done / max(self._total, 1)
-        spent = now - self._start
-        told = f"{share:4.0%} of {self._total:,} {self._things}, {_duration(spent)}"
-        if 0.0 < share < 1.0:
-            told += f", about {_duration(spent / share - spent)} left"
+    def _write(self, end: str) -> None:
+        fraction = self._done / max(self._total, 1)
+        spent = monotonic() - self._start
+        text = f"{fraction:4.0%} of {self._total:,} {self._things}, {_duration(spent)}"
+        if 0.0 < fraction < 1.0:
+            text += f", about {_duration(spent / fraction - spent)} left"
         if self._is_bar:
-            bar = "#" * int(share * WIDTH)
-            told = f"\r[{bar:<{WIDTH}}] {told}\x1b[K"  # and what was longer is wiped out
-        self._told = self._done
+            bar = "#" * int(fraction * WIDTH)
+            text = f"\r[{bar:<{WIDTH}}] {text}\x1b[K"  # and what was longer is wiped out
+        self._last = self._done
         with suppress(OSError, ValueError):  # a stream that is full or closed stops no call
-            self._stream.write(told + end)
+            self._stream.write(text + end)
             self._stream.flush()
 
 
 def _duration(seconds: float) -> str:
-    """So many seconds as a person says them.
-
-    Examples
-    --------
-    >>> _duration(12.3), _duration(200), _duration(9000)
-    ('12 s', '3 min', '2.5 h')
-    """
     if seconds < 100.0:
         return f"{seconds:.0f} s"
     return f"{seconds / 60.0:.0f} min" if seconds < 6000.0 else f"{seconds / 3600.0:.1f} h"

@@ -12,9 +12,10 @@ scattergather:
 rule solve_chunk:
     output:
         chunk="<results>/atlas/chunks/{scatteritem}.nc",
-        cost="<results>/atlas/cost/{scatteritem}.csv",
     log:
         "<logs>/solve_chunk/{scatteritem}.log",
+    benchmark:
+        "<logs>/solve_chunk/{scatteritem}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -35,10 +36,8 @@ rule solve_chunk:
 rule catalogue_atlas:
     input:
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
-        cost=gather.atlas("<results>/atlas/cost/{scatteritem}.csv"),
     output:
         catalogue="<results>/atlas/catalogue.json",
-        cost="<results>/atlas/cost.csv",
     log:
         "<logs>/catalogue_atlas.log",
     conda:
@@ -108,7 +107,6 @@ use rule write_table as write_chart_table with:
 rule atlas:
     input:
         "<results>/atlas/catalogue.json",
-        "<results>/atlas/cost.csv",
         expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
         expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),
     message:

@@ -1,8 +1,8 @@
 """The whole space of conditions, solved for the default inputs and each member of the ensemble.
 
-``grid`` has the conditions, ``surfaces`` what is found on one surface, ``chunk`` writes some surfaces
-to a file, ``catalogue`` opens all files as one dataset, and ``charts`` reads the design charts off it.
-Begin with ``catalogue.open_atlas``.
+``surfaces`` finds what is on one surface, ``chunk`` writes some surfaces to a file, ``catalogue`` opens
+all files as one dataset, and ``charts`` reads the design charts off it.  Begin with
+``catalogue.open_atlas``.
 """
 
 from thirdbody.extras import require

@@ -16,36 +16,19 @@ import xarray as xr
 from thirdbody.data.attributes import identity
 from thirdbody.data.netcdf import unreadable
 
-CHUNKS, FILE, ROUGHNESS = "chunks", "file", "roughness_m"  # keys
-ALONG = "roughness"
-
 
 def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> None:
-    """Write the catalogue of the files ``chunks``, with their places relative to the catalogue's own.
+    """Write the catalogue of the files ``chunks``, with their places relative to its own.
 
-    Parameters
-    ----------
-    path : path
-        File to write.
-    chunks : sequence of path
-        Those of ``thirdbody.atlas.chunk.write_chunk``, in any order.
-
-    Raises
-    ------
-    OSError
-        If a file cannot be read: one line names it.
+    Raises ``OSError`` if a file cannot be read: one line names it.
     """
     listed = []
     for chunk in chunks:
+        place = Path(chunk).relative_to(Path(path).parent).as_posix()
         with _opened(chunk) as dataset:
-            listed.append(
-                {
-                    FILE: Path(chunk).relative_to(Path(path).parent).as_posix(),
-                    ROUGHNESS: dataset[ALONG].values.tolist(),
-                }
-            )
-    listed.sort(key=lambda each: each[ROUGHNESS])
-    Path(path).write_text(json.dumps({CHUNKS: listed}, indent=2) + "\n", encoding="utf-8")
+            listed.append({"file": place, "roughness_m": dataset["roughness"].values.tolist()})
+    listed.sort(key=lambda each: each["roughness_m"])
+    Path(path).write_text(json.dumps({"chunks": listed}, indent=2) + "\n", encoding="utf-8")
 
 
 def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Dataset:
@@ -78,19 +61,19 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
     """
     path = Path(path)
     try:
-        listed = json.loads(path.read_text(encoding="utf-8"))[CHUNKS]
-        files = [path.parent / each[FILE] for each in listed]
+        listed = json.loads(path.read_text(encoding="utf-8"))["chunks"]
+        files = [path.parent / each["file"] for each in listed]
     except (ValueError, TypeError, KeyError) as error:
         raise unreadable(path, type(error).__name__) from None
-    parts = []
+    attributes = []
     for file in files:
         with _opened(file) as part:
-            parts.append(part.attrs)
+            attributes.append(part.attrs)
     dataset = xr.open_mfdataset(
         files,
         engine="netcdf4",
         combine="nested",
-        concat_dim=ALONG,
+        concat_dim="roughness",
         data_vars="minimal",
         coords="minimal",
         compat="override",
@@ -98,26 +81,19 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
     )
     for name in dataset.coords:
         dataset[name].encoding["_FillValue"] = None  # where it is written: none is missing
+    # lists among the inputs of the model run along the roughness
+    inputs, *others = (json.loads(each["model_parameters"]) for each in attributes)
+    for name in (name for name, value in inputs.items() if isinstance(value, list)):
+        inputs[name] = sum((other[name] for other in others), inputs[name])
     return dataset.assign_attrs(
         title="Atlas of three-body contact",
-        model_parameters=_joined_parameters(parts),
-        **identity(" ".join(part["configuration_sha256"] for part in parts)),
+        model_parameters=json.dumps(inputs),
+        **identity(" ".join(each["configuration_sha256"] for each in attributes)),
     )
 
 
-def _opened(path) -> xr.Dataset:
-    """The dataset of a file."""
+def _opened(path: str | PathLike) -> xr.Dataset:
     try:
         return xr.open_dataset(path, engine="netcdf4", cache=False)
     except Exception as error:  # each kind of damage has an exception of its own below
         raise unreadable(path, type(error).__name__) from None
-
-
-def _joined_parameters(parts) -> str:
-    """The attribute ``model_parameters`` of all surfaces: its lists run along the roughness."""
-    each = [json.loads(part["model_parameters"]) for part in parts]
-    joined = {
-        name: sum((some[name] for some in each), []) if isinstance(value, list) else value
-        for name, value in each[0].items()
-    }
-    return json.dumps(joined)

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 import xarray as xr
 
-from thirdbody.atlas.surfaces import LIMITED
+from thirdbody.atlas.surfaces import LIMITS
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.quantities import STATUS
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -22,28 +22,18 @@ CHARTS = {  # the variable of the atlas that each shows
 
 
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:
-    """What the panels of a chart show.
-
-    Parameters
-    ----------
-    atlas : xarray.Dataset
-        The atlas.
-    name : str
-        One of ``CHARTS``.
-    charts : mapping
-        ``charts`` of ``config/atlas.yaml``.
+    """What the panels of a chart show, in memory: one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``.
 
     Returns
     -------
     list of xarray.Dataset
-        In memory, for each panel: ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over
-        ``quantile`` besides; ``solution_status`` of the point of the atlas that is nearest to the limit;
-        the conditions of the panel are coordinates, and the attribute ``ends`` is what the atlas spans
-        of the limit.
+        ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over ``quantile`` besides;
+        ``solution_status`` of the point of the atlas that is nearest to the limit; the conditions of
+        the panel are coordinates, and the attribute ``ends`` is what the atlas spans of the limit.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
-    along, *_ = LIMITED[variable]
+    (along,) = LIMITS[variable]
     ends = atlas[along].values[atlas[along].values > 0.0][[0, -1]]
     panels = []
     for given in charts[name]:

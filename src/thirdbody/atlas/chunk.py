@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from os import PathLike
 from typing import Any
 
@@ -13,20 +13,14 @@ import netCDF4
 import numpy as np
 import xarray as xr
 
-from thirdbody.atlas.grid import AtlasGrid
-from thirdbody.atlas.spread import QUANTILES
-from thirdbody.atlas.surfaces import LIMITS, TURNING, Clock, solve_surface
-from thirdbody.data.conditions import AXES, DIMENSIONS
-from thirdbody.data.dataset import described_grid
+from thirdbody.atlas.surfaces import LIMITS, QUANTILES, STATES, solve_surface
+from thirdbody.configuration.axes import axis_values
+from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
+from thirdbody.data.dataset import Axes, described_grid
 from thirdbody.data.quantities import FLAGS
 from thirdbody.data.streaming import declare
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.regimes import (
-    BOUNDARY_LIMIT,
-    CONTACT_MODES,
-    LUBRICATION_REGIMES,
-    PARTICLE_LIMIT,
-)
+from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
 
 POINTS_TOGETHER = 2**20  # solved at a time for one set of inputs: some 150 MB
@@ -39,110 +33,59 @@ COMMENT = (
     "differs from the default in each member, by the names of config/inputs.yaml, SI. A probability is "
     "the fraction of the members; a _range has quantiles of those members that have a value."
 )
-PASSED = "0: on this side at the least value of the axis already; infinite: at none"
 
 
-@dataclass(frozen=True)
-class Finding:
-    """A variable of the atlas that is found on the points of a surface.
-
-    Attributes
-    ----------
-    long_name : str
-        What it is.
-    dimensions : tuple of str
-        Axes that it has.
-    units : str
-        SI unit.
-    symbol : str
-        Symbol of the paper, ``none`` where it has none.
-    comment : str
-        What else there is to say of it, or nothing.
-    is_fraction : bool
-        Whether it is a fraction of the members: stored as their number.
-    """
-
-    long_name: str
-    dimensions: tuple[str, ...]
-    units: str = "1"
-    symbol: str = "none"
-    comment: str = ""
-    is_fraction: bool = False
+def _attributes(long_name: str, units: str = "1", symbol: str = "none", **more: Any) -> dict:
+    known = {"units": units, "long_name": long_name, "symbol": symbol}
+    return {**known, "coverage_content_type": "modelResult", **more}
 
 
-def _without(*left_out: str) -> tuple[str, ...]:
-    return tuple(name for name in DIMENSIONS if name not in left_out)
-
-
-def _of_state(kind: str, state: str) -> Finding:
-    told = f"probability of {state.replace('_', '-')} {kind} over the ensemble"
-    return Finding(told, DIMENSIONS, is_fraction=True)
-
-
-_OF_LIMITS = {
-    "largest_particle_diameter": Finding(
+PASSED = {"comment": "0: on this side at the least value of the axis already; infinite: at none"}
+ATTRIBUTES = {
+    "largest_particle_diameter": _attributes(
         f"largest particle diameter that stays out of the particle-surface mode, A_sa,t* = {PARTICLE_LIMIT}",
-        _without("particle_diameter"),
-        "m",
-        "x_a",
-        PASSED,
+        *("m", "x_a"),
+        **PASSED,
     ),
-    "least_viscosity": Finding(
+    "least_viscosity": _attributes(
         f"least viscosity that leaves boundary lubrication, L_s = {BOUNDARY_LIMIT}",
-        _without("viscosity"),
-        "m2 s-1",
-        "nu",
-        PASSED,
+        *("m2 s-1", "nu"),
+        **PASSED,
     ),
-    "turning_point_load": Finding(
-        "load at the turning point of the contact area", _without("load"), "1", "F_TPCA*"
+    "turning_point_load": _attributes(
+        "load at the turning point of the contact area", symbol="F_TPCA*"
     ),
-    "turning_point_window_low": Finding(
-        "least particle diameter over roughness with a turning point",
-        _without("load", "particle_diameter"),
+    "turning_point_window_low": _attributes(
+        "least particle diameter over roughness with a turning point"
     ),
-    "turning_point_window_high": Finding(
-        "largest particle diameter over roughness with a turning point",
-        _without("load", "particle_diameter"),
+    "turning_point_window_high": _attributes(
+        "largest particle diameter over roughness with a turning point"
     ),
 }
 
 
-def _findings() -> Iterator[tuple[str, Finding]]:
-    for state in LUBRICATION_REGIMES:
-        yield f"{state}_probability", _of_state("lubrication", state)
-    for state in CONTACT_MODES:
-        yield f"{state}_probability", _of_state("contact", state)
-    for name in (*LIMITS, *TURNING):
-        finding = _OF_LIMITS[name]
-        yield name, finding
-        told = f"{finding.long_name}: quantiles of the ensemble"
-        dimensions = (QUANTILE, *finding.dimensions)
-        yield f"{name}_range", replace(finding, long_name=told, dimensions=dimensions)
-    for name, of in (("turning_point", TURNING[0]), ("turning_point_window", TURNING[1])):
-        told = f"probability of a {name.replace('_', ' ')} over the ensemble"
-        yield f"{name}_probability", Finding(told, _OF_LIMITS[of].dimensions, is_fraction=True)
-
-
-FINDINGS = dict(_findings())
+def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:
+    """The five axes that ``config/atlas.yaml`` describes, increasing, SI; the load is F_t [N]."""
+    others = {axis.name: axis.values(axis_values(configured[axis.key])) for axis in CONDITION_AXES}
+    return {"load": np.array(axis_values(configured["load_N"])), **others}
 
 
 def write_chunk(
     path: str | PathLike,
-    grid: AtlasGrid,
+    axes: Axes,
     default: Parameters,
     members: Sequence[Mapping[str, Any]],
     kept: Collection[str],
     rtol: float,
-) -> Clock:
-    """Solve the surfaces of ``grid`` for all inputs and write what is found, little by little.
+) -> None:
+    """Solve some surfaces of the atlas for all inputs and write what is found, little by little.
 
     Parameters
     ----------
     path : path
         NetCDF-4 file to write, which only this process reads before it is complete.
-    grid : AtlasGrid
-        Some surfaces of the atlas.
+    axes : mapping
+        Those of ``atlas_axes``, with some of the roughnesses.
     default : Parameters
         The default inputs.
     members : sequence of mapping
@@ -151,76 +94,76 @@ def write_chunk(
         Quantities kept of each point under the default inputs, beside the flags.
     rtol : float
         Relative error asked for.
-
-    Returns
-    -------
-    Clock
-        Processor time that solving took.
     """
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
-    clock = Clock(len(sets))
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
-        described = _described(grid, default, members, kept, rtol)
+        described = _described(axes, default, members, kept, rtol)
         sides = dict.fromkeys(("roughness", "particle_density"), 1)
         digits = dict.fromkeys(kept, math.ceil(-math.log10(rtol)) + SAFE_DIGITS)
-        file_variables = declare(file, described, {**described.sizes, **sides}, 1, digits)
-        for place, part in _parts(grid):
-            found = solve_surface(part, sets, weights, kept, rtol, clock)
+        variables = declare(file, described, {**described.sizes, **sides}, 1, digits)
+        for place, part in _parts(axes):
+            found = solve_surface(part, sets, weights, kept, rtol)
             for name, values in found.items():
-                variable = file_variables[name]
-                variable[tuple(place.get(each, slice(None)) for each in variable.dimensions)] = (
-                    values
-                )
-    return clock
+                index = (place.get(each, slice(None)) for each in variables[name].dimensions)
+                variables[name][tuple(index)] = values
 
 
-def _parts(grid: AtlasGrid) -> Iterator[tuple[dict[str, slice], AtlasGrid]]:
-    """Where they are in the file, and the parts of a grid that are solved at a time: some particle
-    densities on one surface."""
-    surfaces, densities = (grid.conditions[name] for name in ("roughness", "particle_density"))
-    of_one_density = math.prod(grid.shape) // (surfaces.size * densities.size)
-    step = max(POINTS_TOGETHER // of_one_density, 1)
+def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:
+    """What is solved at a time, some particle densities on one surface, and where it is in the file."""
+    surfaces, densities = axes["roughness"], axes["particle_density"]
+    points = math.prod(axis.size for axis in axes.values())
+    step = max(POINTS_TOGETHER // (points // (surfaces.size * densities.size)), 1)
     for row in range(surfaces.size):
-        surface = grid.with_roughness(surfaces[row : row + 1])
         for first in range(0, densities.size, step):
-            some = slice(first, min(first + step, densities.size))
-            place = {"roughness": slice(row, row + 1), "particle_density": some}
-            yield place, surface.with_density(densities[some])
+            place = {
+                "roughness": slice(row, row + 1),
+                "particle_density": slice(first, min(first + step, densities.size)),
+            }
+            yield place, {**axes, **{name: axes[name][some] for name, some in place.items()}}
 
 
-def _described(grid, default, members, kept, rtol) -> xr.Dataset:
-    """Coordinates, attributes and empty variables of the file of ``grid``."""
-    empty = {
-        name: np.broadcast_to(np.zeros((), type_of(name)), grid.shape) for name in (*kept, *FLAGS)
-    }
-    described = described_grid(grid.axes(default), empty, default, rtol).to_xarray()
+def _described(axes, default, members, kept, rtol) -> xr.Dataset:
+    """Coordinates, attributes and empty variables of the file."""
+    shape = [axis.size for axis in axes.values()]
+    empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in (*kept, *FLAGS)}
+    loads = {"load": axes["load"] / default.newtons_per_load}
+    described = described_grid({**axes, **loads}, empty, default, rtol).to_xarray()
     # the normal loads are given: those of the grid have no rounding
-    described["normal_load"].values[:] = grid.newtons
-    told = {"units": "1", "long_name": "fraction of the ensemble below"}
-    described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, told)})
-    for name, finding in FINDINGS.items():
-        shape = [described.sizes[each] for each in finding.dimensions]
-        kind = np.int16 if finding.is_fraction else float
-        values = np.broadcast_to(np.zeros((), kind), shape)
-        described[name] = finding.dimensions, values, _attributes(finding, len(members))
-    ends = " to ".join(
-        f"{AXES['roughness'].from_si(end):.4g} nm" for end in grid.conditions["roughness"][[0, -1]]
-    )
+    described["normal_load"].values[:] = axes["load"]
+    quantiles = {"units": "1", "long_name": "fraction of the ensemble below"}
+    described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, quantiles)})
+    for name, (dimensions, attributes) in _findings(len(members)).items():
+        sizes = [described.sizes[each] for each in dimensions]
+        kind = np.int16 if "scale_factor" in attributes else float
+        described[name] = dimensions, np.broadcast_to(np.zeros((), kind), sizes), attributes
+    ends = (AXES["roughness"].from_si(end) for end in axes["roughness"][[0, -1]])
     return described.assign_attrs(
-        title=f"Atlas of three-body contact, roughness {ends}",
+        title=f"Atlas of three-body contact, roughness {' to '.join(f'{e:.4g} nm' for e in ends)}",
         comment=f"{described.attrs['comment']}. {COMMENT}",
         ensemble=json.dumps([dict(member) for member in members]),
     )
 
 
-def _attributes(finding: Finding, members: int) -> dict:
-    attributes = {
-        "units": finding.units,
-        "long_name": finding.long_name,
-        "symbol": finding.symbol,
-        "coverage_content_type": "modelResult",
-    }
-    attributes |= {"comment": finding.comment} if finding.comment else {}
-    return attributes | ({"scale_factor": 1.0 / members} if finding.is_fraction else {})
+def _findings(members: int) -> dict[str, tuple[tuple[str, ...], dict[str, Any]]]:
+    """Dimensions and attributes of what ``solve_surface`` finds; fractions are stored as counts."""
+    found = {}
+    fraction = {"scale_factor": 1.0 / members}
+    for flag, states in STATES.items():
+        for state in states:
+            kind = f"{state.replace('_', '-')} {flag.partition('_')[0]}"
+            name = f"probability of {kind} over the ensemble"
+            found[f"{state}_probability"] = DIMENSIONS, _attributes(name, **fraction)
+    for name, attributes in ATTRIBUTES.items():
+        dimensions = tuple(each for each in DIMENSIONS if each not in LIMITS[name])
+        ranged = {"long_name": f"{attributes['long_name']}: quantiles of the ensemble"}
+        found[name] = dimensions, attributes
+        found[f"{name}_range"] = (QUANTILE, *dimensions), attributes | ranged
+    for name, of in (("turning_point", "load"), ("turning_point_window", "low")):
+        dimensions, _ = found[f"{name}_{of}"]
+        about = _attributes(
+            f"probability of a {name.replace('_', ' ')} over the ensemble", **fraction
+        )
+        found[f"{name}_probability"] = dimensions, about
+    return found

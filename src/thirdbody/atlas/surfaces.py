@@ -6,21 +6,18 @@ they are in memory: the regime and mode of each, the limits of design, and the t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
-from time import process_time
+from collections.abc import Callable, Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import logit
 
-from thirdbody.atlas.grid import AtlasGrid
-from thirdbody.atlas.spread import quantiles
 from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import FLAGS
+from thirdbody.data.spread import ENDS
 from thirdbody.model.film import Film, film_load, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
@@ -30,152 +27,127 @@ from thirdbody.model.regimes import (
     PARTICLE_LIMIT,
 )
 from thirdbody.solver.points import make_contact
-from thirdbody.solver.solution import Solution
 from thirdbody.solver.solve import solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
 
-SOLVED = (
-    *("separation", "particle_contact_area_ratio", "solid_load_fraction"),
-    *("lubrication_regime", "contact_mode"),
-)
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
-LIMITED = {  # axis of a limit, the variable that passes a level along it, the level, upwards or down
-    "largest_particle_diameter": (
-        *("particle_diameter", "particle_contact_area_ratio"),
-        *(PARTICLE_LIMIT, 1.0),
-    ),
-    "least_viscosity": ("viscosity", "solid_load_fraction", BOUNDARY_LIMIT, -1.0),
+SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)
+# what has a value for each set of inputs and quantiles over the ensemble, and which axes it has not
+LIMITS = {
+    "largest_particle_diameter": ("particle_diameter",),
+    "least_viscosity": ("viscosity",),
+    "turning_point_load": ("load",),
+    "turning_point_window_low": ("load", "particle_diameter"),
+    "turning_point_window_high": ("load", "particle_diameter"),
 }
-# what has a value for each set of inputs, and over the ensemble quantiles and the fraction that has one
-LIMITS = tuple(LIMITED)
-TURNING = ("turning_point_load", "turning_point_window_low", "turning_point_window_high")
+QUANTILES = np.array([ENDS[0], 0.5, ENDS[1]])  # nine in ten lie between the first and the last
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
 PLACES = 900  # separations between which the diameter that a limit belongs to is interpolated
 
 
-@dataclass
-class Clock:
-    """For how many sets of inputs points were solved, and the processor time that they took, and the
-    search for limits and turning points between them [s]."""
-
-    sets: int
-    solving: float = 0.0
-    searching: float = 0.0
-
-
 def solve_surface(
-    grid: AtlasGrid,
+    axes: Axes,
     sets: Sequence[Parameters],
     weights: Sequence[int],
     kept: Collection[str],
     rtol: float,
-    clock: Clock,
 ) -> dict[str, NDArray]:
     """All that the atlas holds of a few particle densities on one surface.
 
     Parameters
     ----------
-    grid : AtlasGrid
-        With one roughness.
-    sets : sequence of Parameters
-        The default inputs, then the others of the ensemble.
-    weights : sequence of int
-        How often each is in the ensemble.
-    kept : collection of str
-        Quantities kept of each point under the default inputs.
-    rtol : float
-        Relative error asked for.
-    clock : Clock
-        Takes the time.
+    axes : mapping
+        Those of ``thirdbody.atlas.chunk.atlas_axes`` with one roughness.
+    sets, weights : sequence
+        The default inputs, then the others of the ensemble, and how often each is in the ensemble.
+    kept, rtol
+        As of ``thirdbody.atlas.chunk.write_chunk``.
 
     Returns
     -------
     dict
-        Arrays by the names of ``thirdbody.atlas.chunk.variables``, over its dimensions.
+        Arrays by the name of the variable: those kept and the flags, counts of the members in each
+        regime and mode, ``LIMITS`` of the default with their quantiles, and counts of turning points.
     """
-    counts = {
-        f"{state}_probability": np.zeros(grid.shape, np.int16)
-        for states in STATES.values()
-        for state in states
-    }
-    found: dict[str, list] = {name: [] for name in (*LIMITS, *TURNING)}
+    shape = [axis.size for axis in axes.values()]
+    names = (state for states in STATES.values() for state in states)
+    counts = {f"{name}_probability": np.zeros(shape, np.int16) for name in names}
+    limits: list[dict[str, NDArray]] = []
     values: dict[str, NDArray] = {}
     for parameters, weight in zip(sets, weights, strict=True):
-        names = SOLVED if values else dict.fromkeys((*SOLVED, *kept, *FLAGS))
-        axes = grid.axes(parameters)
-        solution = _timed(clock, "solving", _solved, axes, parameters, rtol, names)
+        own = {**axes, "load": axes["load"] / parameters.newtons_per_load}
+        wanted = SOLVED if values else dict.fromkeys((*SOLVED, *kept, *FLAGS))
+        if is_worthwhile(own, rtol):
+            solution = sweep(own, parameters, rtol, wanted)
+        else:
+            solution = solve_arrays(crossed(own), parameters, rtol, wanted)
         values = values or {name: getattr(solution, name) for name in (*kept, *FLAGS)}
-        if weight:
-            for flag, states in STATES.items():
-                for index, state in enumerate(states):
-                    counts[f"{state}_probability"] += weight * (getattr(solution, flag) == index)
-        for name, each in (
-            _timed(clock, "searching", _limits, axes, solution, parameters, rtol)
-            | _timed(clock, "searching", _turning, axes, solution.separation, parameters, rtol)
-        ).items():
-            found[name].append(each)
-    return values | counts | _summed_up(found, weights)
+        for flag, states in STATES.items():
+            for index, state in enumerate(states):
+                counts[f"{state}_probability"] += weight * (getattr(solution, flag) == index)
+        limits.append(
+            _passed(own, solution, parameters, rtol)
+            | _turning(own, solution.separation, parameters, rtol)
+        )
+    found: dict[str, NDArray] = {}
+    exists: dict[str, NDArray] = {}
+    for name, value in limits[0].items():
+        members = np.repeat(np.stack([each[name] for each in limits]), weights, axis=0)
+        found |= {name: value, f"{name}_range": quantiles(members)}
+        if name in ("turning_point_load", "turning_point_window_low"):
+            count = np.isfinite(members).sum(axis=0).astype(np.int16)
+            exists[f"{name.rpartition('_')[0]}_probability"] = count
+    return values | counts | found | exists
 
 
-def _solved(axes, parameters, rtol, names) -> Solution:
-    """The points of a grid: by a sweep over the separation if they are many."""
-    if is_worthwhile(axes, rtol):
-        return sweep(axes, parameters, rtol, names)
-    return solve_arrays(crossed(axes), parameters, rtol, names)
+def quantiles(values: NDArray) -> NDArray[np.float64]:
+    """``QUANTILES`` over the members, the first axis of ``values``, with linear interpolation.
+
+    Infinite values are beyond all bounds; nan is no value, and the result where no member has one.
+    numpy's own quantiles are nan between infinite values.
+    """
+    ordered = np.sort(values, axis=0)  # nan last
+    last = np.count_nonzero(~np.isnan(values), axis=0) - 1
+    place = np.multiply.outer(QUANTILES, np.maximum(last, 0))
+    below = np.floor(place).astype(int)
+    above = np.minimum(below + 1, np.maximum(last, 0))
+    low, high = (np.take_along_axis(ordered, each, axis=0) for each in (below, above))
+    with np.errstate(invalid="ignore"):  # infinity less infinity
+        step = np.where((place > below) & (low != high), (place - below) * (high - low), 0.0)
+    return low + step
 
 
-def _timed(clock, what, function, *given):
-    start = process_time()
-    result = function(*given)
-    setattr(clock, what, getattr(clock, what) + process_time() - start)
-    return result
-
-
-def _limits(axes, solution, parameters, rtol) -> dict[str, NDArray]:
+@np.errstate(divide="ignore", invalid="ignore")  # fractions of 0 and 1
+def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
     on lubrication is no longer boundary lubrication."""
     ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
     diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
-    leaps = {
-        "largest_particle_diameter": lambda ends, load, film, surface, density: np.clip(
-            diameter[film, density, load], *ends
+
+    def between_sizes(ends, load, film, surface, density):
+        return np.clip(diameter[film, density, load], *ends)
+
+    def between_films(ends, *place):
+        return passed_viscosity(BOUNDARY_LIMIT, ends, place, axes, parameters, rtol)
+
+    particles = logit(solution.particle_contact_area_ratio) - logit(PARTICLE_LIMIT)
+    film = logit(BOUNDARY_LIMIT) - logit(solution.solid_load_fraction)
+    return {
+        "largest_particle_diameter": first_passed(
+            "particle_diameter", axes, particles, between_sizes
         ),
-        "least_viscosity": lambda ends, *place: passed_viscosity(
-            BOUNDARY_LIMIT, ends, place, axes, parameters, rtol
-        ),
+        "least_viscosity": first_passed("viscosity", axes, film, between_films),
     }
-    return {name: first_passed(*LIMITED[name], axes, solution, leaps[name]) for name in LIMITED}
 
 
 def first_passed(
-    along: str,
-    variable: str,
-    level: float,
-    direction: float,
-    axes: Axes,
-    solution: Solution,
-    leap: Callable[..., NDArray],
+    along: str, axes: Axes, excess: NDArray, between: Callable[..., NDArray]
 ) -> NDArray:
-    """Where a variable first passes a level along one axis of a solved grid.
+    """Where ``excess``, the logarithm of odds above a level, first passes 0 along an axis of a grid.
 
-    Between neighbours ln of the odds is interpolated over ln of the axis.
-
-    Parameters
-    ----------
-    along : str
-        The axis, whose value 0 is left out.
-    variable : str
-        One of ``solution``.
-    level, direction : float
-        What is passed, and whether upwards, 1, or downwards, -1.
-    axes : mapping
-        The five axes.
-    solution : Solution
-        That of the grid.
-    leap : callable
-        Maps neighbours on the axis [SI], and places on the other four, to where between them the level
-        is passed [SI].  It is asked where the variable leaps, as it does where the first particle
-        touches.
+    It is interpolated over the logarithm of the axis, whose value 0 is left out.  Where it leaps, as it
+    does where the first particle touches, ``between`` maps neighbours on the axis [SI], and places on
+    the other four, to where between them the level is passed [SI].
 
     Returns
     -------
@@ -183,25 +155,21 @@ def first_passed(
         Of the shape of the grid without the axis, SI: 0 where the level is passed at the first value
         already, infinite where it never is, nan where points without solution leave that open.
     """
-    axis = list(axes).index(along)
-    positive = axes[along] > 0.0
-    values = np.moveaxis(getattr(solution, variable), axis, 0)[positive]
-    nodes = axes[along][positive]
-    beyond = direction * (values - level) > 0.0
+    nodes = axes[along][axes[along] > 0.0]
+    excess = np.moveaxis(excess, list(axes).index(along), 0)[axes[along] > 0.0]
+    beyond = excess > 0.0
     passed, last = beyond.any(axis=0), beyond.argmax(axis=0)
-    never = np.where(np.isnan(values).any(axis=0), np.nan, np.inf)
+    never = np.where(np.isnan(excess).any(axis=0), np.nan, np.inf)
     found = np.where(passed, 0.0, never)
     others = np.nonzero(passed & (last > 0))
     high = last[others]
     ends = nodes[high - 1], nodes[high]
-    at_ends = [values[(place, *others)] for place in (high - 1, high)]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        below, above = (logit(value) - logit(level) for value in at_ends)
-        crossing = ends[0] * (ends[1] / ends[0]) ** (below / (below - above))
-    leaps = np.flatnonzero(np.isfinite(at_ends[0]) & ~(np.abs(above - below) < EVEN))
+    below, above = (excess[(place, *others)] for place in (high - 1, high))
+    crossing = ends[0] * (ends[1] / ends[0]) ** (below / (below - above))
+    leaps = np.flatnonzero(~np.isnan(below) & ~(np.abs(above - below) < EVEN))
     if leaps.size:
         some = tuple(end[leaps] for end in ends)
-        crossing[leaps] = leap(some, *(places[leaps] for places in others))
+        crossing[leaps] = between(some, *(places[leaps] for places in others))
     found[others] = crossing
     return found
 
@@ -297,18 +265,8 @@ def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
     large = sizes > 0.0
     prominence = np.moveaxis(turning.prominence.reshape(shape)[:, large], 1, 0)
     low, high = swept_windows(sizes[large] / roughness, prominence)
-    return dict(zip(TURNING, (turning.load.reshape(shape), low, high), strict=True))
-
-
-def _summed_up(found: Mapping[str, list], weights) -> dict[str, NDArray]:
-    """The values of the default, the quantiles of the ensemble, and which fraction of it has a value."""
-    result = {}
-    for name, each in found.items():
-        members = np.repeat(np.stack(each), weights, axis=0)
-        result[name] = each[0]
-        result[f"{name}_range"] = quantiles(members)
-        if name in TURNING[:2]:
-            result[f"{name}_count"] = np.isfinite(members).sum(axis=0)
-    for name, count in (("turning_point", TURNING[0]), ("turning_point_window", TURNING[1])):
-        result[f"{name}_probability"] = result.pop(f"{count}_count").astype(np.int16)
-    return result
+    return {
+        "turning_point_load": turning.load.reshape(shape),
+        "turning_point_window_low": low,
+        "turning_point_window_high": high,
+    }
