@@ -213,6 +213,7 @@ def _bearing(
     ball: Body = None,
     flat: Body = None,
     particle: Body = None,
+    apparent_area_mm2: _optional("apparent-area-mm2", "A_n [mm2], to which loads refer") = None,
     write: File = None,
     json: Json = False,
 ):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.conditions.checks import checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
@@ -178,8 +178,7 @@ def compare(
     for name, one in zip(observed, models):
         table[one.column] = observed[name].to(one.unit).magnitude
         table[f"{one.column}_residual"] = table[one.column] - table[f"{one.column}_model"]
-    if not members:
-        notes.append("no ensemble: these inputs are others than those of the calibration")
+    notes += ensemble_notes(members)
     unsolved = int(table[f"{models[0].column}_model"].isna().sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
