@@ -210,7 +210,10 @@ def _read_csv(path):
     """A CSV as texts; its separator is the first of tab, semicolon and comma in the headings."""
     import pandas as pd
 
-    content = Path(path).read_bytes()
+    try:
+        content = Path(path).read_bytes()
+    except OSError as error:
+        raise type(error)(f"{shown_file(path)} cannot be read ({error.strerror})") from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -263,7 +266,12 @@ def _conditions(columns, conditions, parameters):
     """The conditions of each measurement in engineering units, with its speed if there is one."""
     import pandas as pd
 
-    given = {name: each for name, each in columns.items() if name in ENGINEERING}
+    given = {}
+    for name in columns.keys() & ENGINEERING.keys():
+        key = "load" if columns[name].unitless and name == "load" else ENGINEERING[name]
+        given[key] = columns[name].to(UNITS[key].text).magnitude
+        if key in conditions:
+            raise ValueError(f"{key} is given twice; allowed: a column, or one number")
     found = in_si(given | conditions, parameters)
     table = {
         key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))
