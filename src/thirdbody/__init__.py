@@ -16,7 +16,7 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 
 ``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
 ``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in
-``thirdbody.solver``: both need numpy and scipy alone.  Other rooms say which extra they need.
+``thirdbody.solver``: both need numpy and scipy alone.  Other packages say which extra they need.
 """
 
 __all__ = [

@@ -1,5 +1,6 @@
 """The answers of an interface against solves of one's own."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -11,6 +12,7 @@ import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.configuration.inputs import read_entries
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.regimes import LUBRICATION_REGIMES
 
@@ -181,3 +183,49 @@ def test_rows_say_how_many_members_agree():
     assert (row.agree, row.members, row.range_text) == (1, 3, "1 of 3")
     none = Row.of("a", "A", None, "N", [None, 2.0])
     assert none.range_text == "2 to 2, 1 of 2 have none"
+
+
+def test_a_ball_smaller_than_the_interface_is_refused_wherever_it_is_given(defaults):
+    told = "apparent_area is 3.57e-06; allowed: at most 7.85e-07 m2, the cross-section of a ball"
+    with pytest.raises(ValueError, match=told):
+        tb.bearing(defaults, ball_radius_mm=0.5)
+    with pytest.raises(ValueError, match=told):
+        tb.load_parameters(ball_radius=0.0005)
+    small = tb.bearing(defaults, ball_radius_mm=0.5, apparent_area_mm2=0.5)
+    assert (small.ball_radius, small.apparent_area) == pytest.approx((5e-4, 5e-7))
+
+
+def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
+    with pytest.warns(
+        UserWarning, match="elastic_modulus_surfaces is changed alone, not with it mat"
+    ):
+        tb.load_parameters(elastic_modulus_surfaces=2e11)
+    with pytest.warns(UserWarning, match="ball_radius is changed alone, not with it speed"):
+        tb.load_parameters(ball_radius=0.01)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        tb.load_parameters(ball_radius=0.01, speed_per_viscosity=3e-6)
+        tb.load_parameters(truncation=2.5)
+
+
+def test_inputs_without_an_ensemble_have_no_range_and_say_so(interface, defaults):
+    members = calibrated_ensemble(defaults)
+    varied = [
+        name
+        for name, value in defaults.as_dict().items()
+        if len({getattr(each, name) for each in members}) > 1
+    ]
+    entries, changed = read_entries(), {}
+    for name in varied:
+        value = getattr(defaults, name)
+        words = [word for word in entries[name].get("allowed", []) if word != value]
+        changed[name] = words[0] if words else 1.001 * value
+    alone = interface.changed(parameters=replace(defaults, **changed))
+    assert alone.members == ()
+    other = alone.changed(viscosity_cSt=120)
+    answers = [alone.state(), alone.compare(other), alone.transitions(), alone.turning_point()]
+    for answer in answers:
+        assert [note for note in answer.notes if note.startswith("no ensemble: ")]
+        assert {row.low for row in answer.rows} == {None}
+        assert {row.range_text for row in answer.rows} == {""}
+    assert alone.curve("load", 1.0, 10.0, count=2).low == {}

@@ -206,7 +206,7 @@ def test_all_that_is_outside_is_told_in_one_warning(solve):
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"ball_radius_mm": 0.006}, "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"),
+        ({"ball_radius_mm": 6350}, "ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm"),
         (
             {"speed_m_per_s": 2.0, "oil_density_kg_per_m3": 0.87},
             "oil_density_kg_per_m3 is 0.87 kg m-3; usual: 500 to 3000 kg m-3",
@@ -217,6 +217,15 @@ def test_so_is_a_bearing_in_another_unit(parameters, given, told):
     with pytest.warns(tb.OutOfRangeWarning) as warned:
         tb.bearing(parameters, **given)
     assert [str(each.message) for each in warned] == [told]
+
+
+def test_so_is_a_ball_in_another_unit_that_is_smaller_than_the_interface(parameters):
+    told = "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"
+    with (
+        pytest.warns(tb.OutOfRangeWarning, match=told),
+        pytest.raises(ValueError, match="ball_radius_mm follows: .* the cross-section of a ball"),
+    ):
+        tb.bearing(parameters, ball_radius_mm=0.006)
 
 
 def test_what_interfaces_have_is_solved_without_a_word(solve):

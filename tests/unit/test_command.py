@@ -27,7 +27,12 @@ REFUSED = {
     "state --load-N 1": "--viscosity-cSt is missing",
     "state --load 1": "there is no option --load (Possible options: --load-N)",
     f"{STATE} --inputs absent.yaml": "--inputs is 'absent.yaml'",
-    f"size {DRY} --from 100 --to 10": "--from is 100; allowed: less than --to, 10",
+    f"size {DRY} --from 100 --to 10": "--from is 100; allowed: positive numbers less than --to, 10",
+    f"curve {DRY} --particle-diameter-nm 0 --along load --from 0 --to 2": "--from is 0; allowed: pos",
+    f"{CURVE} --csv ''": "'' is no name of a file",
+    "compare-data": "FILE is missing",
+    "compare-data ''": "'' cannot be read (Is a directory)",
+    "compare-data absent.csv": "absent.csv cannot be read (No such file or directory)",
     "bearing --ball wood": "--ball is 'wood'; allowed: steel, silicon-nitride, alumina",
     "bearing --ball 205,0.7,5": "--ball is '205,0.7,5'",
     "bearing --speed-m-per-s 2": "--speed-m-per-s is 2 and the oil's density None; allowed: both",
@@ -80,6 +85,13 @@ def test_what_is_in_another_unit_is_told_in_one_line(capsys):
     assert json.loads(printed.out)
     (line,) = printed.err.splitlines()
     assert line.startswith("thirdbody state: warning: --load-N is 100000 N; usual: ")
+
+
+def test_a_material_in_another_unit_is_told_in_the_unit_that_is_typed(capsys):
+    assert run("bearing --ball 205000,0.29,5000") == ANSWERED
+    (line,) = capsys.readouterr().err.splitlines()
+    told = "modulus is 205000 GPa; usual: 0.1 to 2000 GPa, and hardness is 5000 GPa; usual: 0.01 to"
+    assert told in line
 
 
 def test_the_version_is_printed(capsys, monkeypatch):

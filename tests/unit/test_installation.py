@@ -1,4 +1,4 @@
-"""The library as it is installed: a wheel beside numpy and scipy, in an environment of its own."""
+"""The library as it is installed: a wheel beside what it requires, in an environment of its own."""
 
 import json
 import os
@@ -29,10 +29,9 @@ print(json.dumps([solution.separation.item(), solution.total_contact_area.item()
 """
 # what is asked for, the modules that it lacks beside numpy and scipy, the extra that brings them
 LACKING = {
-    "from thirdbody import load_parameters": ("yaml, jsonschema", "data"),
     "import thirdbody; thirdbody.stream": ("xarray, netCDF4", "data"),
     "from thirdbody import Solution; Solution().to_dataframe()": ("xarray, netCDF4", "data"),
-    "import thirdbody; thirdbody.Interface": ("xarray, netCDF4, yaml, jsonschema", "data"),
+    "import thirdbody; thirdbody.Interface": ("xarray, netCDF4", "data"),
     "import thirdbody.figures.panel": ("matplotlib", "figures"),
     "import thirdbody.study.sobol": ("cma, emcee, jinja2, pandas, tabulate", "study"),
 }
@@ -80,6 +79,15 @@ def test_numpy_and_scipy_are_enough_to_solve(installed, parameters):
     assert json.loads(done.stdout) == [expected.separation, expected.total_contact_area]
 
 
+def test_the_first_example_of_the_readme_runs(installed):
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"```python\n(.*?)```", readme, re.DOTALL)
+    done = installed(example)
+    assert done.stderr == ""
+    fraction, area = map(float, done.stdout.split())
+    assert 0.0 < fraction < 1.0 and 0.0 < area < 1.0
+
+
 @pytest.mark.parametrize("code", LACKING)
 def test_a_missing_extra_is_named_in_one_line(installed, code):
     modules, extra = LACKING[code]
@@ -96,7 +104,7 @@ def test_the_command_has_help_and_says_what_it_needs(installed):
     assert done.returncode == 0 and "turning-point" in done.stdout
     done = installed(COMMAND, "bearing")
     assert done.returncode == 2
-    told = 'needs xarray, netCDF4, yaml, jsonschema: pip install "thirdbody[data]"'
+    told = 'needs xarray, netCDF4: pip install "thirdbody[data]"'
     assert done.stderr == f"thirdbody bearing: this part of thirdbody {told}\n"
 
 

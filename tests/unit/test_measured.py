@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import pint
 import pytest
 
 import thirdbody as tb
@@ -221,6 +222,19 @@ def test_spreadsheets_of_other_countries_are_read(tmp_path):
     assert table["film_thickness_nm"][0] == pytest.approx(900.0)
 
 
+def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
+    table = data(**{"viscosity [mm^2/s]": 0.09})
+    with pytest.warns(tb.OutOfRangeWarning, match="viscosity_cSt is 0.09 cSt; usual: 0.3 to"):
+        tb.compare(table, **without("viscosity_cSt"))
+    with pytest.warns(tb.OutOfRangeWarning, match="boundary_friction is 12; usual: 0.01 to 1"):
+        Assumed(boundary_friction=12)
+    with pytest.warns(tb.OutOfRangeWarning, match="gap_nm is 1e-06 nm; usual: 1 to 100000 nm"):
+        tb.cleanliness("18/16/13", gap_nm=1e-6)
+    kelvin = pint.UnitRegistry().Quantity(313.15, "K")
+    with pytest.raises(ValueError, match="temperature_C is a Quantity; allowed: numbers, in deg"):
+        tb.oil_viscosity(kelvin, grade=46, viscosity_index=95)
+
+
 @pytest.mark.parametrize(
     ("text", "message"),
     [
@@ -236,8 +250,8 @@ def test_spreadsheets_of_other_countries_are_read(tmp_path):
         ("load [N],wear\n1,1\n", "measured has the column 'wear'; allowed: load, viscosity"),
         ("load [N],separation [nm]\nten,1\n", r"load \[N\] is 'ten' in row 1; allowed: numbers"),
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
-        ("load [N],separation [nm]\n,1\n", "load is nan; allowed: positive finite numbers"),
-        ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness is given twice"),
+        ("load [N],separation [nm]\n,1\n", "load_N is nan; allowed: positive finite numbers"),
+        ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),
         (
             "load [N],speed [m/s],separation [nm]\n1,1,1\n",
             "speed_m_per_s is None; allowed: a number",

@@ -8,4 +8,4 @@ oil and two materials; ``ensemble`` says how far the calibrated ensemble spreads
 
 from thirdbody.extras import require
 
-require("data", "xarray", "netCDF4", "yaml", "jsonschema")
+require("data", "xarray", "netCDF4")

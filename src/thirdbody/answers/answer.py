@@ -69,7 +69,7 @@ class Row:
         parts = []
         if self.low is not None:
             parts.append(f"{text_of(self.low)} to {text_of(self.high)}")
-        if self.agree < self.members or isinstance(self.value, str):
+        if self.agree < self.members or (self.members and isinstance(self.value, str)):
             parts.append(f"{self.agree} of {self.members}" + (" have none" * (self.value is None)))
         return ", ".join(parts)
 

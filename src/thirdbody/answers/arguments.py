@@ -15,7 +15,7 @@ from thirdbody.conditions.in_si import in_si
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.units import has_unit, is_labelled
+from thirdbody.units import is_labelled
 
 MOST_VALUES = 1_000_000  # of a sweep or a curve
 
@@ -53,9 +53,6 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
     allowed = f"numbers, in {quantity.units}"
-    several = level if isinstance(level, (list, tuple)) else [level]
-    if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
-        raise ValueError(f"level is a {type(level).__name__}; allowed: {allowed}")
     levels = checked_array("level", level, allowed)
     if not np.isfinite(levels).all():
         raise ValueError(f"level is {shown(level)}; allowed: {allowed}")

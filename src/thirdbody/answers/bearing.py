@@ -14,6 +14,7 @@ from thirdbody.answers.answer import Answer, Row
 from thirdbody.answers.arguments import check_number
 from thirdbody.conditions.checks import checked_parameters
 from thirdbody.conditions.usual import warn_outside
+from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
@@ -26,6 +27,7 @@ USUAL = {  # usual ends and unit of the numbers of ``bearing``
     "dynamic_viscosity_mPa_s": ((0.1, 1e5), "mPa s"),
     "viscosity_cSt": ((0.3, 1e4), "cSt"),
     "pressure_viscosity_per_GPa": ((1.0, 100.0), "GPa-1"),
+    "apparent_area_mm2": ((1e-4, 1e6), "mm2"),
     "modulus": ((1e8, 2e12), "Pa"),
     "hardness": ((1e7, 2e11), "Pa"),
 }
@@ -89,6 +91,7 @@ def bearing(
     ball: Material | None = None,
     flat: Material | None = None,
     particle: Material | None = None,
+    apparent_area_mm2: float | None = None,
 ) -> Parameters:
     """Derive the inputs of the model for another ball, speed, oil or other materials.
 
@@ -111,17 +114,19 @@ def bearing(
         alpha [GPa-1].
     ball, flat, particle : Material, optional
         Materials of both bodies and of the particles; where one is given, the others are steel.
+    apparent_area_mm2 : float, optional
+        A_n [mm2], to which loads refer: no more than the cross-section of the ball.
 
     Returns
     -------
     Parameters
-        ``apparent_area`` A_n, to which loads refer, stays: it is an input of its own.
+        The inputs, with what follows from the arguments.
 
     Raises
     ------
     ValueError
         In one line: for a number that is not positive, a speed without a density or the reverse, a body
-        that is no ``Material``, a particle softer than a surface, and inputs that are no
+        that is no ``Material``, a particle softer than a surface, an A_n larger than the ball, and inputs that are no
         ``Parameters``, or leave their bounds.
 
     Warns
@@ -195,8 +200,13 @@ def bearing(
         "speed_per_viscosity": speed_per_viscosity,
         "material_parameter": material_parameter,
     }
+    if apparent_area_mm2 is not None:
+        changes["apparent_area"] = 1e-6 * apparent_area_mm2
     try:
-        return replace(parameters, **changes)
+        found = replace(parameters, **changes)
+        if {"ball_radius_mm", "apparent_area_mm2"} & given.keys():
+            check_ball(found.as_dict(), "bearing")
+        return found
     except ValueError as error:
         raise ValueError(f"from {', '.join([*given, *bodies])} follows: {error}") from None
 

@@ -26,7 +26,8 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     Returns
     -------
     tuple of Parameters
-        A set for each member of the calibrated file that ``config/config.yaml`` names.
+        A set for each member of the calibrated file that ``config/config.yaml`` names; empty where
+        nothing is left in which they differ: then there is no ensemble.
 
     Examples
     --------
@@ -44,7 +45,15 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     varied = {
         name for name, value in content["inputs"].items() if getattr(parameters, name) == value
     }
-    return tuple(
+    members = tuple(
         replace(parameters, **{name: member[name] for name in varied & member.keys()})
         for member in content["ensemble"]
     )
+    return members if len(set(members)) > 1 else ()
+
+
+def ensemble_notes(members: tuple[Parameters, ...]) -> tuple[str, ...]:
+    """A note where there is no ensemble, and so no range."""
+    if members:
+        return ()
+    return ("no ensemble: these inputs leave nothing in which the calibrated sets differ",)

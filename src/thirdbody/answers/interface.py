@@ -15,7 +15,7 @@ from thirdbody.answers.answer import Answer, Row, Value, few_particles
 from thirdbody.answers.arguments import check_count, check_ends
 from thirdbody.answers.changes import BORDERS, Transition, transitions
 from thirdbody.answers.curve import Curve
-from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
 from thirdbody.conditions.checks import check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
@@ -137,7 +137,7 @@ class Interface:
             for name, value in mine.items()
         )
         found = mine["separation"] is not None
-        notes = *_status_notes(mine), *self._layer_notes()
+        notes = *_status_notes(mine), *self._common_notes()
         return Answer(f"State at {self.described()}", rows, notes, found)
 
     def compare(self, other: Interface) -> Answer:
@@ -163,15 +163,16 @@ class Interface:
             f"first:  {self.described()}",
             f"second: {other.described()}",
             *_status_notes(mine),
-            *self._layer_notes(),
+            *self._common_notes(),
             *_status_notes(theirs),
-            *other._layer_notes(),
+            *other._common_notes(),
         )
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
-    def _layer_notes(self) -> tuple[str, ...]:
-        return few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
+    def _common_notes(self) -> tuple[str, ...]:
+        few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
+        return *few, *ensemble_notes(self.members)
 
     def _states(self) -> list[dict[str, Value]]:
         """The variables in engineering units and words: with the inputs, and with each member."""
@@ -232,6 +233,7 @@ class Interface:
                 for each in found
                 if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
+            *ensemble_notes(self.members),
         )
         title = f"Changes along the {_words(along)} at {self.described(but=along)}"
         return Answer(title, tuple(rows), notes, bool(mine))
@@ -268,6 +270,7 @@ class Interface:
             f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
             f"stands out by {PROMINENCE:g} on both sides",
             f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+            *ensemble_notes(self.members),
         )
         title = f"Turning point at {self.described(but='load')}"
         return Answer(title, rows, notes, mine["load"] is not None)

@@ -181,15 +181,21 @@ MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's r
 def _material(text: str) -> Any:
     """A material: a name, or modulus [GPa], Poisson's ratio and hardness [GPa]."""
     from thirdbody.answers.bearing import MATERIALS as KNOWN
-    from thirdbody.answers.bearing import Material
+    from thirdbody.answers.bearing import USUAL, Material
+    from thirdbody.conditions.usual import warn_outside, without_warnings
 
     try:
         if text.replace("-", " ") in KNOWN:
             return KNOWN[text.replace("-", " ")]
         modulus, ratio, hardness = map(float, text.split(","))
-        return Material(1e9 * modulus, ratio, 1e9 * hardness)
+        with without_warnings():
+            material = Material(1e9 * modulus, ratio, 1e9 * hardness)
     except ValueError:
         raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, as 205,0.29,5") from None
+    typed = {"modulus": modulus, "hardness": hardness}
+    ends = {name: [1e-9 * end for end in USUAL[name][0]] for name in typed}
+    warn_outside({name: (value, ends[name], "GPa") for name, value in typed.items()})
+    return material
 
 
 Body = Annotated[
@@ -213,6 +219,7 @@ def _bearing(
     ball: Body = None,
     flat: Body = None,
     particle: Body = None,
+    apparent_area_mm2: _optional("apparent-area-mm2", "A_n [mm2], to which loads refer") = None,
     write: File = None,
     json: Json = False,
 ):
@@ -222,7 +229,7 @@ def _bearing(
     from thirdbody.configuration.inputs import load_parameters
 
     inputs = bearing(load_parameters(), **given)
-    if write:
+    if write is not None:
         import yaml
 
         _write(write, yaml.safe_dump(inputs.as_dict(), sort_keys=False))
@@ -253,9 +260,9 @@ def _curve(
         if name != along and given[key] is None:
             raise ValueError(f"{key} is missing; allowed: a number")
     found = _interface(given).curve(along, *_increasing(first, last), count)
-    if csv:
+    if csv is not None:
         _write(csv, found.as_csv())
-    if plot:
+    if plot is not None:
         from thirdbody.figures.drawing import save_figure
         from thirdbody.figures.plot import plot_curve
 
@@ -327,9 +334,9 @@ def _compare_data(
         assumed=Assumed(boundary_friction, film_friction, resistivity_ohm_m),
         **{key: given[key] for key in ENGINEERING.values() if given[key] is not None},
     )
-    if csv:
+    if csv is not None:
         _write(csv, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
-    if plot:
+    if plot is not None:
         from thirdbody.figures.drawing import save_figure
 
         save_figure(found.plot(), plot)
@@ -337,8 +344,9 @@ def _compare_data(
 
 
 def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:
-    if not first < last:
-        raise ValueError(f"--from{unit} is {first:g}; allowed: less than --to{unit}, {last:g}")
+    if not 0.0 < first < last:
+        allowed = f"positive numbers less than --to{unit}, {last:g}"
+        raise ValueError(f"--from{unit} is {first:g}; allowed: {allowed}")
     return first, last
 
 

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
-from thirdbody.units import is_labelled, without_unit
+from thirdbody.units import has_unit, is_labelled, without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 PLAIN_NUMBERS = float, int, np.float64
@@ -116,11 +116,16 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
 
 
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
-    """Real numbers of one shape as float64, which may be infinite or nan."""
+    """Real numbers of one shape as float64, which may be infinite or nan; of quantities none."""
+    several = given if isinstance(given, list | tuple) else [given]
+    if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
+        raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
     if np.ma.is_masked(given):
         raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     try:
         array = np.asarray(given)
+    except TypeError:
+        raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}") from None
     except ValueError:
         raise ValueError(f"{name} is a ragged list; allowed: {allowed} of one shape") from None
     check_points({name: array})

@@ -4,7 +4,3 @@
 the inputs of the model and ``settings`` what the workflow takes.  Begin with ``schema`` and with
 ``config/config.schema.yaml``.  The workflow is read without numpy, which is imported where it is used.
 """
-
-from thirdbody.extras import require
-
-require("data", "yaml", "jsonschema")

@@ -14,6 +14,7 @@ last that is given counts:
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -51,14 +52,20 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     ValueError
         In one line: the file or argument, the key at fault, its value and what is allowed.
 
+    Warns
+    -----
+    UserWarning
+        For a modulus, hardness or radius without G, V or U/nu, which hold it: ``thirdbody.bearing`` changes
+        them together.
+
     Examples
     --------
     >>> parameters = load_parameters()
     >>> parameters.ball_radius  # [m]
     0.00635
-    >>> softer = load_parameters(hardness_surface_1=3e9)
-    >>> softer.hardness_surface_1, softer.truncation == parameters.truncation
-    (3000000000.0, True)
+    >>> sparse = load_parameters(participation=0.5)
+    >>> sparse.participation, sparse.truncation == parameters.truncation
+    (0.5, True)
     """
     import numpy as np  # which the workflow is read without
 
@@ -74,7 +81,29 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
         for name, value in inputs.items()
     }
     schema.validate(given, values_schema(entries), "load_parameters")
-    return Parameters(**chosen["parameters"] | plain_values(given))
+    values = chosen["parameters"] | plain_values(given)
+    check_ball(values, "load_parameters")
+    _warn_of_what_stays(chosen["inputs"] | given)
+    return Parameters(**values)
+
+
+# parameters of the film that hold a modulus, a hardness or the radius (below Eq. 8)
+HELD_IN = {
+    "elastic_modulus_surfaces": ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
+    "hardness_surface_1": ("hardness_parameter",),
+    "hardness_surface_2": ("hardness_parameter",),
+    "ball_radius": ("speed_per_viscosity",),
+}
+
+
+def _warn_of_what_stays(given):
+    """Warn of inputs that are changed without the parameters of the film that hold them."""
+    for name in HELD_IN.keys() & given.keys():
+        stay = [other for other in HELD_IN[name] if other not in given]
+        if stay:
+            told = f"{name} is changed alone, not with it {', '.join(stay)}"
+            advice = "thirdbody.bearing changes them together"
+            warnings.warn(f"{told}; {advice}", UserWarning, stacklevel=3)
 
 
 def read_entries(directory: Path | None = None) -> Entries:
@@ -118,12 +147,7 @@ def choose_inputs(
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    section = math.pi * values["ball_radius"] ** 2
-    if values["apparent_area"] > section:
-        raise ValueError(
-            f"{place}: apparent_area is {values['apparent_area']:g}; allowed: at most {section:.3g} m2, "
-            f"the cross-section of a ball of ball_radius {values['ball_radius']:g} m"
-        )
+    check_ball(values, place)
     return {
         "parameters": values,
         "calibrated": str(calibrated),
@@ -131,6 +155,16 @@ def choose_inputs(
         "ensemble": [plain_values(member) | laid_over for member in found["ensemble"]],
         "inputs": laid_over,
     }
+
+
+def check_ball(values: Values, place: str) -> None:
+    """Raises ``ValueError`` if the ball is smaller than the interface A_n, to which loads refer."""
+    section = math.pi * values["ball_radius"] ** 2
+    if values["apparent_area"] > section:
+        raise ValueError(
+            f"{place}: apparent_area is {values['apparent_area']:g}; allowed: at most {section:.3g} m2, "
+            f"the cross-section of a ball of ball_radius {values['ball_radius']:g} m"
+        )
 
 
 def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:

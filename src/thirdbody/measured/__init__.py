@@ -7,4 +7,4 @@ the friction and the contact resistance that it computes for that.
 
 from thirdbody.extras import require
 
-require("data", "xarray", "netCDF4", "yaml", "jsonschema")
+require("data", "xarray", "netCDF4")

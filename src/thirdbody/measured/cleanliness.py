@@ -7,6 +7,7 @@ import re
 from thirdbody.answers.answer import Answer, Row, few_particles
 from thirdbody.answers.arguments import check_number
 from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.usual import warn_outside
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 
@@ -14,6 +15,7 @@ SIZES = 4, 6, 14  # um(c), whose counts the code has
 # ISO 4406:2021, Table 1: most particles per mL of the scale numbers 0 to 9, times 1000 for each 10 more
 MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
 LARGEST = 28
+USUAL_GAP = (1.0, 1e5)  # nm
 
 
 def cleanliness(
@@ -55,6 +57,7 @@ def cleanliness(
     parameters = checked_parameters(parameters)
     check_number("gap_nm", gap_nm)
     check_number("enrichment", enrichment)
+    warn_outside({"gap_nm": (gap_nm, USUAL_GAP, "nm")})
     rows, notes = [], []
     for size, number in zip(SIZES, _scale_numbers(code), strict=True):
         if number is None:

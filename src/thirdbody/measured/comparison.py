@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.conditions.checks import checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
@@ -178,8 +178,7 @@ def compare(
     for name, one in zip(observed, models):
         table[one.column] = observed[name].to(one.unit).magnitude
         table[f"{one.column}_residual"] = table[one.column] - table[f"{one.column}_model"]
-    if not members:
-        notes.append("no ensemble: these inputs are others than those of the calibration")
+    notes += ensemble_notes(members)
     unsolved = int(table[f"{models[0].column}_model"].isna().sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
@@ -211,7 +210,10 @@ def _read_csv(path):
     """A CSV as texts; its separator is the first of tab, semicolon and comma in the headings."""
     import pandas as pd
 
-    content = Path(path).read_bytes()
+    try:
+        content = Path(path).read_bytes()
+    except OSError as error:
+        raise type(error)(f"{shown_file(path)} cannot be read ({error.strerror})") from None
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -264,7 +266,12 @@ def _conditions(columns, conditions, parameters):
     """The conditions of each measurement in engineering units, with its speed if there is one."""
     import pandas as pd
 
-    given = {name: each for name, each in columns.items() if name in ENGINEERING}
+    given = {}
+    for name in columns.keys() & ENGINEERING.keys():
+        key = "load" if columns[name].unitless and name == "load" else ENGINEERING[name]
+        given[key] = columns[name].to(UNITS[key].text).magnitude
+        if key in conditions:
+            raise ValueError(f"{key} is given twice; allowed: a column, or one number")
     found = in_si(given | conditions, parameters)
     table = {
         key: decimal(UNITS[key].from_si(found[name], parameters.newtons_per_load))

@@ -19,8 +19,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.answers.arguments import check_number
+from thirdbody.conditions.usual import warn_outside
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
+
+USUAL = {  # usual ends and unit of what is assumed
+    "boundary_friction": ((0.01, 1.0), "1"),
+    "film_friction": ((1e-4, 0.2), "1"),
+    "resistivity_ohm_m": ((1e-8, 1e-4), "ohm m"),
+}
 
 
 @dataclass(frozen=True)
@@ -44,6 +51,7 @@ class Assumed:
     def __post_init__(self):
         for name, value in vars(self).items():
             check_number(name, value)
+        warn_outside({name: (value, *USUAL[name]) for name, value in vars(self).items()})
 
 
 def friction_coefficient(found: Solution, parameters: Parameters, assumed: Assumed) -> NDArray:

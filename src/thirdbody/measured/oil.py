@@ -82,7 +82,7 @@ def oil_viscosity(
     >>> tb.oil_viscosity([70], points={40: 150, 100: 15}).round(1)
     array([38.5])
     """
-    temperature = checked_array("temperature_C", temperature_C)
+    temperature = checked_array("temperature_C", temperature_C, "numbers, in degrees Celsius")
     if not ((temperature >= COLDEST) & (temperature <= HOTTEST)).all():
         raise ValueError(
             f"temperature_C is {shown(temperature_C)}; allowed: {COLDEST:g} to {HOTTEST:g}"
