@@ -11,15 +11,9 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.checks import MISSING_SCORE, Judge
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.results import (
-    acceptable,
-    mixed_ensemble,
-    price_front,
-    shortlist,
-    summary,
-)
+from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
 from thirdbody.study.sampling import posterior_sample
 from thirdbody.study.search import search
 
@@ -101,17 +95,6 @@ def test_statements_that_repeat_one_another_share_one_weight(parameters):
     assert_allclose(factors, np.where(chosen, 10.0, 1.0))
 
 
-def test_inputs_without_a_surface_miss_every_statement(parameters):
-    base = Interpretation.of(DEFAULT, SETTINGS)
-    offset = replace(base, fixed=base.fixed | {"summit_offset": True})
-    corner = offset.values(np.full(len(offset.unknowns), 0.5)) | {
-        "summit_parameter": 0.021,
-        "summit_parameter_exponent": 0.8,
-    }
-    scores = Objective.of(CLAIMS, SETTINGS, parameters).scores(offset, corner)
-    assert (scores == MISSING_SCORE).all()
-
-
 def test_an_interpretation_searches_what_it_does_not_fix():
     for name in SETTINGS["interpretations"]:
         interpretation = Interpretation.of(name, SETTINGS)
@@ -147,13 +130,6 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
 
 
 # ---- the search
-
-
-def test_a_search_finds_what_minimises_the_objective(tmp_path):
-    rows = searched(tmp_path)
-    best = TWO.values(rows[np.argmin(rows[:, -1]), :-1])
-    assert best["gap_ratio"] == pytest.approx(1.5, abs=0.03)
-    assert len(rows) < (2 * BUDGET["evaluations"] + 20)  # the last generation may exceed it
 
 
 def test_the_seed_fixes_every_evaluation(tmp_path):
@@ -232,13 +208,6 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
     assert read_calibrated(path, read_entries()) == found
-
-
-def test_an_interpretation_off_the_shortlist_has_inputs_but_no_ensemble(tmp_path, parameters):
-    judge_all = Judge([], parameters, SETTINGS["newtons"])
-    found = summary(TWO, judge_all, [searched(tmp_path)], [], [], SETTINGS)
-    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
-    assert found["folds"] == [] and found["ensemble"] == [found["inputs"]]
 
 
 def test_the_price_of_a_number_is_a_front_that_falls(parameters):
