@@ -55,10 +55,6 @@ class PlainEquations:
             self._at(lambda *at, name=name: getattr(self._state(*at), name), d) for name in names
         ]
 
-    def particle_area(self, d):
-        """A_sa* (Eq. 5)."""
-        return self._at(lambda *at: self._share(*at)[0], d)
-
     def load_coverage(self, d):
         """Share of the interface that Eq. 4 takes from the summits."""
         return self._at(lambda *at: self._share(*at)[1], d)

@@ -7,7 +7,7 @@ import pytest
 from mpmath import mp, mpf
 
 from benchmarks.points import read_rows, relative_error
-from tests.oracle.extended import INTERPRETATIONS, NUMBERS, QUANTITIES, Oracle, why_not
+from tests.oracle.extended import INTERPRETATIONS, NUMBERS, QUANTITIES, why_not
 from tests.oracle.in_mpmath import Interface
 from tests.oracle.points import PUBLISHED, draw, one
 
@@ -31,11 +31,6 @@ PRINTED = {
         (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
     ),
 }
-
-
-@pytest.fixture(scope="module")
-def oracle(tmp_path_factory):
-    return Oracle(tmp_path_factory.mktemp("oracle"))
 
 
 def in_mpmath(value):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from benchmarks.baselines import load_plain_model
-from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, SURFACE, Oracle, why_not
+from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, SURFACE, why_not
 from tests.oracle.points import PUBLISHED, draw, one
 
 pytestmark = [
@@ -22,11 +22,6 @@ BALANCE = 1e-12  # of the loads: where F_s is about to turn, they tell separatio
 TINIEST = 1e-290  # what is smaller has fewer digits in float64
 ROUNDING = 1e-15  # of a separation: what next to X_max a few particles bear depends on it
 plain = load_plain_model(Path(__file__).parents[2] / "verification" / "plain_model.py")
-
-
-@pytest.fixture(scope="module")
-def oracle(tmp_path_factory):
-    return Oracle(tmp_path_factory.mktemp("oracle"))
 
 
 def drawn(of_each, seed):

@@ -12,7 +12,7 @@ import pytest
 
 import thirdbody as tb
 from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
-from tests.oracle.extended import Oracle, why_not
+from tests.oracle.extended import why_not
 
 pytestmark = [
     pytest.mark.skipif(why_not() is not None, reason=str(why_not())),
@@ -23,11 +23,6 @@ pytestmark = [
 POINTS = 25  # on each surface
 SURFACES = ROUND * max(1, int(os.environ.get("THIRDBODY_POINTS", 6000)) // (ROUND * POINTS))
 SEED = int(os.environ.get("THIRDBODY_SEED", 5))
-
-
-@pytest.fixture(scope="module")
-def oracle(tmp_path_factory):
-    return Oracle(tmp_path_factory.mktemp("oracle"))
 
 
 @pytest.fixture(scope="module", params=PLACES)

@@ -37,21 +37,6 @@ def dataset(figure, datasets):
 
 
 @pytest.fixture(scope="session")
-def scene(figure, dataset):
-    """What each figure is to show, from the configuration."""
-    import json
-
-    from thirdbody.configuration.plain_yaml import read_yaml
-    from thirdbody.configuration.schema import config_directory
-    from thirdbody.data.scene import Scene
-
-    configured = read_yaml(config_directory() / "scenes.yaml")
-    entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
-    model = json.loads(dataset.attrs["model_parameters"])
-    return Scene.of(figure, entry, model["A_n"] * model["E_ss"])
-
-
-@pytest.fixture(scope="session")
 def curves(dataset):
     """Conditions (4, curves), and each variable as (loads, curves), of the shown curves."""
     from thirdbody.data.extraction import curves_of

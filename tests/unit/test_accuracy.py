@@ -10,12 +10,7 @@ import pytest
 import thirdbody as tb
 from benchmarks.accuracy import error_rows
 from benchmarks.baselines import ElementwiseRoots, NestedRoots, load_plain_model
-from benchmarks.classes import (
-    CLASSES,
-    HEAVIEST,
-    ROUGHNESS,
-    random_conditions,
-)
+from benchmarks.classes import CLASSES, HEAVIEST, ROUGHNESS, random_conditions
 from benchmarks.extremes import verdict
 from benchmarks.points import VARIABLES, read_rows, relative_error
 from benchmarks.targets import TARGETS, target_rows

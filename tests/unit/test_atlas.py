@@ -8,7 +8,7 @@ from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.atlas.catalogue import open_atlas, write_catalogue
 from thirdbody.atlas.charts import chart_panels, chart_rows
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
-from thirdbody.atlas.surfaces import QUANTILES, quantiles
+from thirdbody.atlas.surfaces import quantiles
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 
@@ -163,27 +163,6 @@ def test_charts_read_the_atlas(atlas):
     assert {row["solution_status"] for row in rows} == {"converged"}
 
 
-def test_a_chart_has_the_status_of_the_point_next_to_its_limit(atlas):
-    surface = atlas.sel(roughness=[3e-7]).isel(particle_density=[1]).load()
-    diameters = surface["particle_diameter"].values
-    limit = np.full(surface["largest_particle_diameter"].shape, np.inf)
-    limit[:4, 0, 0, 0] = 0.0, 1.01 * diameters[7], np.nan, np.inf
-    surface["largest_particle_diameter"][:] = limit
-    surface["solution_status"][:] = 0
-    for load, place, status in ((0, 1, 1), (1, 7, 5), (2, -1, 2), (3, -1, 6)):
-        surface["solution_status"][load, 0, place, 0, 0] = status
-    charts = {
-        "roughness_nm": [300],
-        "largest_particle": [{"viscosity_cSt": 0, "particle_density_per_m2": 1e11}],
-    }
-    newtons = surface["normal_load"].values[:5]
-    rows = chart_rows(chart_panels(surface, "largest_particle", charts), newtons)
-    assert [row["solution_status"] for row in rows] == [
-        *("outside_film_formula", "area_exceeded", "coverage_exceeded", "load_exceeded"),
-        "converged",
-    ]
-
-
 def test_a_damaged_chunk_is_named(written, tmp_path):
     (tmp_path / "chunks").mkdir()
     for file in (written.parent / "chunks").iterdir():
@@ -206,13 +185,3 @@ def test_the_same_chunk_has_the_same_bytes(defaults, members, tmp_path):
     for name in ("one", "other"):
         write_chunk(tmp_path / name, grid, defaults, changes, ["separation"], RTOL)
     assert (tmp_path / "one").read_bytes() == (tmp_path / "other").read_bytes()
-
-
-def test_quantiles_are_those_of_numpy():
-    values = np.random.default_rng(1).random((16, 5, 4))
-    np.testing.assert_allclose(quantiles(values), np.quantile(values, QUANTILES, axis=0))
-    values[::3, 0] = np.nan
-    expected = np.nanquantile(values, QUANTILES, axis=0)
-    np.testing.assert_allclose(quantiles(values), expected)
-    assert np.isnan(quantiles(np.full((4, 2), np.nan))).all()
-    assert (quantiles(np.array([1.0, np.inf, np.inf])) == [np.inf, np.inf, np.inf]).all()

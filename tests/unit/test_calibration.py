@@ -11,15 +11,9 @@ from numpy.testing import assert_allclose
 from thirdbody.configuration.inputs import read_calibrated, read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss, make_folds
-from thirdbody.study.checks import MISSING_SCORE, Judge
+from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.results import (
-    acceptable,
-    mixed_ensemble,
-    price_front,
-    shortlist,
-    summary,
-)
+from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
 from thirdbody.study.sampling import posterior_sample
 from thirdbody.study.search import search
 
@@ -98,17 +92,6 @@ def test_statements_that_repeat_one_another_share_one_weight(parameters):
     factors = raised.weights / objective.weights
     chosen = [claim.counted_as == "window-on-300nm" for claim in objective.claims]
     assert_allclose(factors, np.where(chosen, 10.0, 1.0))
-
-
-def test_inputs_without_a_surface_miss_every_statement(parameters):
-    base = Interpretation.of(DEFAULT, SETTINGS)
-    offset = replace(base, fixed=base.fixed | {"summit_offset": True})
-    corner = offset.values(np.full(len(offset.unknowns), 0.5)) | {
-        "summit_parameter": 0.021,
-        "summit_parameter_exponent": 0.8,
-    }
-    scores = Objective.of(CLAIMS, SETTINGS, parameters).scores(offset, corner)
-    assert (scores == MISSING_SCORE).all()
 
 
 def test_an_interpretation_searches_what_it_does_not_fix():
@@ -201,13 +184,6 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     path = tmp_path / "two.yaml"
     path.write_text(yaml.safe_dump(found))
     assert read_calibrated(path, read_entries()) == found
-
-
-def test_an_interpretation_off_the_shortlist_has_inputs_but_no_ensemble(parameters):
-    judge_all = Judge([], parameters, SETTINGS["newtons"])
-    found = summary(TWO, judge_all, [searched()], [], [], SETTINGS)
-    assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
-    assert found["folds"] == [] and found["ensemble"] == [found["inputs"]]
 
 
 def test_the_price_of_a_number_is_a_front_that_falls(parameters):

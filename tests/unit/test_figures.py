@@ -311,20 +311,6 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
             assert np.isclose(ends, row["high"]).any() or row["high"] > 1.0, row
 
 
-def test_printed_numbers_stand_at_their_loads(datasets, printed):
-    ratio, *_ = plotted("fig11", datasets, printed=printed["fig11"]).panels
-    values = {row["id"]: row["value"] for row in printed["fig11"]}
-    name = "fig11a-turning-point-load-at-120cst"
-    (mark,) = (series for series in ratio.of_kind(PRINTED) if series.name == name)
-    assert (*mark.x, *mark.y) == (values[name], values["fig11a-peak-ratio"])
-    rows = [row for row in printed["fig08"] if row["load_max"]]  # what holds up to a load
-    flat = datasets["fig08"].assign({SOLID: datasets["fig08"][SOLID] * 0.0 + 1.0})
-    panels = CURVE_FIGURES["fig08"].plot(flat, printed=rows).panels
-    marks = [mark for panel in panels for mark in panel.of_kind(PRINTED)]
-    load, (most,) = flat["load"].values, {row["load_max"] for row in rows}
-    assert {float(x) for mark in marks for x in mark.x} == {load[load <= most][-1]}
-
-
 def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     def state(diameter, load, viscosity):
         condition = Condition(viscosity, diameter, 3e-7, 1e11)

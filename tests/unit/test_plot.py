@@ -79,22 +79,6 @@ def test_a_piece_of_a_dataset_and_a_file_are_drawn_alike(grid, parameters, tmp_p
         np.testing.assert_allclose(some[0], all_[1], rtol=2e-3)
 
 
-@pytest.mark.parametrize("count", [2, 3])
-@pytest.mark.parametrize("step", [1.05, 2.0, 100.0])
-def test_a_few_loads_are_enough_and_axes_have_numbers(grid, parameters, count, step):
-    loads = 1e-6 * step ** np.arange(count)
-    figure = tb.plot(grid(load=loads))
-    assert panels(figure) == PANELS
-    figure.draw_without_rendering()
-    for axes in figure.axes:
-        for axis, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
-            ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
-            inside = [tick for tick in ticks if limits[0] <= tick.get_loc() <= limits[1]]
-            assert sum(bool(tick.label1.get_text()) for tick in inside) >= 1
-    solution = tb.solve(**(AXES | {"load": loads, "viscosity": 9e-5}), parameters=parameters)
-    assert panels(tb.plot(solution.to_dataset())) == PANELS
-
-
 @pytest.mark.parametrize(
     ("over", "values", "label"),
     [

@@ -10,12 +10,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.data.model_attribute import model_attribute
-from thirdbody.model.regimes import (
-    FILM_COUNTS,
-    SOLUTION_STATUSES,
-    contact_mode,
-    lubrication_regime,
-)
+from thirdbody.model.regimes import FILM_COUNTS, SOLUTION_STATUSES, contact_mode, lubrication_regime
 from thirdbody.solver.solution import QUANTITIES
 
 pytestmark = [

@@ -5,12 +5,7 @@ import runpy
 from pathlib import Path
 
 from thirdbody.data.conditions import AXES
-from thirdbody.data.quantities import (
-    FLAGS,
-    NORMAL_LOAD,
-    STATUS_MEANINGS,
-    VARIABLES,
-)
+from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, STATUS_MEANINGS, VARIABLES
 from thirdbody.model.regimes import WITHOUT_VALUES
 
 DOCS = Path(__file__).parents[2] / "docs"

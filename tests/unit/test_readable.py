@@ -2,14 +2,7 @@
 
 import pytest
 
-from thirdbody.data.readable import (
-    Sheet,
-    markdown,
-    page,
-    readable,
-    result_name,
-    rounded,
-)
+from thirdbody.data.readable import Sheet, markdown, page, readable, result_name, rounded
 
 NEWTONS = 1e5  # per load
 CURVE = {
@@ -126,10 +119,7 @@ def test_sensitivities_are_inputs_by_results():
 
 
 def test_a_page_is_the_text_and_needs_no_other_file():
-    sheets = [
-        Sheet("One", "Note.", [{"a": "<b> & c"}]),
-        Sheet("Two", "", [{"a": "x"}]),
-    ]
+    sheets = [Sheet("One", "Note.", [{"a": "<b> & c"}]), Sheet("Two", "", [{"a": "x"}])]
     shown = page(sheets)
     assert shown.count("<table") == 2
     assert "<td>&lt;b&gt; &amp; c</td>" in shown.replace("  ", "")

@@ -62,18 +62,6 @@ def test_texts_agree_if_their_words_do_and_their_numbers_nearly(tool, page, run,
     assert tool["agree"](page, run) == same
 
 
-def test_a_page_keeps_what_it_says_without_a_full_accuracy_run(tool, tmp_path, capsys):
-    page = tmp_path / "page.md"
-    page.write_text(BLOCK.format("old"), encoding="utf-8")
-    tool.update(ACCURACY=tmp_path, PAGES=[page], BLOCKS={})
-    for rtols in ([], [1e-3]):
-        if rtols:
-            write_results(tmp_path, rtols, 0.5)
-        assert tool["main"](["--write"]) == 0
-        assert page.read_text(encoding="utf-8") == BLOCK.format("old")
-        assert "make accuracy" in capsys.readouterr().out
-
-
 def test_a_page_is_stale_if_the_run_says_something_else(tool, tmp_path):
     page = tmp_path / "page.md"
     page.write_text(BLOCK.format("old"), encoding="utf-8")

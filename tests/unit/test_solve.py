@@ -90,28 +90,6 @@ def test_an_empty_argument_gives_an_empty_solution(parameters, name):
     assert solve(parameters, **{name: []}).separation.shape == (0,)
 
 
-LAYOUTS = {
-    "list": lambda a: a.tolist(),
-    "float32": lambda a: a.astype(np.float32),
-    "big-endian": lambda a: a.astype(">f8"),
-    "big-endian single": lambda a: a.astype(">f4"),
-    "long double": lambda a: a.astype(np.longdouble),
-    "every other": lambda a: np.repeat(a, 2)[::2],
-    "reversed": lambda a: a[::-1].copy()[::-1],
-    "column": lambda a: np.stack([a, a], axis=1)[:, 0],
-    "read-only": lambda a: np.broadcast_to(a, (1, a.size))[0],
-}
-
-
-@pytest.mark.parametrize("layout", LAYOUTS)
-@pytest.mark.parametrize("name", ARGUMENTS)
-def test_any_layout_in_memory_is_the_same_numbers(parameters, layout, name):
-    values = POINT[name] * np.array([1.0, 1.25, 1.5])
-    given = LAYOUTS[layout](values)
-    plain = np.asarray(given).astype(float).copy()
-    assert_same(solve(parameters, **{name: given}), solve(parameters, **{name: plain}))
-
-
 def test_the_given_arrays_are_left_alone(parameters, mixture):
     before = {name: np.array(values) for name, values in mixture.items()}
     given = {name: values.copy() for name, values in before.items()}

@@ -6,13 +6,9 @@ import sys
 import tomllib
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).resolve().parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
-LOCKS = ("workflow", "test")
-PINNED = re.compile(r"[\w.-]+==[\w.+!]+( ;[^\\]*)?( \\\n    --hash=sha256:[0-9a-f]{64})+")
 # imports every module of the library except those of matplotlib, cma, which imports that, and emcee,
 # which imports h5py: they write or run when imported (a cache of fonts, uname);
 # and prints what was run, reached or written
@@ -49,17 +45,6 @@ def named_by(*extras):
         own = re.fullmatch(rf"{PROJECT['name']}\[([\w,]+)\]", requirement)
         named |= named_by(*own[1].split(",")) if own else {name_of(requirement)}
     return named
-
-
-@pytest.mark.parametrize("lock", LOCKS)
-def test_every_locked_package_has_one_version_and_its_hashes(lock):
-    text = (ROOT / "locks" / f"{lock}.txt").read_text(encoding="utf-8")
-    entries = re.split(r"(?m)^(?=\w)", re.sub(r"(?m)^ *#.*\n", "", text))
-    packages = [entry.strip() for entry in entries if entry.strip()]
-    assert [entry for entry in packages if not PINNED.fullmatch(entry)] == []
-    assert "://" not in text, "a lock names no host"
-    locked = {name_of(entry) for entry in packages}
-    assert named_by(lock) <= locked
 
 
 def test_there_is_a_reason_for_every_direct_dependency():

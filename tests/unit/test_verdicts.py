@@ -127,11 +127,6 @@ def test_the_page_has_the_score_and_the_contradictions_apart():
     assert claims_html(results).count("<tr class") == len(CLAIMS)
 
 
-def test_without_a_cross_validation_the_page_says_so():
-    page = claims_markdown(judged((HELD,) * 4), EARLIER)
-    assert "No cross-validation has been run" in page
-
-
 def test_headline_numbers_have_the_range_of_the_ensemble():
     numbered = [HELD._replace(computed=str(n), numbers=(float(n),)) for n in range(21)]
     window = [HELD._replace(numbers=(n / 20, 1 + n / 10)) for n in range(21)]
@@ -152,14 +147,6 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     assert ends == pytest.approx([2.0, 1.1, 2.9])
     alone = headline_table(judged(main, headline=["one"]))
     assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
-
-
-def test_a_headline_number_may_have_a_tolerance_of_its_own():
-    results = judged((MISSED,) * 4, headline=["taken", "one"], tolerances={"taken": 1.0})
-    assert headline_table(results)["reached"].tolist() == [True, False]
-    page = claims_markdown(results, EARLIER)
-    assert "Of 2 numbers 1 are reached" in page
-    assert "or the number is within 1 (Figure 4A)" in page
 
 
 def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):

@@ -65,23 +65,6 @@ def test_without_a_turning_point_there_is_no_window(parameters, loads):
     assert all(np.isnan([window.low, window.low_error, window.high, window.high_error]))
 
 
-@pytest.mark.parametrize("tolerance", [1e-9, np.inf])
-def test_windows_found_together_are_those_found_alone(parameters, loads, tolerance):
-    roughness, load_range = [100e-9, 300e-9, 500e-9], (loads[0], loads[-1])
-    searches = [
-        # no particle of the second sweep is large enough for a window
-        WindowSearch(np.linspace(*ends, 21), tolerance=tolerance, rtol=1e-6)
-        for ends in ((0.3, 2.5), (0.1, 0.2), (0.6, 1.6))
-    ]
-    found = turning_point_windows(searches, roughness, DENSITY, load_range, parameters)
-    for search, sigma, window in zip(searches, roughness, found, strict=True):
-        (alone,) = turning_point_windows([search], [sigma], DENSITY, load_range, parameters)
-        assert np.array_equal(
-            list(vars(window).values()), list(vars(alone).values()), equal_nan=True
-        )
-    assert np.isnan(found[1].low) and np.isfinite([found[0].low, found[2].low]).all()
-
-
 def test_of_many_sweeps_the_longest_runs_are_the_windows():
     high, low, none = 0.08, 0.0, np.nan
     sweeps = [

@@ -106,12 +106,6 @@ def _calibrate(workspace):
     succeed(workspace, "calibrate")
 
 
-@pytest.fixture(scope="session")
-def recorded(finished):
-    """What Snakemake recorded of each output of that run."""
-    return finished.summary()
-
-
 @pytest.fixture
 def workspace(finished, tmp_path):
     """The repository after a full minimal run, for one test to change."""

@@ -5,6 +5,8 @@ import re
 import shlex
 from pathlib import Path
 
+from thirdbody.data.netcdf import read_dataset
+
 DAMAGE = {
     "fig03": lambda content: content[: len(content) // 2],
     "fig09": lambda content: b"",
@@ -45,6 +47,4 @@ def assert_command_repairs(workspace, figure):
     log = (workspace.root / f"logs/extract_curves/{figure}.log").read_text(encoding="utf-8")
     _, *arguments = shlex.split(log.partition("remake it: ")[2])
     assert workspace.snakemake(*arguments, config=()).returncode == 0
-    again = workspace.snakemake(target(figure), config=())
-    assert again.returncode == 0, again.stdout + again.stderr
-    assert (workspace.root / target(figure)).stat().st_size
+    read_dataset(workspace.root / f"results/datasets/{figure}.nc")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import partial
 
 import yaml
 from workspace import ABSENT, ROOT
@@ -86,24 +86,23 @@ class Mutation:
     words: tuple[str, ...]
 
 
-@cache
-def mutations() -> list[Mutation]:
-    """The same files every time: those of the syntax, and a choice of those of keys and values."""
+def mutations(step: int = 1) -> list[Mutation]:
+    """The same files every time: those of the syntax, and a choice of those of keys and values; of
+    all these every so many."""
     chance = random.Random(300)
-    made = []
+    planned = []
     for file, count in FILES.items():
         before = (ROOT / file).read_bytes()
         for name, added in SYNTAX.items():
             content = before + added if added.startswith(b"\n") else added
-            words = file.rpartition("/")[2], "'x'", "'__use_yte__'"
-            made.append(Mutation(f"{file}: {name}", file, content, words))
+            words = file.rpartition("/")[2], "'x'"
+            planned.append(partial(Mutation, f"{file}: {name}", file, content, words))
         changes = list(_changes(yaml.safe_load(before)))
-        for way, what, new in chance.sample(changes, count):
-            made.append(_changed(file, before.decode(), way, what, new))
-    return made
+        for change in chance.sample(changes, count):
+            planned.append(partial(_changed, file, before.decode(), *change))
+    return [make() for make in planned[::step]]
 
 
-@cache
 def slips() -> list[Mutation]:
     """The files of ``SLIPS``."""
     return [

@@ -5,15 +5,7 @@ import re
 import subprocess
 
 import pytest
-from harm import (
-    LONG,
-    assert_same,
-    complete,
-    ended,
-    obey_permissions,
-    products,
-    start,
-)
+from harm import LONG, assert_same, complete, ended, obey_permissions, products, start
 from workspace import MINIMAL, SNAKEMAKE
 
 NAMESPACE = ("unshare", "--mount", *(() if os.geteuid() == 0 else ("--map-root-user",)))
