@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
+MOST_ROWS = 60  # shown in a notebook
+
 
 class Tabular:
     """A result with ``to_dataframe`` and ``to_dataset``, and a table in notebooks.
@@ -31,5 +33,8 @@ class Tabular:
         """The same table over the dimension ``row``."""
         return self.to_dataframe().rename_axis("row").to_xarray()
 
-    def _repr_html_(self) -> str:
-        return self.to_dataframe().to_html(index=False)
+    def _repr_html_(self) -> str | None:
+        try:
+            return self.to_dataframe().to_html(index=False, max_rows=MOST_ROWS)
+        except ModuleNotFoundError:  # then notebooks take __repr__
+            return None

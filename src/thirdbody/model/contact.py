@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import EPSILON, TINY, VANISHED, ParticleLayer, log_bare_fraction
+from thirdbody.model.particles import EPSILON, TINY, ParticleLayer, log_bare_fraction
 
 FARTHEST = 1e60  # t beyond which nothing changes, and float64 would not hold its square
-NOTHING = VANISHED - 50.0  # ln of a load F_ss* that has no area either
+NOTHING = np.log(TINY) - 50.0  # ln of a load F_ss* that has no area either
 
 
 class SolidLoad(NamedTuple):

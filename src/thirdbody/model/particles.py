@@ -33,7 +33,6 @@ from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.parameters import Parameters
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
-VANISHED = np.log(TINY)  # logarithm below which a number has lost its digits
 LARGEST_DIAMETER = 1e100  # x_a [m] whose powers float64 holds; larger ones are taken for it
 FULL = -700.0  # logarithm of a fraction that is none
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)

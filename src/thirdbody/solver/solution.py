@@ -23,6 +23,7 @@ from thirdbody.model.regimes import (
 )
 from thirdbody.solver.balance import Balance
 from thirdbody.solver.points import Points
+from thirdbody.tabular import Tabular
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Solution:
+class Solution(Tabular):
     """Solved points: what ``solve`` returns.
 
     Every attribute is an array of the broadcast shape of the arguments of ``solve``, of xarray if one
@@ -157,12 +158,6 @@ class Solution:
 
         return labelled_frame(self.to_dataset())
 
-    def _repr_html_(self) -> str | None:
-        try:
-            return self.to_dataset()._repr_html_()
-        except ModuleNotFoundError:  # then notebooks take __repr__
-            return None
-
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
         shape = next(iter(known.values())).shape if known else ()
@@ -170,9 +165,8 @@ class Solution:
         return "\n".join([f"Solution of shape {shape}", *lines])
 
 
-VARIABLES = tuple(
-    each.name for each in fields(Solution) if each.name not in ("conditions", "newtons_per_load")
-)
+OTHERS = "conditions", "newtons_per_load"
+VARIABLES = tuple(each.name for each in fields(Solution) if each.name not in OTHERS)
 FLAGS = tuple(FLAG_MEANINGS)
 WHOLE = (*FLAGS, "separation_count")
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))

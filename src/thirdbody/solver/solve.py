@@ -129,8 +129,7 @@ def solve(
     named = with_names(given, arrays)
     arrays, pattern = broadcast_by_name(named)
     solution = solve_arrays(arrays, parameters, rtol, variables, progress)
-    found = labelled_as(pattern, solution.known)
-    return replace(solution, **found, conditions=named)
+    return replace(solution, **labelled_as(pattern, solution.known), conditions=named)
 
 
 def solve_arrays(
@@ -171,12 +170,9 @@ def solve_arrays(
                 if table_rtol is not None:
                     left[piece] = found["solution_status"] == NOT_CONVERGED
                 shown.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
-    solved_variables = {name: values.reshape(shape) for name, values in result.items()}
-    return Solution(
-        **solved_variables,
-        conditions=dict(arrays),
-        newtons_per_load=parameters.newtons_per_load,
-    )
+    solved = {name: values.reshape(shape) for name, values in result.items()}
+    newtons = parameters.newtons_per_load
+    return Solution(**solved, conditions=dict(arrays), newtons_per_load=newtons)
 
 
 def _repay_a_table(roughness, counted):
