@@ -18,6 +18,7 @@ from contextlib import chdir, redirect_stdout
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from textwrap import fill
 
 import numpy as np
 import pandas as pd
@@ -30,7 +31,6 @@ from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import NORMAL_LOAD, VARIABLES
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.study.calibration import Interpretation, Unknown
-from thirdbody.study.verdicts import held_once
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
@@ -42,13 +42,10 @@ ACCURACY = RESULTS / "accuracy"
 
 
 def claims_block() -> str:
-    """Counts of the verdicts."""
-    rows = pd.DataFrame(read_csv(RESULTS / "claims" / "claims.csv", TABLES["claims"]))
-    counts = rows["verdict"].value_counts().to_frame().T
-    held, predicted = held_once(rows), held_once(rows, "predicted")
-    counts["hold, repeats once"] = "{} of {}".format(*held)
-    counts["predicted without their figure"] = "{} of {}".format(*predicted)
-    return counts.to_markdown(index=False)
+    """The score, and counts of the verdicts."""
+    content = json.loads((RESULTS / "claims" / "claims.json").read_text(encoding="utf-8"))
+    counts = pd.DataFrame(content["statements"])["verdict"].value_counts().to_frame().T
+    return f"{fill(content['score'], 110)}\n\n{counts.to_markdown(index=False)}"
 
 
 def turning_points_block() -> str:

@@ -47,8 +47,7 @@ def write(captions, tables, verdicts, datasets, template, page):
         figures=[figure_entry(caption, judged["statements"]) for caption in captions],
         tables=[Path(table).stem for table in tables],
         datasets=[Path(dataset).name for dataset in datasets],
-        held=judged["held"],
-        judged=judged["judged"],
+        score=judged["score"],
     )
     with atomic_write(page) as part:
         part.write_text(text, encoding="utf-8")

@@ -72,6 +72,7 @@ def claims_json(judged: Judged) -> str:
     predicted, tested = held_once(judged.table, "predicted")
     rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
+        "score": score_sentence(judged).replace("**", ""),
         "held": held,
         "judged": of,
         "predicted": predicted,
