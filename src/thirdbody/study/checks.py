@@ -30,7 +30,6 @@ from thirdbody.study.claims import (
     WINDOW_QUANTITIES,
     Claim,
     referenced_conditions,
-    state_names,
 )
 from thirdbody.study.evidence import FULL_EFFORT, Effort, SolvedEvidence
 
@@ -542,7 +541,8 @@ def _excursion(curve, step):
 
 def _passed_states(claim, curve):
     """Text of the states that a curve passes: regimes, modes or both, as the claim names them."""
-    families = {STATES[name][0] for name in state_names(claim.published)}
+    names = " ".join(claim.published).replace(" or ", " ").split()
+    families = {STATES[name][0] for name in names}
     inside = {
         name: (getattr(curve, quantity) > low) & (getattr(curve, quantity) <= high)
         for name, (quantity, low, high) in STATES.items()

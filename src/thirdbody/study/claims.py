@@ -173,17 +173,6 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
     return tuple(claims)
 
 
-def state_names(published: Sequence[str]) -> list[str]:
-    """Names of all states in the steps of a sequence.
-
-    Examples
-    --------
-    >>> state_names(["mixed hybrid or full_film", "boundary"])
-    ['mixed', 'hybrid', 'full_film', 'boundary']
-    """
-    return [name for step in published for name in step.replace(" or ", " ").split()]
-
-
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
     """What must be solved to judge ``claims``, by the method of ``SolvedEvidence`` that gives it.
 
