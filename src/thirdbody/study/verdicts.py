@@ -72,6 +72,9 @@ def judge_everything(
     of all interpretations, ``settings`` that of ``config/calibration.yaml``.
     """
     inputs = judge_all.base.as_dict() | default["inputs"]
+    members = (
+        default["ensemble"] if len(default["ensemble"]) > 1 else ()
+    )  # one alone is no ensemble
     changed = {}
     for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
         for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
@@ -87,7 +90,7 @@ def judge_everything(
         default,
         judge_all(inputs),
         judge_all(inputs, prominence=FAINT),
-        tuple(judge_all({**inputs, **member}) for member in default["ensemble"]),
+        tuple(judge_all({**inputs, **member}) for member in members),
         changed,
         interpretations,
         predicted,
