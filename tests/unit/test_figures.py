@@ -18,7 +18,7 @@ from thirdbody.data.scene import Scene
 from thirdbody.figures import charts
 from thirdbody.figures.captions import CAPTIONS, CONCLUSIONS, caption
 from thirdbody.figures.dataset_curves import curves_in
-from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save
+from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW, condition_key
 from thirdbody.figures.marks import TURNING_POINTS as STARS
 from thirdbody.figures.random_sections import sections
@@ -213,6 +213,22 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
                 expected = np.column_stack([curve.values(data, n) for n in (panel.x, panel.y)])
                 np.testing.assert_allclose(drawn, expected, rtol=1e-9)  # %.10g
     assert {row["curve"] for row in rows} >= {c.name for c in drawing.panels[0].of_kind(CURVE)}
+
+
+def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
+    data, drawing = datasets["fig11"], plotted("fig11", datasets)
+    write_wide(drawing.panels, tmp_path / "wide.csv")
+    rows = drawn_rows(tmp_path / "wide.csv")
+    name = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"
+    for curve in (one for one in curves_in(data) if one.label == name):
+        # panels over the load share it; the film over which panel C stands is that of each curve
+        for heading, quantity in (
+            ("A: load [1]", "load"),
+            (f"A: {RATIO} [1], {name}", RATIO),
+            (f"C: {FILM} [1], {name}", FILM),
+        ):
+            found = [float(row[heading]) for row in rows]
+            np.testing.assert_allclose(found, curve.values(data, quantity), rtol=1e-9)
 
 
 @pytest.mark.parametrize(

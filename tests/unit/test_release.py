@@ -89,6 +89,13 @@ def test_a_table_that_nothing_describes_is_refused(tmp_path):
         table_schema(tmp_path / "odd.csv")
 
 
+def test_the_wide_table_of_a_figure_has_numbers_under_headings_of_its_own(tmp_path):
+    names = ["A: load [1]", "A: film_thickness [1], nu = 0 cSt"]
+    (tmp_path / "fig04_wide.csv").write_text('"' + '","'.join(names) + '"\n1e-7,2e-4\n')
+    fields = table_schema(tmp_path / "fig04_wide.csv")["fields"]
+    assert fields == [{"name": name, "type": "number"} for name in names]
+
+
 def test_what_holds_a_table_for_programs_is_no_schema_of_it(tmp_path):
     write_csv(tmp_path / "claims.csv", [], TABLES["claims"])
     (tmp_path / "claims.json").write_text('{"statements": []}')

@@ -14,6 +14,7 @@ PRODUCTS = {
         for figure in FIGURES
         for kind in ("svg", "pdf", "png", "csv", "md")
     ),
+    *(f"figures/{figure}_wide.csv" for figure in CURVE_FIGURES),
     *(
         f"tables/{table}.{kind}"
         for table in TABLES

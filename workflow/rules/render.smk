@@ -20,6 +20,7 @@ rule render_figure:
         style=STYLE,
     output:
         multiext("<results>/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
+        wide="<results>/figures/{figure}_wide.csv",
         png=report(
             "<results>/figures/{figure}.png",
             caption="../report/product.rst",

@@ -21,7 +21,7 @@ def figures_named(place):
     return set(range(numbers[0], numbers[-1] + 1)) if " to " in figures else set(numbers)
 
 
-def figure_entry(caption, statements):
+def figure_entry(caption, statements, scenes):
     """What the page says of one figure: title, text, and the statements that fail there."""
     stem = Path(caption).stem
     first, _, _ = Path(caption).read_text(encoding="utf-8").partition("\n\n")
@@ -33,18 +33,20 @@ def figure_entry(caption, statements):
         "title": title,
         "text": text.strip(),
         "held": sum(each["verdict"] == "holds" for each in here),
+        "wide": stem in scenes,
         "failed": [each["statement"] for each in here if each["verdict"] == "fails"],
     }
 
 
 def write(captions, tables, verdicts, datasets, template, page):
     """Write the ``page`` from the ``template``."""
+    scenes = {Path(dataset).stem for dataset in datasets}
     judged = json.loads(Path(verdicts).read_text(encoding="utf-8"))
     environment = jinja2.Environment(
         autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
     )
     text = environment.from_string(Path(template).read_text(encoding="utf-8")).render(
-        figures=[figure_entry(caption, judged["statements"]) for caption in captions],
+        figures=[figure_entry(each, judged["statements"], scenes) for each in captions],
         tables=[Path(table).stem for table in tables],
         datasets=[Path(dataset).name for dataset in datasets],
         score=judged["score"],

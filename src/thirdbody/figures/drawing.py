@@ -6,6 +6,7 @@ import csv
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import zip_longest
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,8 +17,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Condition
+from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.files import atomic_write
+from thirdbody.data.quantities import VARIABLES
 from thirdbody.data.tables import DRAWN_POINTS
 
 if TYPE_CHECKING:
@@ -32,6 +34,7 @@ FORMATS = {
 }
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
 CURVE = "curve"
+UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,3 +154,21 @@ def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
                     (panel.letter, label, panel.x, f"{a:.10g}", panel.y, f"{b:.10g}")
                     for a, b in zip(x, y, strict=True)
                 )
+
+
+def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:
+    """Write the curves of all panels side by side, for spreadsheets: a column x where the curves of a
+    panel have it in common, and a column for each curve, with names and SI units in the headings."""
+    columns = {}
+    for panel in panels:
+        curves = panel.of_kind(CURVE)
+        is_shared = all(np.array_equal(curve.x, curves[0].x) for curve in curves)
+        x, y = (f"{panel.letter}: {name} [{UNITS.get(name, '1')}]" for name in (panel.x, panel.y))
+        for curve in curves:
+            columns[x if is_shared else f"{x}, {curve.name}"] = curve.x
+            columns[f"{y}, {curve.name}"] = curve.y
+    texts = ([f"{v:.10g}" if np.isfinite(v) else "" for v in each] for each in columns.values())
+    with open(path, "w", encoding="utf-8", newline="") as stream:
+        writer = csv.writer(stream, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(zip_longest(*texts, fillvalue=""))

@@ -7,6 +7,7 @@ columns, which are known here.  Tests validate the result with it.
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ from thirdbody.data.tables import DRAWN_POINTS, TABLES
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in, media_type
 from thirdbody.release.texts import render_json
+
+WIDE = re.compile(r"[A-Z]: \w+ \[.+\]")  # columns of the wide table of a figure
 
 
 def data_package(data: Path, kinds: Iterable[str], release: Release) -> dict[str, Any]:
@@ -44,7 +47,8 @@ def _resource(data: Path, path: str) -> dict:
 
 
 def table_schema(file: Path) -> dict[str, Any]:
-    """Table Schema of a CSV file by the names of its columns; ``ValueError`` if nothing describes them."""
+    """Table Schema of a CSV file by the names of its columns, which say all in a wide table of a figure;
+    ``ValueError`` if nothing describes them."""
     with open(file, encoding="utf-8", newline="") as stream:
         header = next(csv.reader(stream), [])
     for columns in (DRAWN_POINTS, *TABLES.values()):
@@ -55,4 +59,7 @@ def table_schema(file: Path) -> dict[str, Any]:
                 for column in columns
             ]
             return {"fields": fields, "missingValues": [""]}
+    if all(WIDE.match(name) for name in header):
+        fields = [{"name": name, "type": "number"} for name in header]
+        return {"fields": fields, "missingValues": [""]}
     raise ValueError(f"{file.name}: nothing describes the columns {header}")
