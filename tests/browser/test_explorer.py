@@ -257,6 +257,8 @@ def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
 
 
 def test_ranges_stand_beside_inputs_and_answers(explorer):
+    from selenium.webdriver.common.keys import Keys
+
     explorer.open()
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
     for name, unknown in unknowns.items():
@@ -264,6 +266,10 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
             (control,) = explorer.all(f".control:has(#input-{name})")
             low, high = unknown["bounds"]
             assert f"searched {low:g} to {high:g};".replace("-", "−") in control.text
+            control.find_element("css selector", "[type=range]").send_keys(Keys.END)
+            field = control.find_element("css selector", "[type=text]")
+            assert float(field.get_attribute("value").replace("−", "-")) == pytest.approx(high)
+    explorer.open()
     ensemble = explorer.run(
         "return JSON.parse(document.getElementById('content').textContent).ensemble"
     )
