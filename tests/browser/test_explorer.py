@@ -257,6 +257,8 @@ def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
 
 
 def test_ranges_stand_beside_inputs_and_answers(explorer):
+    from selenium.webdriver.common.keys import Keys
+
     explorer.open()
     unknowns = read_yaml(config_directory() / "calibration.yaml")["unknowns"]
     for name, unknown in unknowns.items():
@@ -264,6 +266,11 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
             (control,) = explorer.all(f".control:has(#input-{name})")
             low, high = unknown["bounds"]
             assert f"searched {low:g} to {high:g};".replace("-", "−") in control.text
+    explorer.one("#input-spread_ratio ~ .slider input").send_keys(Keys.END)
+    explorer.settle()
+    field = explorer.one("#input-spread_ratio").get_attribute("value")
+    assert float(field) == unknowns["spread_ratio"]["bounds"][1]
+    explorer.open()
     ensemble = explorer.run(
         "return JSON.parse(document.getElementById('content').textContent).ensemble"
     )
@@ -316,7 +323,11 @@ def test_a_dropped_csv_file_is_drawn_over_the_curves(explorer):
 
 @pytest.mark.parametrize(
     ("text", "named"),
-    [("load [lbf],solid load fraction\n1,2", "load [lbf]"), ("time,place\n1,2", "two columns")],
+    [
+        ("load [lbf],solid load fraction\n1,2", "load [lbf]"),
+        ("load,solid load fraction\n1,2", "N, mN, kN"),
+        ("time,place\n1,2", "two columns"),
+    ],
 )
 def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, named):
     explorer.open("figure=fig11")

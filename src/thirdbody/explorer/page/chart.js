@@ -1,6 +1,6 @@
 // One panel: axes, curves and marks, and what is under the pointer or the arrow keys.
 
-import { VARIABLES, axisTitle, numberText, plainSymbol, symbolParts } from "./names.js";
+import { VARIABLES, numberText, plainSymbol, symbolParts } from "./names.js";
 import { escaped, powerOfTen, readable } from "./text.js";
 
 export const MARKERS = [
@@ -123,7 +123,7 @@ function tickText(name, value, inPowers) {
 }
 
 function titleMarkup(name) {
-  const { symbol, unit } = axisTitle(name);
+  const { symbol, percent, unit = percent ? "%" : "" } = VARIABLES[name];
   const [letter, below, above] = symbolParts(symbol);
   const low = below && `<tspan dy="0.3em" font-size="0.8em">${below}</tspan>`;
   const rest = above + (unit ? ` (${unit})` : "");

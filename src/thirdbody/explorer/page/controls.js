@@ -1,19 +1,7 @@
 // Sliders, fields and choices of all conditions and inputs.
 
-import {
-  START,
-  axes,
-  content,
-  currentInputs,
-  defaultInputs,
-  fromUnit,
-  inputNamed,
-  isAllowed,
-  setCondition,
-  setInputs,
-  state,
-  toUnit,
-} from "./state.js";
+import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
+import { fromUnit, inputNamed, isAllowed, setCondition, setInputs, toUnit } from "./state.js";
 import { inputWords, letterOf, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant } from "./text.js";
 
@@ -51,70 +39,71 @@ function group(form, title, open = true) {
   return details.querySelector("div");
 }
 
-// What newtons are, which the paper leaves open.
+// What newtons are: the paper leaves it open.
+export function newtonsText() {
+  const area = readable(currentInputs().apparent_area * 1e6, 3);
+  return (
+    `In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; ` +
+    `it is ${area} mm² here, one of the inputs.`
+  );
+}
+
 function newtonsNote() {
-  const note = Object.assign(document.createElement("p"), { className: "note", id: "newtons" });
+  const note = Object.assign(document.createElement("p"), { className: "note" });
   updates.push(() => {
-    const area = readable(currentInputs().apparent_area * 1e6, 3);
-    note.textContent =
-      `In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; ` +
-      `it is ${area} mm² here, one of the inputs below.`;
+    note.textContent = newtonsText();
   });
   return note;
 }
 
-// A slider with a field beside it. `axis` maps values to [0, 1] and back, `shown` to the unit of the
-// field; `note` gives the range.
-function rangeControl({ id, label, hint, note, axis, value, original, set, shown }) {
+// A control with a button that goes back to the default, where it has been changed.
+function controlOf({ id, label, hint, changed, back }, markup) {
   const control = Object.assign(document.createElement("div"), { className: "control", title: hint });
-  control.innerHTML = `
-    <label for="${id}">${label}</label>
-    <input type="text" inputmode="decimal" id="${id}">${BACK}
+  control.innerHTML = `<label for="${id}">${label}</label>${markup}`;
+  const button = control.querySelector(".back");
+  button.setAttribute("aria-label", `default of ${control.querySelector("label").textContent}`);
+  button.addEventListener("click", back);
+  updates.push(() => control.classList.toggle("changed", changed()));
+  return control;
+}
+
+// A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
+// steps, and `note` gives the range. `set` returns whether a value is allowed.
+function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
+  const control = controlOf(
+    given,
+    `<input type="text" inputmode="decimal" id="${given.id}">${BACK}
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
-    <small class="note">${note}</small>`;
-  const [field, slider, back] = ["[type=text]", "[type=range]", ".back"].map((each) => control.querySelector(each));
-  const words = control.querySelector("label").textContent;
-  slider.setAttribute("aria-label", `${words}, slider`);
-  back.setAttribute("aria-label", `default of ${words}`);
-  slider.addEventListener("input", () => set(axis.from(slider.value / STEPS)));
+    <small class="note">${note}</small>`,
+  );
+  const [field, slider] = ["[type=text]", "[type=range]"].map((each) => control.querySelector(each));
+  scale.range([0, STEPS]).clamp(true);
+  slider.setAttribute("aria-label", `${control.querySelector("label").textContent}, slider`);
+  slider.addEventListener("input", () => set(rounded(scale.invert(slider.value), digits)));
   field.addEventListener("change", () => {
-    const allowed = set(shown.from(numberIn(field.value)));
-    field.setCustomValidity(allowed ? "" : hint);
+    const allowed = set(numberIn(field.value));
+    field.setCustomValidity(allowed ? "" : given.hint);
     if (!allowed) field.reportValidity();
   });
-  back.addEventListener("click", () => set(undefined));
   updates.push(() => {
-    const now = value() ?? original;
-    slider.value = Math.round(STEPS * Math.min(Math.max(axis.to(now), 0), 1));
-    slider.setAttribute("aria-valuetext", `${readable(shown.to(now))} ${shown.unit}`);
-    if (document.activeElement !== field || field.validity.valid) {
-      field.value = significant(shown.to(now), 5);
-      field.setCustomValidity("");
-    }
-    control.classList.toggle("changed", value() !== undefined);
+    slider.value = Math.round(scale(value()));
+    slider.setAttribute("aria-valuetext", `${readable(value())} ${unit}`);
+    if (document.activeElement === field && !field.validity.valid) return;
+    field.value = significant(value(), 5);
+    field.setCustomValidity("");
   });
   return control;
 }
 
-// Maps between the values of a slider and [0, 1].
-function sliderAxis(log, [low, high], rounded) {
-  const scale = (log ? d3.scaleLog() : d3.scaleLinear()).domain([low, high]);
-  return {
-    to: (value) => scale(log ? Math.max(value, low) : value),
-    from: (part) => rounded(scale.invert(part)),
-  };
-}
-
-const roundTo = (value, digits) => Number(value.toPrecision(digits));
+const rounded = (value, digits) => Number(value.toPrecision(digits));
 const rangeText = (ends) => ends.map((end) => readable(end)).join(" to ");
 
 function conditionControl(axis) {
   const { name, range } = axis;
-  const [low, high] = range.map((end) => fromUnit(name, end));
+  const [low, high] = range;
   const log = name === "load" || name === "particle_density";
   // a little beyond the paper's range
-  const first = log ? low / 4 : name === "roughness" ? 0.3 * low : 0;
-  const rounded = (value) => fromUnit(name, roundTo(toUnit(name, value), 3));
+  const first = name === "roughness" ? 0.3 * low : 0;
   const dry = name === "viscosity" ? ", 0 is dry" : "";
   const note = `the paper: ${rangeText(range)} ${unitOf(name)}${dry}`;
   return rangeControl({
@@ -122,15 +111,16 @@ function conditionControl(axis) {
     label: `${wordOf(name)} <i>${letterOf(name)}</i> [${unitOf(name)}]`,
     hint: `${wordOf(name)} in ${note}`,
     note,
-    axis: sliderAxis(log, [first, log ? 4 * high : 1.3 * high], rounded),
-    original: START[name],
-    value: () => state.conditions[name],
+    unit: unitOf(name),
+    scale: log ? d3.scaleLog().domain([low / 4, 4 * high]) : d3.scaleLinear().domain([first, 1.3 * high]),
+    digits: 3,
+    value: () => toUnit(name, currentPoint()[name]),
+    changed: () => name in state.conditions,
     set(value) {
-      if (value !== undefined && !isAllowed(axis, toUnit(name, value))) return false;
-      setCondition(name, value);
-      return true;
+      if (isAllowed(axis, value)) setCondition(name, fromUnit(name, value));
+      return isAllowed(axis, value);
     },
-    shown: { to: (value) => toUnit(name, value), from: (value) => fromUnit(name, value), unit: unitOf(name) },
+    back: () => setCondition(name, undefined),
   });
 }
 
@@ -139,25 +129,25 @@ function numberControl(name) {
   const [text, factor] = SHOWN_IN[unit] ?? [unit, 1];
   const original = defaultInputs[name];
   const near = original > 0 ? [Math.max(original / 4, least), Math.min(original * 4, most)] : [0, Math.min(1, most)];
-  const ends = bounds ?? near;
   const log = scale === "logarithmic" || (!bounds && original > 0);
-  const rounded = (value) => Math.min(Math.max(roundTo(value, 4), least), most);
+  const ends = (bounds ?? near).map((end) => end / factor);
   const shownRange = (values) => rangeText(values.map((value) => value / factor));
   return rangeControl({
     id: `input-${name}`,
     label: `${inputWords(name)} <i>${symbol}</i>${text ? ` [${text}]` : ""}`,
     hint: `${inputWords(name)} (${source}): ${shownRange([least, most])} ${text}`,
     note: bounds ? `searched ${shownRange(bounds)}; ${ensembleText(name, shownRange)}` : source,
-    axis: sliderAxis(log, ends, rounded),
-    original,
-    value: () => state.inputs[name],
+    unit: text,
+    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain(ends),
+    digits: 4,
+    value: () => currentInputs()[name] / factor,
+    changed: () => name in state.inputs,
     set(value) {
-      const found = value === undefined ? undefined : inputNamed(name, String(value));
-      if (value !== undefined && found === undefined) return false;
-      setInputs({ [name]: found });
-      return true;
+      const found = inputNamed(name, String(rounded(value * factor, 12)));
+      if (found !== undefined) setInputs({ [name]: found });
+      return found !== undefined;
     },
-    shown: { to: (value) => value / factor, from: (value) => value * factor, unit: text },
+    back: () => setInputs({ [name]: undefined }),
   });
 }
 
@@ -168,17 +158,14 @@ function ensembleText(name, shownRange) {
 }
 
 // A list of words to choose from.
-function choiceControl({ id, label, hint, options, value, changed, set }) {
-  const control = Object.assign(document.createElement("div"), { className: "control wide", title: hint });
-  control.innerHTML = `<label for="${id}">${label}</label><select id="${id}"></select>${BACK}`;
-  const [select, back] = ["select", ".back"].map((each) => control.querySelector(each));
-  for (const [word, text] of options) select.append(new Option(text, word));
+function choiceControl({ options, value, set, ...given }) {
+  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`);
+  control.classList.add("wide");
+  const select = control.querySelector("select");
+  select.append(...options.map(([word, text]) => new Option(text, word)));
   select.addEventListener("change", () => set(select.value));
-  back.addEventListener("click", () => set(undefined));
-  back.setAttribute("aria-label", `default of ${label}`);
   updates.push(() => {
     select.value = value();
-    control.classList.toggle("changed", changed());
   });
   return control;
 }
@@ -191,8 +178,9 @@ function wordControl(name) {
     hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
     options: allowed.map((word) => [String(word), OFFSETS[word] ?? spaced(word)]),
     value: () => String(currentInputs()[name]),
-    changed: () => state.inputs[name] !== undefined,
-    set: (word) => setInputs({ [name]: word === undefined ? undefined : inputNamed(name, word) }),
+    changed: () => name in state.inputs,
+    set: (word) => setInputs({ [name]: inputNamed(name, word) }),
+    back: () => setInputs({ [name]: undefined }),
   });
 }
 
@@ -210,8 +198,9 @@ function presetControl() {
     value: chosen,
     changed: () => chosen() !== interpretation && Object.keys(state.inputs).length > 0,
     set(name) {
-      const cleared = Object.fromEntries(Object.keys(state.inputs).map((each) => [each, undefined]));
-      setInputs({ ...cleared, ...interpretations[name] });
+      change({ inputs: {} });
+      setInputs(interpretations[name] ?? {});
     },
+    back: () => change({ inputs: {} }),
   });
 }

@@ -1,7 +1,7 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
 import { axes, change, content, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
-import { makeControls, updateControls } from "./controls.js";
+import { makeControls, newtonsText, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { mapKey, mapView } from "./map.js";
@@ -127,10 +127,11 @@ let asked = false;
 let addressing = 0;
 function draw() {
   hideTooltip();
-  const { heading, notes, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  const { heading, notes, specs = [], caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  const hasNewtons = state.view === "map" || specs.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").textContent = heading;
   $("notes").textContent = notes.join("; ");
-  $("caption").textContent = caption;
+  $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
 }
 
 function render() {

@@ -10,7 +10,7 @@ const NUMBER = { "": 1, 1: 1, "%": 0.01 };
 // Units of the columns that are read, in SI. The same heading can stand for two variables.
 const COLUMNS = [
   ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
-  ["load", "load", NUMBER],
+  ["load", "load", { 1: 1 }],
   ["viscosity", "viscosity", { cSt: 1e-6, "mm2/s": 1e-6, "mm²/s": 1e-6, "m2/s": 1 }],
   ["particle diameter", "particle_diameter", LENGTH],
   ["particle size", "particle_diameter", LENGTH],
@@ -34,7 +34,7 @@ function columnOf(heading) {
   const [, words, unit = ""] = heading.match(/^(.*?)(?:\s*[[(](.*)[\])])?$/);
   const name = words.trim().toLowerCase().replaceAll("_", " ").replace(/^normal /, "");
   const known = COLUMNS.filter(([each]) => each === name);
-  const column = known.find(([, , units]) => unit.trim() in units);
+  const column = known.find(([, , units]) => Object.hasOwn(units, unit.trim()));
   if (!known.length) return null;
   if (column) return { name: column[1], size: column[2][unit.trim()] };
   const allowed = known.flatMap(([, , units]) => Object.keys(units)).filter(Boolean);
@@ -57,7 +57,8 @@ export function readMeasured(file, text) {
     const used = columns.filter(Boolean).map(({ name }) => VARIABLES[name].words.toLowerCase());
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
     rows = found;
-    return `${file}: ${rows.length} rows of ${used.join(", ")}${ignored.length ? `; not read: ${ignored.join(", ")}` : ""}`;
+    const rest = ignored.length ? `; not read: ${ignored.join(", ")}` : "";
+    return `${file}: ${rows.length} rows of ${used.join(", ")}${rest}`;
   } catch (error) {
     return `${file}: ${error.message}`;
   }

@@ -63,11 +63,6 @@ export function symbolParts(symbol) {
 }
 export const plainSymbol = (symbol) => symbol.replace("_", "");
 
-export const axisTitle = (name) => {
-  const { symbol, unit, percent } = VARIABLES[name];
-  return { symbol, unit: percent ? "%" : unit };
-};
-
 export function numberText(name, value) {
   const { factor = 1, unit = "", percent } = VARIABLES[name];
   if (percent) return `${readable(100 * value)} %`;

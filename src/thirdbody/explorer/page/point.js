@@ -6,6 +6,7 @@ import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText, valueText } from "./names.js";
 import { conditionWord, numberText, plainSymbol, wordOf } from "./names.js";
+import { escaped } from "./text.js";
 
 const VALUES = [
   ...["particle_contact_area_ratio", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"],
@@ -75,11 +76,8 @@ function changesText(name, point, engine) {
 
 function table(title, rows) {
   const made = document.createElement("table");
-  made.createCaption().textContent = title;
-  for (const [name, ...texts] of rows) {
-    const row = made.insertRow();
-    row.append(Object.assign(document.createElement("th"), { textContent: name, scope: "row" }));
-    for (const text of texts) row.insertCell().textContent = text;
-  }
+  const cells = (texts) => texts.map((text) => `<td>${escaped(text)}</td>`).join("");
+  const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${escaped(name)}</th>${cells(texts)}</tr>`);
+  made.innerHTML = `<caption>${escaped(title)}</caption>${lines.join("")}`;
   return made;
 }

@@ -83,13 +83,11 @@ function sectionOf() {
 // gap exceeds it by no more than the reach of the elastic zone.
 function settled(place, diameter, lower, upper, reach) {
   const radius = 0.5 * diameter;
-  const middle = Math.min(Math.round(place / STEP), POINTS - 1);
-  let [rests, hangs] = [lower[middle] + radius, upper[middle] - radius];
-  for (let i = Math.max(Math.ceil((place - radius) / STEP), 0); i < POINTS && i * STEP < place + radius; i++) {
-    const half = Math.sqrt(Math.max(radius ** 2 - (i * STEP - place) ** 2, 0));
-    rests = Math.max(rests, lower[i] + half);
-    hangs = Math.min(hangs, upper[i] - half);
-  }
+  const away = (i) => Math.abs(i * STEP - place);
+  const near = d3.range(POINTS).filter((i) => away(i) < Math.max(radius, STEP));
+  const half = (i) => Math.sqrt(Math.max(radius ** 2 - away(i) ** 2, 0));
+  const rests = d3.max(near, (i) => lower[i] + half(i));
+  const hangs = d3.min(near, (i) => upper[i] - half(i));
   return { place, radius, height: Math.min(rests, 0.5 * (rests + hangs)), carries: rests + reach > hangs };
 }
 

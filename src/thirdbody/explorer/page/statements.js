@@ -125,7 +125,7 @@ function more(claim) {
   const lines = [
     measured ? `Computed: ${measured}` : "",
     numbers?.length ? `Computed: ${numbers.map((value) => readable(value)).join(", ")}` : "",
-    distance >= 0 ? `Distance from the statement: ${readable(Math.max(distance, 0), 2)} tolerances` : "",
+    Number.isFinite(distance) ? `Distance from the statement: ${readable(Math.max(distance, 0), 2)} tolerances` : "",
     claim.published === null ? "" : `Printed: ${printedText([claim.published].flat())}`,
     `Tolerance: ${tolerance}, ${claim.reason}`,
     conditions && `Judged at ${conditions}, not at the paper's conditions.`,
