@@ -85,7 +85,7 @@ rule write_table:
     log:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
-        table="|".join(TABLES),
+        table="|".join([*TABLES, *CHARTS]),
     conda:
         "../envs/thirdbody.yaml"
     params:
