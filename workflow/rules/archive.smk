@@ -66,6 +66,7 @@ rule pack_release:
         sealed=rules.stage_release.output.sealed,
     output:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
+        provenance="<results>/release/provenance.json",
     log:
         "<logs>/pack_release.log",
     localrule: True
@@ -75,24 +76,6 @@ rule pack_release:
         date=RELEASE.date,
         sources=sources_of("pack_release.py"),
     message:
-        "Packing the release"
+        "Packing the release, and recording when and where"
     script:
         "../scripts/pack_release.py"
-
-
-rule record_provenance:
-    input:
-        archive=rules.pack_release.output.archive,
-    output:
-        provenance="<results>/release/provenance.json",
-    log:
-        "<logs>/record_provenance.log",
-    localrule: True
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        sources=sources_of("record_provenance.py"),
-    message:
-        "Recording when and where the release was made"
-    script:
-        "../scripts/record_provenance.py"

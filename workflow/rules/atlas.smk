@@ -2,7 +2,6 @@
 # for all inputs, once; all else is taken from its file.  An interruption loses the chunks under way.
 
 ATLAS = settings["atlas"]
-CHARTS = ["largest_particle", "least_viscosity"]
 
 
 scattergather:
@@ -92,16 +91,6 @@ rule render_chart:
         "Drawing {wildcards.chart}"
     script:
         "../scripts/render_chart.py"
-
-
-use rule write_table as write_chart_table with:
-    input:
-        parts=["<results>/extracted/{table}/all.csv"],
-        printed=[],
-    log:
-        "<logs>/write_chart_table/{table}.log",
-    wildcard_constraints:
-        table="|".join(CHARTS),
 
 
 rule atlas:

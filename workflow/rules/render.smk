@@ -86,7 +86,7 @@ rule write_table:
     log:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
-        table="|".join(TABLES),
+        table="|".join([*TABLES, *CHARTS]),
     conda:
         "../envs/thirdbody.yaml"
     params:

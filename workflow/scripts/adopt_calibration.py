@@ -12,13 +12,10 @@ from thirdbody.job_log import logged
 PLACE = Path("config/calibrated")
 HEADER = "# Calibrated inputs of one interpretation, made by `snakemake -c2 calibrate`; not edited by hand.\n"
 
-
-def adopt(calibrated, chosen, adopted):
-    """Write every file of ``calibrated`` to config/calibrated; the default has fronts and ensemble
-    of ``chosen``."""
+with logged(snakemake.log[0]):
     PLACE.mkdir(parents=True, exist_ok=True)
-    default = json.loads(Path(chosen).read_text(encoding="utf-8"))
-    for source in map(Path, calibrated):
+    default = json.loads(Path(snakemake.input.chosen).read_text(encoding="utf-8"))
+    for source in map(Path, snakemake.input.calibrated):
         content = read_yaml(source)
         if content["interpretation"] == default["interpretation"]:
             content |= default
@@ -26,11 +23,6 @@ def adopt(calibrated, chosen, adopted):
             stream.write(HEADER)
             yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
     line = f"{PLACE / default['interpretation']}.yaml is the default by the rule"
-    with atomic_write(adopted) as part:
+    with atomic_write(snakemake.output.adopted) as part:
         part.write_text(line + "\n", encoding="utf-8")
     print(f"{line}: set it as calibrated in config/config.yaml")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        adopt(snakemake.input.calibrated, snakemake.input.chosen, snakemake.output.adopted)

@@ -16,11 +16,23 @@ from thirdbody.study.search import search
 from thirdbody.study.verdicts import compare, count_once, predict
 
 
-def choose(calibrated, claims, settings, parameters, chosen):
-    """Write the name of the default, its fronts, and its ensemble over interpretations."""
-    statements, base = load_claims(claims), Parameters(**parameters)
+def _fractions(judge_all, verdicts, folds):
+    """The fraction of the statements that is predicted in each fold."""
+    fractions = []
+    for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
+        held, of = count_once(fold.judged, verdicts)
+        fractions.append(held / max(of, 1))
+    return np.array(fractions)
+
+
+with logged(snakemake.log[0]):
+    settings = snakemake.params.settings
+    statements = load_claims(snakemake.input.claims)
+    base = Parameters(**snakemake.params.parameters)
     judge_all = Judge(statements, base, settings["newtons"])
-    contents = {content["interpretation"]: content for content in map(read_yaml, calibrated)}
+    contents = {
+        content["interpretation"]: content for content in map(read_yaml, snakemake.input.calibrated)
+    }
     verdicts = {name: judge_all(content["inputs"]) for name, content in contents.items()}
     predicted = {name: predict(judge_all, content) for name, content in contents.items()}
     table = compare(judge_all, list(contents.values()), verdicts, predicted, settings)
@@ -60,25 +72,5 @@ def choose(calibrated, claims, settings, parameters, chosen):
         "ensemble": members,
         "ensemble_interpretations": labels,
     }
-    with atomic_write(chosen) as part:
+    with atomic_write(snakemake.output.chosen) as part:
         part.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-
-
-def _fractions(judge_all, verdicts, folds):
-    """The fraction of the statements that is predicted in each fold."""
-    fractions = []
-    for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
-        held, of = count_once(fold.judged, verdicts)
-        fractions.append(held / max(of, 1))
-    return np.array(fractions)
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        choose(
-            snakemake.input.calibrated,
-            snakemake.input.claims,
-            snakemake.params.settings,
-            snakemake.params.parameters,
-            snakemake.output.chosen,
-        )

@@ -5,18 +5,11 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 
-
-def measure(settings, threads, table):
-    """Write what is found at as many points as ``settings`` say."""
-    rows = oracle_rows(settings, threads)
-    with atomic_write(table) as part:
+with logged(snakemake.log[0]):
+    rows = oracle_rows(snakemake.params.settings, snakemake.threads)
+    with atomic_write(snakemake.output.table) as part:
         write_csv(part, rows, TABLES["oracle"])
     points, beyond, wrong = (
         sum(row[name] for row in rows) for name in ("points", "beyond_bound", "wrong")
     )
     print(f"{points} points: {beyond} beyond their bound, {wrong} wrong")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        measure(snakemake.params.settings, snakemake.threads, snakemake.output.table)

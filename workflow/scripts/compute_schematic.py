@@ -9,16 +9,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 
 
-def compute(figure, panels, parameters, path):
-    """Write the sections of ``figure``, one at the conditions of each of its ``panels``."""
-    inputs = Parameters(**parameters)
-    states = [solved_state(conditions, inputs) for conditions in panels]
-    computed = sections(figure, states, inputs)
-    with atomic_write(path) as part:
-        write_sections(part, computed)
-    print(f"{figure}: {len(computed)} sections")
-
-
 def solved_state(conditions, parameters):
     """The state of the interface at ``conditions`` of the configuration."""
     condition = Condition.of(conditions)
@@ -27,11 +17,11 @@ def solved_state(conditions, parameters):
     return State.of(condition, solution)
 
 
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        compute(
-            snakemake.wildcards.figure,
-            snakemake.params.panels,
-            snakemake.params.parameters,
-            snakemake.output.sections,
-        )
+with logged(snakemake.log[0]):
+    figure = snakemake.wildcards.figure
+    inputs = Parameters(**snakemake.params.parameters)
+    states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
+    computed = sections(figure, states, inputs)
+    with atomic_write(snakemake.output.sections) as part:
+        write_sections(part, computed)
+    print(f"{figure}: {len(computed)} sections")

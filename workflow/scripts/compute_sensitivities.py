@@ -13,30 +13,17 @@ from thirdbody.study.sensitivity import (
 )
 from thirdbody.study.sobol import default_indices
 
-
-def compute(settings, unpublished, parameters, elasticities, indices):
-    """Write the ``elasticities`` and the ``indices`` of what ``settings`` ask about; inputs of value 0
-    are left out."""
-    subject, defaults = Subject.of(settings), Parameters(**parameters)
-    inputs = varied_inputs(defaults, unpublished)
+with logged(snakemake.log[0]):
+    settings = snakemake.params.settings
+    subject, defaults = Subject.of(settings), Parameters(**snakemake.params.parameters)
+    inputs = varied_inputs(defaults, snakemake.params.unpublished)
     base = subject.values(defaults, FULL_EFFORT)
     found = (
         default_elasticities(subject, defaults, inputs, base),
         default_indices(subject, defaults, inputs, base, settings["sobol"]),
     )
-    with atomic_write(elasticities, indices) as parts:
+    with atomic_write(snakemake.output.elasticities, snakemake.output.indices) as parts:
         for part, measured in zip(parts, found, strict=True):
             rows = sensitivity_rows(subject, base, inputs, measured)
             write_csv(part, rows, TABLES["sensitivity"])
     print(f"{len(subject.outputs)} results, {len(inputs)} inputs: {', '.join(inputs)}")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        compute(
-            snakemake.params.settings,
-            snakemake.params.unpublished,
-            snakemake.params.parameters,
-            snakemake.output.elasticities,
-            snakemake.output.indices,
-        )

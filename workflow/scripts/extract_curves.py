@@ -7,24 +7,16 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
-
-def extract(figure, dataset, inputs, tpca_loads, transitions):
-    """Write both tables of ``figure`` from its ``dataset``, which was solved with ``inputs``."""
-    curves = read_plain(dataset)
+with logged(snakemake.log[0]):
+    figure = snakemake.wildcards.figure
+    inputs = Parameters(**snakemake.params.parameters)
+    curves = read_plain(snakemake.input.dataset)
     turning = tpca_rows(figure, curves, inputs)
     crossings = transition_rows(figure, curves, inputs)
-    with atomic_write(tpca_loads, transitions) as (tpca_part, transitions_part):
+    with atomic_write(snakemake.output.tpca_loads, snakemake.output.transitions) as (
+        tpca_part,
+        transitions_part,
+    ):
         write_csv(tpca_part, turning, TABLES["tpca_loads"])
         write_csv(transitions_part, crossings, TABLES["transitions"])
     print(f"{figure}: {len(turning)} turning points, {len(crossings)} transitions")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        extract(
-            snakemake.wildcards.figure,
-            snakemake.input.dataset,
-            Parameters(**snakemake.params.parameters),
-            snakemake.output.tpca_loads,
-            snakemake.output.transitions,
-        )

@@ -9,13 +9,12 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
-
-def find(search, load_axis, parameters, windows):
-    """Write both ends of the window of each roughness that ``search`` names."""
-    inputs = Parameters(**parameters)
+with logged(snakemake.log[0]):
+    search = snakemake.params.windows
+    inputs = Parameters(**snakemake.params.parameters)
     ratios = np.linspace(*search["particle_diameter_per_roughness"], search["count"])
     sweep = WindowSearch(ratios)
-    loads = [newtons / inputs.newtons_per_load for newtons in load_axis["load_N"]]
+    loads = [newtons / inputs.newtons_per_load for newtons in snakemake.params.load_axis["load_N"]]
     density = search["particle_density_per_m2"]
     rows = []
     for roughness in map(AXES["roughness"].to_si, search["roughness_nm"]):
@@ -26,15 +25,5 @@ def find(search, load_axis, parameters, windows):
             ("high", window.high, window.high_error),
         ):
             rows.append(same | {"end": end, "diameter_over_roughness": value, "error": error})
-    with atomic_write(windows) as part:
+    with atomic_write(snakemake.output.windows) as part:
         write_csv(part, rows, TABLES["tpca_windows"])
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        find(
-            snakemake.params.windows,
-            snakemake.params.load_axis,
-            snakemake.params.parameters,
-            snakemake.output.windows,
-        )

@@ -6,13 +6,5 @@ from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows
 
-
-def gather(claims, table):
-    """Write a row for each number and curve of the statements in ``claims``."""
-    with atomic_write(table) as part:
-        write_csv(part, printed_rows(load_claims(claims)), TABLES["printed"])
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        gather(snakemake.input.claims, snakemake.output.table)
+with logged(snakemake.log[0]), atomic_write(snakemake.output.table) as part:
+    write_csv(part, printed_rows(load_claims(snakemake.input.claims)), TABLES["printed"])

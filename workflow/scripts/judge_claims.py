@@ -11,19 +11,21 @@ from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
 from thirdbody.study.verdicts import judge_everything
 
-
-def judge_claims(
-    claims, default, calibrated, earlier, settings, parameters, laid_over, table, text, page, data
-):
-    """Judge ``claims`` under the inputs of the file ``default``, with what is ``laid_over`` them, and
-    under those of all ``calibrated`` interpretations that ``settings`` have."""
-    judge_all = Judge(load_claims(claims), Parameters(**parameters), settings["newtons"])
+with logged(snakemake.log[0]):
+    default = snakemake.input.default
+    calibrated = snakemake.input.calibrated
+    settings = snakemake.params.settings
+    laid_over = snakemake.params.laid_over
+    judge_all = Judge(
+        load_claims(snakemake.input.claims),
+        Parameters(**snakemake.params.parameters),
+        settings["newtons"],
+    )
     entries = read_entries()
     found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
-    main = found[default]
-    main = main | {
-        "inputs": main["inputs"] | laid_over,
-        "ensemble": [member | laid_over for member in main["ensemble"]],
+    main = found[default] | {
+        "inputs": found[default]["inputs"] | laid_over,
+        "ensemble": [member | laid_over for member in found[default]["ensemble"]],
     }
     compared = [
         found[path]
@@ -32,28 +34,13 @@ def judge_claims(
     ]
     judged = judge_everything(judge_all, main, compared, settings)
     contents = (
-        claims_markdown(judged, read_valid(earlier, "earlier_predictions")),
+        claims_markdown(judged, read_valid(snakemake.input.earlier, "earlier_predictions")),
         claims_html(judged),
         claims_json(judged),
     )
-    with atomic_write(table, text, page, data) as (table_part, *parts):
+    with atomic_write(
+        snakemake.output.table, snakemake.output.text, snakemake.output.page, snakemake.output.data
+    ) as (table_part, *parts):
         write_csv(table_part, judged.table.to_dict("records"), TABLES["claims"])
         for part, content in zip(parts, contents, strict=True):
             part.write_text(content, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        judge_claims(
-            snakemake.input.claims,
-            snakemake.input.default,
-            snakemake.input.calibrated,
-            snakemake.input.earlier,
-            snakemake.params.settings,
-            snakemake.params.parameters,
-            snakemake.params.laid_over,
-            snakemake.output.table,
-            snakemake.output.text,
-            snakemake.output.page,
-            snakemake.output.data,
-        )

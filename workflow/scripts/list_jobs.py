@@ -61,10 +61,7 @@ def in_order(jobs):
     return ordered
 
 
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        found = jobs_of(
-            summary(snakemake.params.config, snakemake.params.run), snakemake.params.run
-        )
-        with atomic_write(snakemake.output.jobs) as part:
-            part.write_text(json.dumps(found, indent=1), encoding="utf-8")
+with logged(snakemake.log[0]), atomic_write(snakemake.output.jobs) as part:
+    run = snakemake.params.run
+    found = jobs_of(summary(snakemake.params.config, run), run)
+    part.write_text(json.dumps(found, indent=1), encoding="utf-8")

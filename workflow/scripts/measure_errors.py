@@ -10,28 +10,17 @@ from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 
-
-def measure(points, extremes, plain, rtols, errors, verdicts):
-    """Write both tables for each of ``rtols``; ``plain`` is the file of the plain equations."""
-    rows = error_rows(read_rows(points), rtols, load_plain_model(plain))
-    golden = read_rows(extremes)
+with logged(snakemake.log[0]):
+    rtols = snakemake.params.rtol
+    rows = error_rows(
+        read_rows(snakemake.input.points), rtols, load_plain_model(snakemake.input.plain)
+    )
+    golden = read_rows(snakemake.input.extremes)
     judged = [row for rtol in rtols for row in judge_extremes(golden, rtol)]
-    with atomic_write(errors, verdicts) as (errors_part, verdicts_part):
-        write_csv(errors_part, rows, TABLES["errors"])
-        write_csv(verdicts_part, judged, TABLES["extremes"])
+    with atomic_write(snakemake.output.errors, snakemake.output.verdicts) as parts:
+        write_csv(parts[0], rows, TABLES["errors"])
+        write_csv(parts[1], judged, TABLES["extremes"])
     library = [row for row in rows if row["method"].startswith("library")]
     worst = max(row["largest_error"] / row["rtol"] for row in library)
     print(f"largest error of the library over the error asked for: {worst:.3g}")
     print(dict(Counter(row["verdict"].partition(":")[0] for row in judged)))
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        measure(
-            snakemake.input.points,
-            snakemake.input.extremes,
-            snakemake.input.plain,
-            snakemake.params.rtol,
-            snakemake.output.errors,
-            snakemake.output.verdicts,
-        )

@@ -1,22 +1,47 @@
-"""Check the folder of a release against its sums and pack it into one archive file."""
+"""Pack the folder of a release into one archive file, and record beside it when and where it was made."""
 
+import getpass
+import json
+import platform
+import socket
+import subprocess
+import sys
+from datetime import UTC, datetime
+from importlib.metadata import distributions
 from pathlib import Path
 
 from thirdbody.data.files import atomic_write
+from thirdbody.data.sums import digest
 from thirdbody.job_log import logged
 from thirdbody.release.bag import pack
 
 
-def write(folder, archive, date):
-    """Write the file ``archive`` of ``folder``, its members dated ``date``."""
-    with atomic_write(archive) as part:
-        pack(folder, part, date)
+def provenance(archive, name):
+    """When, where, by whom and with what the file ``archive``, called ``name``, was made: now."""
+    try:
+        user = getpass.getuser()
+    except (OSError, KeyError):  # in a container a user may have no name
+        user = "unknown"
+    # ends with -dirty if sources were changed
+    command = ["git", "describe", "--always", "--dirty", "--abbrev=40"]
+    described = subprocess.run(command, capture_output=True, text=True, check=False)
+    sums = {algorithm: digest(archive, algorithm) for algorithm in ("sha256", "sha512")}
+    return {
+        "archive": {"name": name, "bytes": archive.stat().st_size, **sums},
+        "time": datetime.now(UTC).isoformat(timespec="seconds"),
+        "host": socket.gethostname(),
+        "user": user,
+        "system": platform.platform(),
+        "processor": platform.machine(),
+        "python": sys.version,
+        "commit": described.stdout.strip() or "not in a repository",
+        "packages": dict(sorted((one.name, one.version) for one in distributions())),
+    }
 
 
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        write(
-            Path(snakemake.input.sealed).parent,
-            snakemake.output.archive,
-            snakemake.params.date,
-        )
+with logged(snakemake.log[0]):
+    archive = Path(snakemake.output.archive)
+    with atomic_write(archive, snakemake.output.provenance) as (archive_part, record_part):
+        pack(Path(snakemake.input.sealed).parent, archive_part, snakemake.params.date)
+        record = json.dumps(provenance(archive_part, archive.name), indent=1)
+        record_part.write_text(record + "\n", encoding="utf-8")

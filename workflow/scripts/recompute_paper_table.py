@@ -7,19 +7,10 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
-
-def recompute(printed, table, parameters, rows):
-    """Write the rows of ``table`` from the file ``printed``."""
-    judged = paper_table(read_yaml(printed)[table], Parameters(**parameters))
-    with atomic_write(rows) as part:
+with logged(snakemake.log[0]):
+    judged = paper_table(
+        read_yaml(snakemake.input.printed)[snakemake.wildcards.table],
+        Parameters(**snakemake.params.parameters),
+    )
+    with atomic_write(snakemake.output.rows) as part:
         write_csv(part, judged, TABLES["paper_table"])
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        recompute(
-            snakemake.input.printed,
-            snakemake.wildcards.table,
-            snakemake.params.parameters,
-            snakemake.output.rows,
-        )

@@ -12,23 +12,15 @@ from thirdbody.job_log import logged
 
 MEASURED = "errors", "extremes", "oracle", "times", "uses"
 
-
-def render(paths, style, stem, targets):
-    """Draw the tables at ``paths`` as ``stem``.svg, .pdf, .png, .csv, .md, and write the ``targets``."""
-    tables = {name: read_csv(path, TABLES[name]) for name, path in paths.items()}
+with logged(snakemake.log[0]):
+    tables = {name: read_csv(snakemake.input[name], TABLES[name]) for name in MEASURED}
     rows = target_rows(tables)
-    with atomic_write(targets) as part:
+    with atomic_write(snakemake.output.targets) as part:
         write_csv(part, rows, TABLES["targets"])
-    with matplotlib.style.context(style, after_reset=True):
-        save(plot(tables["errors"], tables["times"]), stem, caption("accuracy"))
-    print(f"{sum(row['verdict'] == 'reached' for row in rows)} of {len(rows)} targets are reached")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        render(
-            {name: snakemake.input[name] for name in MEASURED},
-            snakemake.input.style,
+    with matplotlib.style.context(snakemake.input.style, after_reset=True):
+        save(
+            plot(tables["errors"], tables["times"]),
             snakemake.output.png.removesuffix(".png"),
-            snakemake.output.targets,
+            caption("accuracy"),
         )
+    print(f"{sum(row['verdict'] == 'reached' for row in rows)} of {len(rows)} targets are reached")

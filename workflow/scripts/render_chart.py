@@ -9,22 +9,10 @@ from thirdbody.figures.charts import plot
 from thirdbody.figures.drawing import save
 from thirdbody.job_log import logged
 
-
-def render(chart, catalogue, charts, style, stem):
-    """Draw ``chart`` in the ``style`` of a file, as ``stem``.svg, .pdf, .png, .csv, .md."""
-    with open_atlas(catalogue) as atlas:
-        panels = chart_panels(atlas, chart, charts)
-    with matplotlib.style.context(style, after_reset=True):
-        save(plot(CHARTS[chart], panels), stem, caption(chart))
+with logged(snakemake.log[0]):
+    chart = snakemake.wildcards.chart
+    with open_atlas(snakemake.input.catalogue) as atlas:
+        panels = chart_panels(atlas, chart, snakemake.params.charts)
+    with matplotlib.style.context(snakemake.input.style, after_reset=True):
+        save(plot(CHARTS[chart], panels), snakemake.output.png.removesuffix(".png"), caption(chart))
     print(f"{chart}: {len(panels)} panels drawn")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        render(
-            snakemake.wildcards.chart,
-            snakemake.input.catalogue,
-            snakemake.params.charts,
-            snakemake.input.style,
-            snakemake.output.png.removesuffix(".png"),
-        )

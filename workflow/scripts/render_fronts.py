@@ -10,22 +10,12 @@ from thirdbody.figures.drawing import save
 from thirdbody.figures.fronts import plot
 from thirdbody.job_log import logged
 
-
-def render(default, calibrated, style, stem):
-    """Draw the fronts of all ``calibrated`` interpretations, that of the file whose stem is ``default`` first."""
-    files = sorted(calibrated, key=lambda path: Path(path).stem != default)
+with logged(snakemake.log[0]):
+    files = sorted(
+        snakemake.input.calibrated, key=lambda path: Path(path).stem != snakemake.params.default
+    )
     contents = [read_yaml(path) for path in files]
     interpretations = [content for content in contents if content["fronts"]]
-    with matplotlib.style.context(style, after_reset=True):
-        save(plot(interpretations), stem, caption("fronts"))
+    with matplotlib.style.context(snakemake.input.style, after_reset=True):
+        save(plot(interpretations), snakemake.output.png.removesuffix(".png"), caption("fronts"))
     print(f"{len(interpretations)} interpretations drawn")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        render(
-            snakemake.params.default,
-            snakemake.input.calibrated,
-            snakemake.input.style,
-            snakemake.output.png.removesuffix(".png"),
-        )

@@ -9,25 +9,11 @@ from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows, write_rows
 from thirdbody.study.sampling import posterior_sample
 
-
-def sample(name, seed, evaluations, claims, settings, parameters, samples):
-    """Write sets of inputs drawn from what the searches have found."""
-    objective = Objective.of(load_claims(claims), settings, Parameters(**parameters))
-    found = np.vstack([read_rows(path) for path in evaluations])
-    interpretation = Interpretation.of(name, settings)
-    write_rows(
-        samples, posterior_sample(interpretation, objective, found, settings["budget"], seed)
-    )
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        sample(
-            snakemake.wildcards.interpretation,
-            int(snakemake.wildcards.seed),
-            snakemake.input.evaluations,
-            snakemake.input.claims,
-            snakemake.params.settings,
-            snakemake.params.parameters,
-            snakemake.output.samples,
-        )
+with logged(snakemake.log[0]):
+    settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)
+    base = Parameters(**snakemake.params.parameters)
+    objective = Objective.of(load_claims(snakemake.input.claims), settings, base)
+    found = np.vstack([read_rows(path) for path in snakemake.input.evaluations])
+    interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
+    drawn = posterior_sample(interpretation, objective, found, settings["budget"], seed)
+    write_rows(snakemake.output.samples, drawn)

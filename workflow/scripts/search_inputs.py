@@ -10,25 +10,6 @@ from thirdbody.study.record import read_rows, write_rows
 from thirdbody.study.search import search
 
 
-def run(name, seeds, fold, claims, scattered, settings, parameters, evaluations):
-    """Write all evaluations of the search; a number ``fold`` says whose statements are left out.
-
-    The first of ``seeds`` starts from the best of the scattered inputs, the second from the second best.
-    """
-    statements, base = load_claims(claims), Parameters(**parameters)
-    fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
-    objective = Objective.of(fitted, settings, base)
-    interpretation = Interpretation.of(name, settings)
-    every = Objective.of(statements, settings, base)
-    places = _with_objective(interpretation, objective, every, read_rows(scattered))
-    ranking = np.argsort(places[:, -1], kind="stable")
-    found = [places]
-    for seed in seeds:
-        start = places[ranking[seed - 1], :-1]
-        found.append(search(interpretation, objective, start, settings["budget"], seed))
-    write_rows(evaluations, np.vstack(found))
-
-
 def _with_objective(interpretation, objective, every, rows):
     """Scattered positions, with the ``objective`` in place of the scores of ``every`` statement."""
     count = len(interpretation.unknowns)
@@ -43,15 +24,21 @@ def _with_objective(interpretation, objective, every, rows):
     return np.column_stack([rows[:, :count], values])
 
 
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        run(
-            snakemake.wildcards.interpretation,
-            snakemake.params.seeds,
-            snakemake.params.fold,
-            snakemake.input.claims,
-            snakemake.input.scattered,
-            snakemake.params.settings,
-            snakemake.params.parameters,
-            snakemake.output.evaluations,
-        )
+with logged(snakemake.log[0]):
+    fold = snakemake.params.fold
+    settings = snakemake.params.settings
+    statements = load_claims(snakemake.input.claims)
+    base = Parameters(**snakemake.params.parameters)
+    # a number says which fold's statements are left out
+    fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
+    objective = Objective.of(fitted, settings, base)
+    interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
+    every = Objective.of(statements, settings, base)
+    places = _with_objective(interpretation, objective, every, read_rows(snakemake.input.scattered))
+    ranking = np.argsort(places[:, -1], kind="stable")
+    found = [places]
+    # from the first seed the search starts at the best of the scattered inputs, then at the second best
+    for seed in snakemake.params.seeds:
+        start = places[ranking[seed - 1], :-1]
+        found.append(search(interpretation, objective, start, settings["budget"], seed))
+    write_rows(snakemake.output.evaluations, np.vstack(found))

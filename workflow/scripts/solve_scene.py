@@ -7,21 +7,12 @@ from thirdbody.data.scene import Scene
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
-
-def solve(figure, scene, inputs, dataset):
-    """Write the dataset of the scene ``figure``, solved with ``inputs``."""
+with logged(snakemake.log[0]):
+    figure = snakemake.wildcards.figure
+    scene = snakemake.params.scene
+    inputs = Parameters(**snakemake.params.parameters)
     points = Scene.of(figure, scene, inputs.newtons_per_load)
     solved = scene_dataset(points, inputs, scene["rtol"])
-    with atomic_write(dataset) as part:
+    with atomic_write(snakemake.output.dataset) as part:
         write_dataset(solved, part)
     print(f"{figure}: {points.size} points")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        solve(
-            snakemake.wildcards.figure,
-            snakemake.params.scene,
-            Parameters(**snakemake.params.parameters),
-            snakemake.output.dataset,
-        )

@@ -11,30 +11,22 @@ from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows
 from thirdbody.study.results import summary
 
-
-def summarise(name, evaluations, samples, folds, claims, settings, parameters, calibrated):
-    """Write the chosen inputs, their ensemble, those of the folds, and what is identified."""
+with logged(snakemake.log[0]):
+    settings = snakemake.params.settings
     content = summary(
-        Interpretation.of(name, settings),
-        Judge(load_claims(claims), Parameters(**parameters), settings["newtons"]),
-        [read_rows(path) for path in evaluations],
-        [read_rows(path) for path in samples],
-        [read_rows(path) for path in folds],
+        Interpretation.of(snakemake.wildcards.interpretation, settings),
+        Judge(
+            load_claims(snakemake.input.claims),
+            Parameters(**snakemake.params.parameters),
+            settings["newtons"],
+        ),
+        [read_rows(path) for path in snakemake.input.evaluations],
+        [read_rows(path) for path in snakemake.input.samples],
+        [read_rows(path) for path in snakemake.input.folds],
         settings,
     )
-    with atomic_write(calibrated) as part, open(part, "w", encoding="utf-8") as stream:
+    with (
+        atomic_write(snakemake.output.calibrated) as part,
+        open(part, "w", encoding="utf-8") as stream,
+    ):
         yaml.safe_dump(content, stream, sort_keys=False, width=100, default_flow_style=None)
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        summarise(
-            snakemake.wildcards.interpretation,
-            snakemake.input.evaluations,
-            snakemake.input.samples,
-            snakemake.input.folds,
-            snakemake.input.claims,
-            snakemake.params.settings,
-            snakemake.params.parameters,
-            snakemake.output.calibrated,
-        )

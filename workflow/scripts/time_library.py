@@ -10,25 +10,12 @@ from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
-
-def measure(plain, budget, parameters, directory, times, uses):
-    """Write both tables; ``plain`` is the file of the plain equations."""
-    inputs = Parameters(**parameters)
-    with atomic_write(times, uses) as (times_part, uses_part):
-        rows = list(use_rows(inputs, budget, Path(directory)))
+with logged(snakemake.log[0]):
+    budget = snakemake.params.budget
+    inputs = Parameters(**snakemake.params.parameters)
+    with atomic_write(snakemake.output.times, snakemake.output.uses) as (times_part, uses_part):
+        rows = list(use_rows(inputs, budget, Path(snakemake.resources.tmpdir)))
         write_csv(uses_part, rows, TABLES["uses"])
-        rows = time_rows(inputs, budget, load_plain_model(plain))
+        rows = time_rows(inputs, budget, load_plain_model(snakemake.input.plain))
         write_csv(times_part, rows, TABLES["times"])
     print(f"{len(rows)} times")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        measure(
-            snakemake.input.plain,
-            snakemake.params.budget,
-            snakemake.params.parameters,
-            snakemake.resources.tmpdir,
-            snakemake.output.times,
-            snakemake.output.uses,
-        )

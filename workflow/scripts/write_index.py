@@ -38,30 +38,19 @@ def figure_entry(caption, statements, scenes):
     }
 
 
-def write(captions, tables, verdicts, datasets, template, page):
-    """Write the ``page`` from the ``template``."""
-    scenes = {Path(dataset).stem for dataset in datasets}
-    judged = json.loads(Path(verdicts).read_text(encoding="utf-8"))
+with logged(snakemake.log[0]):
+    judged = json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8"))
     environment = jinja2.Environment(
         autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
     )
-    text = environment.from_string(Path(template).read_text(encoding="utf-8")).render(
-        figures=[figure_entry(each, judged["statements"], scenes) for each in captions],
-        tables=[Path(table).stem for table in tables],
-        datasets=[Path(dataset).name for dataset in datasets],
+    template = Path(snakemake.input.template).read_text(encoding="utf-8")
+    statements = judged["statements"]
+    scenes = {Path(dataset).stem for dataset in snakemake.input.datasets}
+    text = environment.from_string(template).render(
+        figures=[figure_entry(each, statements, scenes) for each in snakemake.input.captions],
+        tables=[Path(table).stem for table in snakemake.input.tables],
+        datasets=[Path(dataset).name for dataset in snakemake.input.datasets],
         score=judged["score"],
     )
-    with atomic_write(page) as part:
+    with atomic_write(snakemake.output.page) as part:
         part.write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        write(
-            snakemake.input.captions,
-            snakemake.input.tables,
-            snakemake.input.verdicts,
-            snakemake.input.datasets,
-            snakemake.input.template,
-            snakemake.output.page,
-        )

@@ -6,37 +6,25 @@ from thirdbody.data.tables import TABLES, read_csv, write_csv, write_latex, writ
 from thirdbody.job_log import logged
 from thirdbody.model.load_unit import newtons_per_load
 
-
-def write(table, parts, printed, parameters, csv, schema, text, html, latex):
-    """Write ``table`` from the rows of all ``parts``, in their order.
-
-    Where it is to be read, the numbers that the paper prints stand beside: ``printed`` is their file,
-    empty for none.
-    """
+with logged(snakemake.log[0]):
+    table = snakemake.wildcards.table
+    printed = snakemake.input.printed
+    parameters = snakemake.params.parameters
     columns = TABLES.get(table) or TABLES["paper_table"]
-    rows = [row for part in parts for row in read_csv(part, columns)]
+    rows = [row for part in snakemake.input.parts for row in read_csv(part, columns)]
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
     unit = newtons_per_load(parameters["apparent_area"], parameters["elastic_modulus_surfaces"])
     sheets = readable(table, rows, numbers, unit)
-    places = csv, schema, text, html, latex
+    places = (
+        snakemake.output.csv,
+        snakemake.output.json,
+        snakemake.output.md,
+        snakemake.output.html,
+        snakemake.output.tex,
+    )
     with atomic_write(*places) as (csv_part, schema_part, md_part, html_part, tex_part):
         write_csv(csv_part, rows, columns)
         write_schema(schema_part, columns)
         md_part.write_text(markdown(sheets), encoding="utf-8")
         html_part.write_text(page(sheets), encoding="utf-8")
         write_latex(tex_part, rows, columns)
-
-
-if __name__ == "__main__":
-    with logged(snakemake.log[0]):
-        write(
-            snakemake.wildcards.table,
-            snakemake.input.parts,
-            snakemake.input.printed,
-            snakemake.params.parameters,
-            snakemake.output.csv,
-            snakemake.output.json,
-            snakemake.output.md,
-            snakemake.output.html,
-            snakemake.output.tex,
-        )
