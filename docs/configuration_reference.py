@@ -9,11 +9,11 @@ from thirdbody.model.bounds import BOUNDS
 CONFIG = Path(__file__).resolve().parents[1] / "config"
 LIMITS = {
     "minimum": "from {}",
-    "exclusiveMinimum": "above {}",
+    "exclusiveMinimum": "and above {}",
     "maximum": "to {}",
-    "exclusiveMaximum": "below {}",
-    "minItems": "at least {} of them",
+    "minItems": "of {} or more",
 }
+KINDS = {"array": "list", "object": "mapping", "boolean": "true or false", "string": "text"}
 
 
 def read(name):
@@ -41,8 +41,9 @@ def allowed(schema):
         return ", ".join(map(str, schema["enum"]))
     kind = schema.get("type", "")
     kinds = [kind] if isinstance(kind, str) else kind
-    limits = [text.format(schema[key]) for key, text in LIMITS.items() if key in schema]
-    return " ".join([" or ".join(kinds), *limits])
+    words = " or ".join(KINDS.get(kind, kind) for kind in kinds)
+    limits = [text.format(f"{schema[key]:g}") for key, text in LIMITS.items() if key in schema]
+    return " ".join([words, *limits])
 
 
 def keys(schema, document, place=""):
@@ -51,10 +52,10 @@ def keys(schema, document, place=""):
         inner, inside = resolved(each, document)
         yield f"{place}{name}", inner
         yield from keys(inner, inside, f"{place}{name}.")
-    for name, marker in (("additionalProperties", "NAME."), ("items", "[].")):
+    for name, marker in (("additionalProperties", ".NAME."), ("items", "[].")):
         if isinstance(schema.get(name), dict):
             inner, inside = resolved(schema[name], document)
-            yield from keys(inner, inside, f"{place.removesuffix('.')}{marker}".replace("..", "."))
+            yield from keys(inner, inside, place[:-1] + marker)
 
 
 def row(*cells):
