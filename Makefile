@@ -39,6 +39,7 @@ test: $(VENV)/test.done $(VENV)/slurm.done
 
 docs: $(VENV)/test.done
 	$(BIN)/python -m sphinx -q -W --keep-going docs docs/_build
+	@echo docs/_build/index.html
 
 test-survival: $(VENV)/test.done $(VENV)/slurm.done
 	SURVIVAL=long $(BIN)/python -m pytest tests/workflow/survival tests/workflow/cluster

@@ -1,9 +1,14 @@
 """How the pages of `docs/` become a site: `make docs`, without a network."""
 
+import sys
 from importlib import metadata
+from pathlib import Path
 
 from docutils.nodes import SkipNode
 from latex2mathml.converter import convert
+
+sys.path.insert(0, str(Path(__file__).parent))
+import configuration_reference
 
 project = "thirdbody"
 author = "The thirdbody developers"
@@ -13,8 +18,8 @@ release = metadata.version("thirdbody")
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
-html_theme = "alabaster"
-html_theme_options = {"description": "Rough surfaces, particles and an oil film under load"}
+html_theme = "furo"
+html_title = "thirdbody"
 html_math_renderer = "mathml"
 exclude_patterns = ["_build"]
 
@@ -40,4 +45,5 @@ def _block(self, node):
 
 def setup(app):
     """Write formulas as MathML, which browsers show without a script from elsewhere."""
+    app.connect("source-read", configuration_reference.fill)
     app.add_html_math_renderer("mathml", (_inline, None), (_block, None))

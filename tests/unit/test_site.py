@@ -37,6 +37,17 @@ def test_notebooks_show_what_they_computed(site):
     assert "worst promised error: " in mine
 
 
+def test_the_gallery_shows_a_figure_for_each_of_its_parts(site):
+    page = (site / "gallery.html").read_text(encoding="utf-8")
+    assert page.count("<img") == page.count("<h2>") == 4
+
+
+def test_the_reference_has_all_keys_and_inputs(site):
+    page = (site / "configuration.html").read_text(encoding="utf-8")
+    for key in ("run", "windows.count", "load_axis.load_N", "scenes.NAME.title", "ball_radius"):
+        assert f'<span class="pre">{key}</span>' in page, key
+
+
 def test_formulas_need_no_script(site):
     page = (site / "model.html").read_text(encoding="utf-8")
     assert page.count("<math") > 10

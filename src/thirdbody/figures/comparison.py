@@ -8,7 +8,7 @@ import matplotlib.style
 import pandas as pd
 from matplotlib.figure import Figure
 
-from thirdbody.figures.drawing import STYLE
+from thirdbody.figures.drawing import STYLE, ShownFigure
 
 MODEL = "#0072B2"
 
@@ -28,7 +28,7 @@ def draw(table: pd.DataFrame, curve: pd.DataFrame, along: str, variables: Sequen
     """
     with matplotlib.style.context(STYLE, after_reset=True):
         size = 3.4 * len(variables), 2.8
-        figure = Figure(figsize=size, layout="constrained")
+        figure = ShownFigure(figsize=size, layout="constrained")
         for axes, name in zip(figure.subplots(1, len(variables), squeeze=False)[0], variables):
             _draw_panel(axes, table.sort_values(along), curve, along, name)
         figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)

@@ -6,6 +6,7 @@ import csv
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from io import BytesIO
 from itertools import zip_longest
 from os import PathLike
 from pathlib import Path
@@ -84,6 +85,15 @@ class Drawing:
     panels: tuple[Panel, ...]
 
 
+class ShownFigure(Figure):
+    """A figure that notebooks show as a picture, with pyplot or without."""
+
+    def _repr_png_(self) -> bytes:
+        picture = BytesIO()
+        self.savefig(picture, format="png", dpi=120)
+        return picture.getvalue()
+
+
 def grid_of_axes(
     count: int,
     cell: tuple[float, float],
@@ -99,7 +109,7 @@ def grid_of_axes(
     (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)
     size = columns * width, rows * height + below
-    figure = Figure(figsize=size)
+    figure = ShownFigure(figsize=size)
     for place in range(count):
         row, column = divmod(place, columns)
         x, y = column * width + left, below + (rows - 1 - row) * height + bottom

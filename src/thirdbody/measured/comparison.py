@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
+from thirdbody.answers.arguments import check_number
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.conditions.checks import checked_parameters
 from thirdbody.conditions.in_si import in_si
@@ -165,6 +166,8 @@ def compare(
     if (SPEED in columns) != (speed_m_per_s is not None):
         told = f"speed_m_per_s is {shown(speed_m_per_s)}"
         raise ValueError(f"{told}; allowed: a number with a column of speeds, else none")
+    if speed_m_per_s is not None:
+        check_number("speed_m_per_s", speed_m_per_s)
     table = _conditions(columns, conditions, parameters)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
