@@ -9,22 +9,12 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 
 SCHEMA = Path(__file__).parents[2] / "config" / "config.schema.yaml"
-UNITS = {"cSt": 1e-6, "nm": 1e-9, "m-2": 1.0, "1": 1.0}
-SPELT = {"m-2": "per_m2", "m2 s-1": "m2_per_s"}  # in names of keys and columns
 
 
 @pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
 def test_a_decimal_is_the_float_that_its_digits_mean_in_si(value):
     assert AXES["roughness"].to_si(value) == float(f"{value}e-9")
     assert AXES["viscosity"].to_si(value) == float(f"{value}e-6")
-
-
-@pytest.mark.parametrize("axis", AXES.values(), ids=AXES)
-def test_names_of_keys_and_columns_end_with_their_units(axis):
-    assert axis.scale == UNITS[axis.unit]
-    for name, unit in ((axis.key, axis.unit), (axis.column, axis.units)):
-        ending = "" if unit == "1" else f"_{SPELT.get(unit, unit)}"
-        assert name == axis.name + ending
 
 
 def test_values_are_sorted_and_stand_once():

@@ -8,7 +8,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
+from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.scene import Curves, Scene, load_values
 
 NEWTONS = 7.0e5
@@ -50,24 +50,6 @@ def test_relative_diameters_make_a_group_of_each_roughness():
     assert small.particle_diameter.tolist() == [70e-9, 110e-9]
     # 1.1 x 300 is 330.00000000000006 in binary
     assert large.particle_diameter.tolist() == [210e-9, 330e-9]
-
-
-def test_an_axis_holds_the_values_of_all_groups():
-    other = GROUP | {"viscosity_cSt": [25], "roughness_nm": [100, 300]}
-    both = scene(GROUP, other)
-    assert both.axis("viscosity").tolist() == [0.0, 25e-6, 90e-6]
-    assert both.axis("roughness").tolist() == [100e-9, 300e-9]
-    assert np.array_equal(both.axis("load"), both.load)
-
-
-def test_a_group_is_placed_at_its_own_values():
-    other = GROUP | {"viscosity_cSt": [25], "roughness_nm": [100]}
-    both = scene(GROUP, other)
-    for group in both.groups:
-        place = both.placed(group)
-        for name, index in zip(DIMENSIONS[1:], place[1:], strict=True):
-            assert np.array_equal(both.axis(name)[index.ravel()], getattr(group, name))
-        assert place[0].size == both.load.size
 
 
 # what each figure of the paper shows, in the units of the configuration; densities in 1e11 m-2
