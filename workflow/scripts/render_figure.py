@@ -8,7 +8,6 @@ from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save, write_wide
 from thirdbody.figures.marks import read_turning_points
-from thirdbody.figures.printed import read_printed
 from thirdbody.figures.registry import curve_figure
 from thirdbody.job_log import logged
 
@@ -18,7 +17,8 @@ with logged(snakemake.log[0]):
     ensemble_range = snakemake.input.band
     data = read_plain(snakemake.input.dataset)
     points = read_turning_points(snakemake.input.turning_points)
-    numbers = read_printed(snakemake.input.printed, figure)
+    rows = read_csv(snakemake.input.printed, TABLES["printed"])
+    numbers = [row for row in rows if row["figure"] == figure]
     ends = read_csv(windows, TABLES["tpca_windows"]) if windows else ()
     ranges = read_plain(ensemble_range) if ensemble_range else None
     with matplotlib.style.context(snakemake.input.style, after_reset=True):

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from os import PathLike
 
 import numpy as np
 
 from thirdbody.data.conditions import CONDITION_AXES, Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Series
 from thirdbody.figures.marks import PRINTED, TOLERANCE, condition_key
@@ -51,11 +49,6 @@ class Mark:
         yield Series(TOLERANCE, name, *np.array(bar), condition)
 
 
-def read_printed(path: str | PathLike, figure: str) -> list[dict]:
-    """Rows of the table ``printed`` that belong to ``figure``; ``OSError`` if the file is damaged."""
-    return [row for row in read_csv(path, TABLES["printed"]) if row["figure"] == figure]
-
-
 def printed_series(
     data: PlainDataset,
     x: str,
@@ -66,7 +59,7 @@ def printed_series(
 ) -> Iterator[Series]:
     """Printed numbers of ``curves`` that a panel of ``x`` and ``y`` can show.
 
-    ``printed`` are rows of ``read_printed``, ``turning_points`` pairs of ``turning_points_of``.
+    ``printed`` are rows of the table of this name, ``turning_points`` pairs of ``turning_points_of``.
     """
     rows_of: dict[tuple, list] = {}
     for row in printed:

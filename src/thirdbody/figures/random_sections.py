@@ -64,20 +64,14 @@ def _reach(state, parameters):
     return height + interpretation.elastic_limits.beyond * depth
 
 
-def correlation_length(state: State, parameters: Parameters) -> float:
-    """Correlation length [m] of a Gaussian surface with the model's density of summits.
-
-    Nayak (1971): with the autocorrelation exp(-x^2/2l^2) it is 1/(2 pi sqrt(3) l^2).
-    """
+def _surfaces(state, parameters, position, summits_touch, random):
+    """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
+    # the correlation length l of a Gaussian surface with the model's density of summits, which is
+    # 1/(2 pi sqrt(3) l^2) with the autocorrelation exp(-x^2/2l^2): Nayak (1971)
     # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
     # cannot both be those of a Gaussian surface
     density = parameters.surface(state.condition.roughness).summit_density
-    return 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * density)
-
-
-def _surfaces(state, parameters, position, summits_touch, random):
-    """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
-    length = correlation_length(state, parameters)
+    length = 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * density)
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
     roughness = state.condition.roughness / np.sqrt(2.0)
     lower, upper = (roughness * _profile(position, length, random) for _ in range(2))
