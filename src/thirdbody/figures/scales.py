@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from matplotlib import rcParams
 from matplotlib.axes import Axes
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.naming import parameter_title, power_text
@@ -14,7 +16,6 @@ from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LI
 # of labels in fractions of the axes: fixed, as to find them from the texts of ticks takes long
 LABEL_PLACES = {"x": (0.5, -0.11), "y": (-0.18, 0.5)}
 POWERS = FuncFormatter(lambda value, _: power_text(value))
-NEWTONS = FuncFormatter(lambda load, _: f"{load:g} N")
 
 
 @dataclass(frozen=True)
@@ -101,11 +102,20 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         axes.set_ylim(-0.08 * top, 1.08 * top)
         _draw_limits(axes, SCALES[y])
     if x == "load" and newtons_per_load is not None:
-        functions = (lambda load: load * newtons_per_load, lambda force: force / newtons_per_load)
-        top = axes.secondary_xaxis("top", functions=functions)
-        top.xaxis.set_major_formatter(NEWTONS)
-        top.xaxis.set_minor_locator(NullLocator())
-        top.xaxis.set_label_coords(*LABEL_PLACES["x"])
+        _draw_newtons(axes, newtons_per_load)
+
+
+def _draw_newtons(axes, newtons_per_load):
+    """Ticks in newtons at the upper edge: a secondary axis takes as long to draw as the first one."""
+    ends = np.array(axes.get_xlim()) * newtons_per_load
+    locator = LogLocator() if axes.get_xscale() == "log" else MaxNLocator(5)
+    newtons = [tick for tick in locator.tick_values(*ends) if ends[0] <= tick <= ends[1]]
+    loads = np.array(newtons) / newtons_per_load
+    place = axes.get_xaxis_transform()
+    axes.vlines(loads, 0.98, 1.0, color=rcParams["axes.edgecolor"], linewidth=0.6, transform=place)
+    style = {"ha": "center", "fontsize": rcParams["xtick.labelsize"], "color": "black"}
+    for load, tick in zip(loads, newtons, strict=True):
+        axes.text(load, 1.03, f"{tick:g} N", transform=place, **style)
 
 
 def _draw_limits(axes, scale):
