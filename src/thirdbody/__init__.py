@@ -11,8 +11,8 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 ...     particle_density=1e11,
 ...     parameters=tb.load_parameters(),
 ... )
->>> print(f"{point.solid_load_fraction:.3f} of the load is borne by solids")
-0.251 of the load is borne by solids
+>>> print(f"{point.solid_load_fraction:.3f} of the load is carried by solids")
+0.251 of the load is carried by solids
 
 ``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
 ``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in

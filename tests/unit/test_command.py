@@ -5,6 +5,7 @@ import os
 import shlex
 import subprocess
 import sys
+import warnings
 
 import pytest
 
@@ -108,6 +109,18 @@ def test_ctrl_c_says_how_to_go_on(capsys, monkeypatch):
     assert run(STATE) == STOPPED
     (line,) = capsys.readouterr().err.splitlines()
     assert line == "thirdbody state: stopped; run the same command again to start over"
+
+
+def test_warnings_that_are_not_for_users_are_not_shown(capsys, monkeypatch):
+    def leaky(*given, **more):
+        warnings.warn("unclosed file", ResourceWarning, stacklevel=1)
+        warnings.warn("load is odd", UserWarning, stacklevel=1)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("thirdbody.answers.interface.solve", leaky)
+    assert run(STATE) == STOPPED
+    told, _ = capsys.readouterr().err.splitlines()
+    assert told == "thirdbody state: warning: load is odd"
 
 
 def test_a_written_bearing_is_read_by_the_other_questions(capsys):

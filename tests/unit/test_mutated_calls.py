@@ -16,6 +16,7 @@ from numpy.lib.stride_tricks import as_strided
 import thirdbody as tb
 from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.answers.ensemble import calibrated_ensemble
+from thirdbody.measured.estimates import Assumed
 
 UNIT = pint.UnitRegistry()
 # 10^12 numbers in 8 bytes: an array that may be counted, and not looked at
@@ -55,6 +56,12 @@ def method(name):
     return ask
 
 
+def compare_data(load, **given):
+    """A comparison of one measurement."""
+    data = {"load [N]": [load], "speed [m/s]": [2.0], "solid load fraction": [0.5]}
+    return tb.compare(pd.DataFrame(data), **given)
+
+
 def calls(parameters):
     """A call of each public function that works, by its name."""
     inputs = {"parameters": parameters}
@@ -90,6 +97,14 @@ def calls(parameters):
         ),
         "turning": (method("turning_point"), {"between_N": (1.0, 50.0)} | inputs),
         "compare": (method("compare"), {"other": tb.Interface(**ENGINEERING)} | inputs),
+        "oil_viscosity": (
+            tb.oil_viscosity,
+            {"temperature_C": 60.0, "grade": 46, "viscosity_index": 95},
+        ),
+        "points": (tb.oil_viscosity, {"temperature_C": 60.0, "points": {40: 46, 100: 7}}),
+        "cleanliness": (tb.cleanliness, {"code": "18/16/13", "gap_nm": 500.0, "enrichment": 1.0}),
+        "Assumed": (Assumed, {"boundary_friction": 0.1, "resistivity_ohm_m": 1e-7}),
+        "compare_data": (compare_data, WITHOUT_LOAD | inputs | {"speed_m_per_s": 2.0, "load": 5.0}),
         "load_parameters": (tb.load_parameters, {"path": None, "hardness_surface_1": 5e9}),
     }
 

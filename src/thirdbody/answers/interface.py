@@ -217,10 +217,10 @@ class Interface:
             told = f"{_words(before)} to {_words(after)}"
             rows.append(Row.of(f"{before}_to_{after}", told, value, unit, same))
         for border in BORDERS:
-            ways = (border.above, border.below, 0), (border.below, border.above, 0)
-            if border.flag in flags and not any(way in mine for way in ways):
+            passages = (border.above, border.below, 0), (border.below, border.above, 0)
+            if border.flag in flags and not any(each in mine for each in passages):
                 first = [
-                    min(filter(None, map(each.get, ways)), default=None) for each in of_members
+                    min(filter(None, map(each.get, passages)), default=None) for each in of_members
                 ]
                 told = f"between {_words(border.below)} and {_words(border.above)}"
                 rows.append(Row.of(f"{border.below}_and_{border.above}", told, None, unit, first))

@@ -1,4 +1,4 @@
-"""``turning_point`` and ``turning_window``: where the particles' share of the contact area turns."""
+"""``turning_point`` and ``turning_window``: where the particles' fraction of the contact area turns."""
 
 from __future__ import annotations
 

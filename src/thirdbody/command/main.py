@@ -55,7 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in NAMES)])
     with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("default")
+        warnings.simplefilter("ignore")
+        warnings.simplefilter("default", UserWarning)  # the others are for developers
         try:
             asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:

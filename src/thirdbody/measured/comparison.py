@@ -243,7 +243,7 @@ def _numbers(heading, column):
     for index, cell in enumerate(column):
         try:
             numbers[index] = float(cell) if str(cell).strip() else np.nan
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             told = f"{heading} is {shown(cell)} in row {index + 1}"
             raise ValueError(f"{told}; allowed: numbers with a decimal point") from None
     return numbers

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -77,26 +78,13 @@ def contact_resistance(found: Solution, parameters: Parameters, assumed: Assumed
     return assumed.resistivity_ohm_m / (2.0 * radius)
 
 
-@dataclass(frozen=True)
-class Measured:
-    """A variable that can be measured.
+class Measured(NamedTuple):
+    """A variable that can be measured."""
 
-    Attributes
-    ----------
-    column : str
-        Its name with its unit, as tables have it.
-    unit : str
-        The unit, as pint reads it.
-    model : callable
-        Its values in that unit, from a solution, the inputs and what is assumed.
-    formula : str
-        Of an estimate: what is assumed.
-    """
-
-    column: str
-    unit: str
-    model: Callable[[Solution, Parameters, Assumed], NDArray]
-    formula: str = ""
+    column: str  # its name with its unit, as tables have it
+    unit: str  # as pint reads it
+    model: Callable[[Solution, Parameters, Assumed], NDArray]  # its values in that unit
+    formula: str = ""  # of an estimate: what is assumed
 
 
 def _film_thickness_nm(found, parameters, assumed):

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
+from thirdbody.answers.arguments import check_number
 from thirdbody.conditions.checks import checked_array
 from thirdbody.messages import shown
 
@@ -149,8 +150,9 @@ def viscosity_index_of(at_40: float, at_100: float) -> float:
 
 def _at_100(at_40, index):
     """Viscosity at 100 C [cSt] of an oil with a viscosity index."""
+    check_number("viscosity_index", index, positive=False)
     try:
         return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
-    except (TypeError, ValueError):  # no number, or no such oil
+    except ValueError:  # the ends enclose no such oil
         allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
         raise ValueError(f"viscosity_index is {shown(index)}; allowed: {allowed}") from None

@@ -60,7 +60,7 @@ class MeasuredSurface(Tabular):
 
 
 def surface(
-    *paths: str | PathLike, scale_nm: float | None = None, curved: bool = False, **reading: Any
+    *paths: str | PathLike, scale_nm: float | None = None, curved: bool = False, **options: Any
 ) -> MeasuredSurface:
     """Roughness and summits of a measured topography, or of two in contact, whose moments add.
 
@@ -79,7 +79,7 @@ def surface(
         they resolve.
     curved : bool
         Whether to take out a parabola, as of a ball; a tilt is always taken out.
-    **reading
+    **options
         What a file does not say, as SurfaceTopography's ``read_topography`` takes it: ``unit="um"``,
         ``physical_sizes``, ``height_scale_factor``.
 
@@ -110,7 +110,7 @@ def surface(
         raise ValueError("paths is empty; allowed: one file or more")
     if scale_nm is not None:
         check_number("scale_nm", scale_nm)
-    topographies = [_read(path, curved, reading) for path in paths]
+    topographies = [_read(path, curved, options) for path in paths]
     spacing = max(max(each.pixel_size) for each in topographies)
     scale = spacing if scale_nm is None else 1e-9 * scale_nm
     if scale < spacing * (1.0 - 1e-9):
@@ -133,14 +133,14 @@ def surface(
     )
 
 
-def _read(path, curved, reading):
+def _read(path, curved, options):
     """A topography in metres, without tilt; points that were not measured are interpolated."""
     from SurfaceTopography import read_topography
 
     with open(path, "rb"):
         name = shown_file(path)
     try:
-        topography = read_topography(str(path), **reading)
+        topography = read_topography(str(path), **options)
         if topography.unit is None:
             raise ValueError('it has no length unit; give one, as unit="um"')
         if not topography.is_uniform:
