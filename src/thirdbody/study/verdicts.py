@@ -21,6 +21,7 @@ from thirdbody.data.spread import spread
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim
+from thirdbody.study.evidence import QUICK_EFFORT
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -81,7 +82,9 @@ def judge_everything(
             position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
             some = {**inputs, unknown.name: unknown.value(position)}
             with suppress(ValueError):  # no surface has these inputs
-                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(some)
+                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
+                    some, QUICK_EFFORT
+                )
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
@@ -90,7 +93,7 @@ def judge_everything(
         default,
         judge_all(inputs),
         judge_all(inputs, prominence=FAINT),
-        tuple(judge_all({**inputs, **member}) for member in members),
+        tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in members),
         changed,
         interpretations,
         predicted,
