@@ -26,5 +26,5 @@ def require(extra: str, *modules: str) -> None:
     """
     missing = [name for name in modules if find_spec(name) is None]
     if missing:
-        told = f'needs {", ".join(missing)}: pip install "thirdbody[{extra}]"'
-        raise ModuleNotFoundError(f"this part of thirdbody {told}", name=missing[0])
+        message = f'needs {", ".join(missing)}: pip install "thirdbody[{extra}]"'
+        raise ModuleNotFoundError(f"this part of thirdbody {message}", name=missing[0])

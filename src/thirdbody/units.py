@@ -179,8 +179,8 @@ def _of_pint(name: str, given: Any) -> Any:
     except ModuleNotFoundError:
         raise
     except Exception:  # pint raises many kinds
-        told = f"{name} has the unit {shown(text)}, which is unknown"
-        raise ValueError(f"{told}; allowed: {WANTED[name].words}") from None
+        message = f"{name} has the unit {shown(text)}, which is unknown"
+        raise ValueError(f"{message}; allowed: {WANTED[name].words}") from None
     return registry().Quantity(np.asarray(given), unit)
 
 

@@ -108,7 +108,7 @@ def test_quantities_bring_their_unit(parameters):
     for key, given in (("viscosity_cSt", 0.9 * unit.St), ("viscosity", 90 * unit.cSt)):
         quantities = {"load_N": 0.01 * unit.kN, key: given, "roughness_nm": 0.3 * unit.um}
         found, expected = (
-            in_si(each | {"particle_density": 1e11}, parameters, but="particle_diameter")
+            in_si(each | {"particle_density": 1e11}, parameters, without="particle_diameter")
             for each in (quantities, numbers)
         )
         assert_allclose(list(found.values()), list(expected.values()), rtol=1e-12)
@@ -121,7 +121,7 @@ def test_quantities_bring_their_unit(parameters):
 def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):
     given = others("viscosity_cSt")
     one = tb.find(*LIMITS[0], "viscosity_cSt", parameters=parameters, **given)
-    si = in_si(given, parameters, but="viscosity")
+    si = in_si(given, parameters, without="viscosity")
     other = tb.find(*LIMITS[0], "viscosity", parameters=parameters, **si)
     assert_allclose(one.value, 1e6 * other.value, rtol=1e-12)
     table = one.to_dataframe()

@@ -31,8 +31,8 @@ def check_ends(name: str, ends: Any) -> None:
     """Raises ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
     several = isinstance(ends, (tuple, list)) or (isinstance(ends, np.ndarray) and ends.ndim == 1)
     if not several or len(ends) != 2 or not all(map(_is_number, ends)):
-        told = "allowed: two numbers, positive and increasing"
-        raise ValueError(f"{name} is {shown(ends)}; {told}")
+        message = "allowed: two numbers, positive and increasing"
+        raise ValueError(f"{name} is {shown(ends)}; {message}")
     low, high = map(float, ends)
     if not 0.0 < low < high:
         raise ValueError(f"{name} is {low:g} to {high:g}; allowed: positive and increasing")
@@ -70,7 +70,7 @@ def queries(
     for key, values in conditions.items():
         if is_labelled(values):
             raise ValueError(f"{key} has named dimensions; allowed: .values of it")
-    given = in_si(conditions, parameters, but=along)
+    given = in_si(conditions, parameters, without=along)
     check_points(given)
     return given
 

@@ -114,12 +114,12 @@ class Interface:
         """The same interface with other conditions, or other ``parameters``."""
         return replace(self, **conditions)
 
-    def described(self, but: str = "") -> str:
-        """The conditions in words, all ``but`` the axis of one name."""
+    def described(self, without: str = "") -> str:
+        """The conditions in words, ``without`` that of one name."""
         words = {
             name: f"{getattr(self, key):g} {UNITS[key].text}"
             for name, key in ENGINEERING.items()
-            if name != but
+            if name != without
         }
         return ", ".join(f"{_words(name)} {value}" for name, value in words.items())
 
@@ -214,16 +214,16 @@ class Interface:
         rows = []
         for (before, after, index), value in mine.items():
             same = [each.get((before, after, index)) for each in of_members]
-            told = f"{_words(before)} to {_words(after)}"
-            rows.append(Row.of(f"{before}_to_{after}", told, value, unit, same))
+            change = f"{_words(before)} to {_words(after)}"
+            rows.append(Row.of(f"{before}_to_{after}", change, value, unit, same))
         for border in BORDERS:
             passages = (border.above, border.below, 0), (border.below, border.above, 0)
             if border.flag in flags and not any(each in mine for each in passages):
                 first = [
                     min(filter(None, map(each.get, passages)), default=None) for each in of_members
                 ]
-                told = f"between {_words(border.below)} and {_words(border.above)}"
-                rows.append(Row.of(f"{border.below}_and_{border.above}", told, None, unit, first))
+                change = f"between {_words(border.below)} and {_words(border.above)}"
+                rows.append(Row.of(f"{border.below}_and_{border.above}", change, None, unit, first))
         notes = (
             f"searched: {_words(along)} {between[0]:g} to {between[1]:g} {unit}",
             *(f"at {end:g} {unit}: {self._state_at(key, end)}" for end in between),
@@ -235,7 +235,7 @@ class Interface:
             ),
             *ensemble_notes(self.members),
         )
-        title = f"Changes along the {_words(along)} at {self.described(but=along)}"
+        title = f"Changes along the {_words(along)} at {self.described(without=along)}"
         return Answer(title, tuple(rows), notes, bool(mine))
 
     def _state_at(self, key, value) -> str:
@@ -254,7 +254,7 @@ class Interface:
         with without_warnings():
             mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
         size = UNITS["particle_diameter_nm"].text
-        told = {
+        quantities = {
             "load_N": ("load at the turning point, F_t", "N"),
             "load": ("the same over A_n E_ss, F_TPCA*", "1"),
             "peak_ratio": ("A_sa,t* there", "1"),
@@ -264,7 +264,7 @@ class Interface:
         }
         rows = tuple(
             Row.of(name, what, mine[name], unit, [each[name] for each in of_members])
-            for name, (what, unit) in told.items()
+            for name, (what, unit) in quantities.items()
         )
         notes = (
             f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
@@ -272,7 +272,7 @@ class Interface:
             f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
             *ensemble_notes(self.members),
         )
-        title = f"Turning point at {self.described(but='load')}"
+        title = f"Turning point at {self.described(without='load')}"
         return Answer(title, rows, notes, mine["load"] is not None)
 
     def _turning_with(self, parameters, between_N) -> dict[str, Value]:

@@ -127,8 +127,8 @@ def turning_window(
     """
     for key in conditions:
         if unit_of(key).condition in ("load", *DRY):
-            told = "allowed: roughness and particle density"
-            raise ValueError(f"{key} is no condition of a window of dry contact; {told}")
+            message = "allowed: roughness and particle density"
+            raise ValueError(f"{key} is no condition of a window of dry contact; {message}")
     parameters = checked_parameters(parameters)
     given = queries(DRY | conditions, parameters, "load")
     for name, values in given.items():

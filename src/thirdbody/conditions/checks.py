@@ -71,8 +71,8 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):
-        told = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
-        raise ValueError(f"shapes do not go together: {told}; allowed: those that broadcast")
+        message = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
+        raise ValueError(f"shapes do not go together: {message}; allowed: those that broadcast")
     _check_number(shapes, (each.pop() for each in lengths))
 
 
@@ -89,8 +89,8 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
     """Raises ``ValueError`` if dimensions of these lengths hold more points than memory."""
     points = prod(lengths)
     if points > MOST_POINTS:
-        told = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
-        raise ValueError(f"{told} in one call, and thirdbody.stream writes any number to a file")
+        message = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
+        raise ValueError(f"{message} in one call, and thirdbody.stream writes any number to a file")
 
 
 def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
@@ -133,8 +133,8 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
         try:
             return array.astype(float)  # of integers that are long
         except OverflowError:
-            told = "has an integer beyond 1.8e308; allowed: finite numbers"
-            raise ValueError(f"{name} {told}") from None
+            message = "has an integer beyond 1.8e308; allowed: finite numbers"
+            raise ValueError(f"{name} {message}") from None
     if array.dtype.kind not in "iuf":
         kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
         raise ValueError(f"{name} is of type {kind}; allowed: {allowed}")

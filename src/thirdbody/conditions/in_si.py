@@ -19,7 +19,7 @@ CONDITIONS = tuple(ENGINEERING)
 def in_si(
     given: Mapping[str, ArrayLike],
     parameters: Parameters,
-    but: str | None = None,
+    without: str | None = None,
     check: Callable[[str, NDArray], NDArray] = lambda key, values: values,
 ) -> dict[str, NDArray]:
     """Conditions [SI] by the arguments of ``solve``; warns as ``solve``, in the units that were given.
@@ -30,7 +30,7 @@ def in_si(
         A value of each condition, by its name in SI or in engineering units, or a quantity.
     parameters : Parameters
         Inputs of the model.
-    but : str, optional
+    without : str, optional
         Name of a condition that is not given.
     check : callable, optional
         Checks the values [SI] that belong to a name, and returns them.
@@ -47,18 +47,18 @@ def in_si(
     >>> inputs = thirdbody.load_parameters()
     >>> given = {"load": 1e-5, "roughness_nm": 300, "particle_diameter": 5e-7}
     >>> given |= {"particle_density": 1e11}
-    >>> {name: float(value) for name, value in in_si(given, inputs, but="viscosity").items()}
+    >>> {name: float(value) for name, value in in_si(given, inputs, without="viscosity").items()}
     {'load': 1e-05, 'particle_diameter': 5e-07, 'roughness': 3e-07, 'particle_density': 100000000000.0}
     """
     units = {}
     for key in given:
         unit = unit_of(key)
         name = unit.condition
-        if name in units or name == but:
-            reason = "is searched along" if name == but else "is given twice"
+        if name in units or name == without:
+            reason = "is searched along" if name == without else "is given twice"
             raise ValueError(f"{key}: {name} {reason}; allowed: each axis once")
         units[name] = unit
-    missing = [name for name in CONDITIONS if name not in units and name != but]
+    missing = [name for name in CONDITIONS if name not in units and name != without]
     if missing:
         name = missing[0]
         raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")

@@ -45,8 +45,8 @@ def broadcast_by_name(conditions: Mapping[str, Any]) -> tuple[dict[str, NDArray]
     try:
         labelled = xr.align(*named.values(), join="exact")
     except ValueError:
-        told = "have other coordinates along the same dimension; allowed: equal ones"
-        raise ValueError(f"{', '.join(named)} {told}") from None
+        message = "have other coordinates along the same dimension; allowed: equal ones"
+        raise ValueError(f"{', '.join(named)} {message}") from None
     with np.errstate(over="ignore"):
         pattern = reduce(add, labelled)  # which merges the coordinates
     _, *labelled = xr.broadcast(pattern, *labelled)

@@ -32,7 +32,7 @@ class OutOfRangeWarning(UserWarning):
     --------
     >>> import warnings
     >>> import thirdbody as tb
-    >>> with warnings.catch_warnings(record=True) as told:
+    >>> with warnings.catch_warnings(record=True) as caught:
     ...     point = tb.solve(
     ...         load=1e-5,
     ...         viscosity=90,
@@ -41,7 +41,7 @@ class OutOfRangeWarning(UserWarning):
     ...         particle_density=0.0,
     ...         parameters=tb.load_parameters(),
     ...     )
-    >>> print(told[0].message)
+    >>> print(caught[0].message)
     viscosity is 90 m2 s-1; usual: 3e-07 to 0.01 m2 s-1
     """
 
@@ -63,16 +63,16 @@ def warn_unusual(
 
 def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
     """Issue one ``OutOfRangeWarning`` for values, by name, outside of usual ends in the same unit."""
-    told = []
+    found = []
     for name, (values, (least, most), unit) in given.items():
         values = np.ravel(values)
         outside = values[((values < least) & (values != 0.0)) | (values > most)]
         if outside.size:
             suffix = "" if unit == "1" else f" {unit}"
             ends = " to ".join(f"{float(f'{end:.2g}'):g}" for end in (least, most))
-            told.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
-    if told:
-        warnings.warn(", and ".join(told), OutOfRangeWarning, stacklevel=_outside_of_package())
+            found.append(f"{name} is {outside[0]:g}{suffix}; usual: {ends}{suffix}")
+    if found:
+        warnings.warn(", and ".join(found), OutOfRangeWarning, stacklevel=_outside_of_package())
 
 
 @contextmanager

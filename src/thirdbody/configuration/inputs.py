@@ -101,9 +101,9 @@ def _warn_of_what_stays(given):
     for name in HELD_IN.keys() & given.keys():
         stay = [other for other in HELD_IN[name] if other not in given]
         if stay:
-            told = f"{name} is changed alone, not with it {', '.join(stay)}"
+            message = f"{name} is changed alone, not with it {', '.join(stay)}"
             advice = "thirdbody.bearing changes them together"
-            warnings.warn(f"{told}; {advice}", UserWarning, stacklevel=3)
+            warnings.warn(f"{message}; {advice}", UserWarning, stacklevel=3)
 
 
 def read_entries(directory: Path | None = None) -> Entries:

@@ -140,8 +140,8 @@ def _checked_increasing(key: str, values: NDArray) -> NDArray:
     back = np.flatnonzero(np.diff(axis) <= 0.0)
     if back.size:
         first, second = axis[back[0] :][:2]
-        told = f"{second:g} after {first:g}; allowed: one increasing dimension"
-        raise ValueError(f"{key} has {told}")
+        message = f"{second:g} after {first:g}; allowed: one increasing dimension"
+        raise ValueError(f"{key} has {message}")
     return axis
 
 

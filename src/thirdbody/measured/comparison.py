@@ -164,8 +164,8 @@ def compare(
     if not observed:
         raise ValueError(f"measured has no column of {', '.join(MEASURED)}; allowed: one or more")
     if (SPEED in columns) != (speed_m_per_s is not None):
-        told = f"speed_m_per_s is {shown(speed_m_per_s)}"
-        raise ValueError(f"{told}; allowed: a number with a column of speeds, else none")
+        message = f"speed_m_per_s is {shown(speed_m_per_s)}"
+        raise ValueError(f"{message}; allowed: a number with a column of speeds, else none")
     if speed_m_per_s is not None:
         check_number("speed_m_per_s", speed_m_per_s)
     table = _conditions(columns, conditions, parameters)
@@ -228,10 +228,10 @@ def _read_csv(path):
     headings, *rows = csv.reader(lines, delimiter=separator)
     for row in rows:
         if len(row) != len(headings):
-            told = (
+            message = (
                 f"{shown_file(path)} has {len(row)} cells in the row {shown(separator.join(row))}"
             )
-            raise ValueError(f"{told}; allowed: {len(headings)}, as headings")
+            raise ValueError(f"{message}; allowed: {len(headings)}, as headings")
     if separator == ";":
         rows = [[cell.replace(",", ".") for cell in row] for row in rows]
     return pd.DataFrame(rows, columns=headings)
@@ -244,8 +244,8 @@ def _numbers(heading, column):
         try:
             numbers[index] = float(cell) if str(cell).strip() else np.nan
         except (TypeError, ValueError, OverflowError):
-            told = f"{heading} is {shown(cell)} in row {index + 1}"
-            raise ValueError(f"{told}; allowed: numbers with a decimal point") from None
+            message = f"{heading} is {shown(cell)} in row {index + 1}"
+            raise ValueError(f"{message}; allowed: numbers with a decimal point") from None
     return numbers
 
 

@@ -119,8 +119,8 @@ def surface(
     for path, topography in zip(paths, topographies):
         found = _moments(topography, scale)
         if not (np.isfinite(found).all() and found.min() > 0.0):
-            told = f"{shown_file(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
-            raise ValueError(f"{told}; allowed: rough surfaces of more points than that")
+            message = f"{shown_file(path)} has no slopes or curvatures over {1e9 * scale:g} nm"
+            raise ValueError(f"{message}; allowed: rough surfaces of more points than that")
         moments += found
     m_0, m_2, m_4 = moments.tolist()
     return MeasuredSurface(
@@ -150,8 +150,8 @@ def _read(path, curved, options):
             topography = topography.interpolate_undefined_data_with_harmonic_function()
         return topography.detrend("curvature" if curved else "height")
     except Exception as error:  # each of some thirty readers has kinds of its own
-        told = " ".join(str(error).split())[:200] or type(error).__name__
-        raise ValueError(f"{name} cannot be used as a topography: {told}") from None
+        message = " ".join(str(error).split())[:200] or type(error).__name__
+        raise ValueError(f"{name} cannot be used as a topography: {message}") from None
 
 
 def _moments(topography, scale):

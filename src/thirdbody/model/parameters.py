@@ -109,8 +109,8 @@ class Parameters:
         if outside == ["spread_ratio"] and self.spread_ratio == 0.0 and sizes.can_be_equal(self):
             return
         for name in outside:
-            told = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
-            raise ValueError(told)
+            message = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
+            raise ValueError(message)
 
     @property
     def elastic_factor(self) -> float:
