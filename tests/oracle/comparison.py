@@ -13,6 +13,7 @@ import thirdbody as tb
 from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, Oracle, Solved
 from tests.oracle.points import draw_for_library, move_to_kinks
 from thirdbody.model.regimes import SOLUTION_STATUSES
+from thirdbody.solver.solution import VARIABLES
 
 RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
 # as many surfaces as there are interpretations, times as many as there are values of rtol
@@ -123,8 +124,7 @@ def _solved(drawn):
         here = slice(index * points, (index + 1) * points)
         given = {name: drawn.conditions[name][here] for name in CONDITIONS}
         found.append(tb.solve(**given, parameters=parameters, rtol=rtol))
-    variables = vars(found[0]).keys() - {"conditions", "newtons_per_load"}
-    return {name: np.concatenate([vars(one)[name] for one in found]) for name in variables}
+    return {name: np.concatenate([getattr(one, name) for one in found]) for name in VARIABLES}
 
 
 def _counted(expected):
