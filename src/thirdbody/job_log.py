@@ -15,15 +15,23 @@ def logged(log: str | Path) -> Iterator[None]:
     ------
     SystemExit
         With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, which a user can mend: the
-        log then ends with their message instead of a traceback.
+        log then ends with their message instead of a traceback.  With the message where the log itself
+        cannot be written.
     """
     try:
         stream = open(log, "w", encoding="utf-8", buffering=1)  # noqa: SIM115
     except OSError as error:
         raise SystemExit(f"{log} cannot be written ({error.strerror})") from None
-    with stream, redirect_stdout(stream), redirect_stderr(stream):
+    failure = None
+    with redirect_stdout(stream), redirect_stderr(stream):
         try:
             yield
         except (ValueError, OSError, MemoryError) as error:
-            print(str(error) or type(error).__name__)
-            raise SystemExit(1) from None
+            failure = str(error) or type(error).__name__
+    try:
+        with stream:
+            stream.write(f"{failure}\n" if failure else "")
+    except OSError as error:  # the disk is full
+        raise SystemExit(failure or f"{log} cannot be written ({error.strerror})") from None
+    if failure:
+        raise SystemExit(1)

@@ -1,4 +1,11 @@
 # The page that leads to all products, and the sums of all of them.
+import os
+
+# before a run begins: Snakemake would end with a traceback
+for folder in [RESULTS, LOGS]:
+    if Path(folder).is_dir() and not os.access(folder, os.W_OK):
+        sys.exit(f"{folder} is read-only; allowed: a folder that may be written to")
+
 
 # what products are made from
 INTERMEDIATE = [

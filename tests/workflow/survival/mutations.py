@@ -95,7 +95,7 @@ def mutations(step: int = 1) -> list[Mutation]:
         before = (ROOT / file).read_bytes()
         for name, added in SYNTAX.items():
             content = before + added if added.startswith(b"\n") else added
-            words = file.rpartition("/")[2], "'x'"
+            words = file.rpartition("/")[2], "'x'", "'__use_yte__'"
             planned.append(partial(Mutation, f"{file}: {name}", file, content, words))
         changes = list(_changes(yaml.safe_load(before)))
         for change in chance.sample(changes, count):

@@ -87,9 +87,7 @@ def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, te
     for folder in folders:
         folder.chmod(0o755)
     assert code != 0
-    assert "Traceback" not in said
-    assert "results/tables/table1.csv" in said
-    assert "cannot be written (Permission denied)" in said
+    assert "results is read-only; allowed: a folder that may be written to" in said
     kept = products(workspace.root / "results")
     assert not [name for name in kept if kept[name] != undisturbed[name]]
     complete(workspace)
