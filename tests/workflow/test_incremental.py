@@ -6,22 +6,22 @@ from workspace import ROOT
 from thirdbody.configuration.plain_yaml import read_yaml
 
 DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
-FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}.*")
+FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}[._]*")
 ALL_CURVES = (
     "datasets/*",
     "bands/*",
     "extracted/tpca_loads/*",
     "extracted/transitions/*",
-    "figures/fig0[3-9].*",
-    "figures/fig1?.*",
+    "figures/fig0[3-9]*",
+    "figures/fig1?*",
 )
 GATHERED = ("tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
-SHOWING_WINDOWS = ("figures/fig09.*", "figures/fig10.*")
+SHOWING_WINDOWS = ("figures/fig09*", "figures/fig10*")
 PRINTED = (  # what stands beside the paper's numbers
     "extracted/printed/*",
-    "figures/fig0[3-9].*",
-    "figures/fig1?.*",
+    "figures/fig0[3-9]*",
+    "figures/fig1?*",
     "tables/tpca_*",
     "tables/transitions.*",
 )
@@ -158,7 +158,7 @@ def test_comments_in_the_configuration_and_a_touched_module_rerun_nothing(worksp
 
 
 def test_what_is_missing_is_made_again_with_what_is_made_from_it(workspace):
-    expected = workspace.products(*of_figure("fig05"), *GATHERED, "figures/fig07.*", *PAGE)
+    expected = workspace.products(*of_figure("fig05"), *GATHERED, "figures/fig07[._]*", *PAGE)
     for name in ("datasets/fig05.nc", "figures/fig07.svg", "tables/table2.tex"):
         (workspace.root / "results" / name).unlink()
     assert workspace.pending() == expected | {f"tables/table2.{kind}" for kind in KINDS}
