@@ -85,13 +85,17 @@ def judge_everything(
                 changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
                     some, QUICK_EFFORT
                 )
-    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
+    verdicts = judge_all(inputs)
+    interpretations = {
+        each["interpretation"]: judge_all(each["inputs"], QUICK_EFFORT) for each in contents
+    }
+    interpretations |= {default["interpretation"]: verdicts}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
         settings,
         default,
-        judge_all(inputs),
+        verdicts,
         judge_all(inputs, prominence=FAINT),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in members),
         changed,
@@ -110,7 +114,7 @@ def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
     for fold, entry in zip(folds, entries, strict=True):
-        found |= judge_all(entry["inputs"], claims=fold.judged)
+        found |= judge_all(entry["inputs"], QUICK_EFFORT, claims=fold.judged)
     return found
 
 
