@@ -73,9 +73,8 @@ def judge_everything(
     of all interpretations, ``settings`` that of ``config/calibration.yaml``.
     """
     inputs = judge_all.base.as_dict() | default["inputs"]
-    members = (
-        default["ensemble"] if len(default["ensemble"]) > 1 else ()
-    )  # one alone is no ensemble
+    # one alone is no ensemble
+    members = default["ensemble"] if len(default["ensemble"]) > 1 else ()
     changed = {}
     for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
         for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
@@ -85,17 +84,13 @@ def judge_everything(
                 changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
                     some, QUICK_EFFORT
                 )
-    verdicts = judge_all(inputs)
-    interpretations = {
-        each["interpretation"]: judge_all(each["inputs"], QUICK_EFFORT) for each in contents
-    }
-    interpretations |= {default["interpretation"]: verdicts}
+    interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
         judge_all.claims,
         settings,
         default,
-        verdicts,
+        judge_all(inputs),
         judge_all(inputs, prominence=FAINT),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in members),
         changed,
@@ -114,7 +109,7 @@ def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
     for fold, entry in zip(folds, entries, strict=True):
-        found |= judge_all(entry["inputs"], QUICK_EFFORT, claims=fold.judged)
+        found |= judge_all(entry["inputs"], claims=fold.judged)
     return found
 
 
