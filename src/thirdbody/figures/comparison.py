@@ -9,8 +9,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from thirdbody.figures.drawing import STYLE, ShownFigure
-
-MODEL = "#0072B2"
+from thirdbody.figures.styles import BLUE
 
 
 def draw(table: pd.DataFrame, curve: pd.DataFrame, along: str, variables: Sequence[str]) -> Figure:
@@ -38,14 +37,14 @@ def draw(table: pd.DataFrame, curve: pd.DataFrame, along: str, variables: Sequen
 def _draw_panel(axes, table, curve, along, name):
     model = curve if len(curve) else table
     look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
-    axes.plot(model[along], model[f"{name}_model"], color=MODEL, label="model", **look)
+    axes.plot(model[along], model[f"{name}_model"], color=BLUE, label="model", **look)
     low, high = f"{name}_low", f"{name}_high"
     label = "90 % of the ensemble"
     if low in model and len(curve):
-        look = {"color": MODEL, "alpha": 0.2, "linewidth": 0.0}
+        look = {"color": BLUE, "alpha": 0.2, "linewidth": 0.0}
         axes.fill_between(model[along], model[low], model[high], label=label, **look)
     elif low in model:
-        axes.vlines(model[along], model[low], model[high], color=MODEL, alpha=0.4, label=label)
+        axes.vlines(model[along], model[low], model[high], color=BLUE, alpha=0.4, label=label)
     axes.plot(table[along], table[name], "o", color="black", label="measured")
     least, most = table[along].min(), table[along].max()
     if least > 0.0 and most > 10.0 * least:

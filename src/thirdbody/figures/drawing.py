@@ -35,7 +35,7 @@ FORMATS = {
 }
 SUFFIXES = tuple(f".{kind}" for kind in (*FORMATS, "csv", "md"))
 CURVE = "curve"
-UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
+SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +173,9 @@ def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:
     for panel in panels:
         curves = panel.of_kind(CURVE)
         is_shared = all(np.array_equal(curve.x, curves[0].x) for curve in curves)
-        x, y = (f"{panel.letter}: {name} [{UNITS.get(name, '1')}]" for name in (panel.x, panel.y))
+        x, y = (
+            f"{panel.letter}: {name} [{SI_UNITS.get(name, '1')}]" for name in (panel.x, panel.y)
+        )
         for curve in curves:
             columns[x if is_shared else f"{x}, {curve.name}"] = curve.x
             columns[f"{y}, {curve.name}"] = curve.y

@@ -23,7 +23,7 @@ from thirdbody.figures.marks import BAND, read_turning_points
 from thirdbody.figures.naming import note
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES
-from thirdbody.figures.styles import level_styles
+from thirdbody.figures.styles import BLUE, level_styles
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
 DRAWN = (
@@ -164,7 +164,7 @@ def plot_curve(
             series.append(Series(BAND, "", *range_outline(x, low[variable], high[variable])))
         panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, lambda series: {"color": "#0072B2"})
+        return draw_panels(panels, lambda series: {"color": BLUE})
 
 
 def _note(data, name, value) -> str:

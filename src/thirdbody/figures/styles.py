@@ -17,6 +17,7 @@ from thirdbody.figures.naming import value_text
 MARKERS = "osD^vPX"  # every second one is hollow: levels next to each other look different
 DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: two-body contact is black, lines fade on white
 GREY = "0.5"
+BLUE = "#0072B2"  # of the one curve of an interface, or of the model
 MARKERS_PER_CURVE = 5
 # Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
