@@ -161,18 +161,17 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
         width = doubt * np.maximum(width, NARROW * d)
         a = np.where(final, low, np.fmax(d - width, low))[close]
         b = np.where(final, high, np.fmin(d + width, high))[close]
-        some = points.take(close)
-        above, below = some.forces(a, with_areas=True), some.forces(b, with_areas=True)
-        holds = (above.excess > above.noise) | (sure[close] & (a == low[close]))
-        holds &= (below.excess < -below.noise) | (b == high[close])
+        both = points.take(np.tile(close, 2)).forces(np.append(a, b), with_areas=True)
+        both = Forces(*(each.reshape(2, -1) for each in both))
+        above, below = both.excess > both.noise, both.excess < -both.noise
+        holds = (above[0] | (sure[close] & (a == low[close]))) & (below[1] | (b == high[close]))
         done = holds | final[close]
         finished = active[close[done]]
-        ends[:, 0, finished] = np.stack(above)[:, done]
-        ends[:, 1, finished] = np.stack(below)[:, done]
+        ends[:, :, finished] = np.stack(both)[:, :, done]
         certain[finished] &= holds[done]
         # where a sign is wrong, the search goes on from there
         doubt[close] *= WIDER
-        lower, higher = ~done & (above.excess < -above.noise), ~done & (below.excess > below.noise)
+        lower, higher = ~done & below[0], ~done & above[1]
         high[close[lower]], low[close[higher]], sure[close[higher]] = a[lower], b[higher], True
         d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
         d[close[higher]] = np.fmin(2.0 * b - a, high[close])[higher]
