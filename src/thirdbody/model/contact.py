@@ -93,12 +93,13 @@ class Contact:
             beside = log_area, area_fall, log_summits, slope
             return SolidLoad(log_summits, slope, *limits, nothing, nothing, nothing, *beside)
         area, area_slope, *coverage = self.particles.contact(separation)
-        log_bare, bare_slope = self.particles.log_bare_load(*coverage)
+        room = log_bare_fraction(*coverage)  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+        log_bare, bare_slope = self.particles.log_bare_load(room)
         log_beside = log_summits + log_bare  # Eq. 4: F_ss-sa = F_ss (1 - coverage)
         log_particles = np.log(area) + np.log(self.parameters.particle_pressure)  # Eqs. 4 and 5
         particle_slope = np.where(area > TINY, area_slope / area, 0.0)
-        value, fraction = _log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
-        log_room, room_slope = log_bare_fraction(*coverage)  # Eq. 5: A_ss-sa = A_ss (1 - coverage)
+        value, fraction = log_sum(log_beside, log_particles)  # Eq. 2: F_s = F_ss-sa + F_sa
+        log_room, room_slope = room
         rounded = rounded + 8.0 * EPSILON * np.exp(-np.minimum(log_room, log_bare))
         rounded_area = self.particles.rounding(separation, area, area_slope)
         noise = fraction * rounded + (1.0 - fraction) * rounded_area
@@ -119,7 +120,7 @@ class Contact:
         )
 
 
-def _log_sum(log_first, log_second):
+def log_sum(log_first: NDArray, log_second: NDArray) -> tuple[NDArray, NDArray]:
     """ln of the sum of two loads from their logarithms, and the fraction of the first in it."""
     excess = log_first - log_second
     odds = np.exp(-np.abs(excess))  # of the smaller load to the larger

@@ -141,11 +141,11 @@ class ParticleLayer:
         lost = EPSILON * (terms + placed) + LEAST
         return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
 
-    def log_bare_load(self, coverage: NDArray, slope: NDArray) -> tuple[NDArray, ArrayLike]:
+    def log_bare_load(self, room: tuple[NDArray, NDArray]) -> tuple[NDArray, ArrayLike]:
         """ln of the fraction of the summits' load that particles leave, the bracket of Eq. 4, and its
-        derivative by d [m-1], for a coverage and its slope."""
+        derivative by d [m-1]; ``room`` is that of the summits' area (Eq. 5)."""
         if self.parameters.interpretation.coverage_limits.contacting:
-            return log_bare_fraction(coverage, slope)
+            return room
         return self.log_bare, 0.0
 
     def leave_no_room(self, coverage: NDArray) -> NDArray:

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.model.contact import Contact
+from thirdbody.model.contact import Contact, log_sum
 from thirdbody.model.film import EPSILON, INVERSE_ERROR, Film, has_film, log_load_parameter
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer, has_particles
@@ -118,12 +118,10 @@ class Points:
             excess = log_solid, solids.slope, noise
             return Forces(separation, *excess, steepest, rounding, log_solid, nothing, *others)
         log_fluid, film_slope, film_noise = self.log_film_load(separation)
-        odds = np.exp(-np.abs(log_solid - log_fluid))
-        larger = 1.0 / (1.0 + odds)
-        fraction = np.where(log_solid > log_fluid, larger, odds * larger)  # of the solids
+        value, fraction = log_sum(log_solid, log_fluid)
         return Forces(
             separation,
-            np.maximum(log_solid, log_fluid) + np.log1p(odds),
+            value,
             fraction * solids.slope + (1.0 - fraction) * film_slope,
             fraction * noise + (1.0 - fraction) * film_noise + 4.0 * EPSILON,
             np.maximum(steepest, np.abs(film_slope)),

@@ -31,7 +31,7 @@ from thirdbody.units import is_labelled, unit_of
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
 TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
-CHUNK = 16384  # points solved together: their arrays stay in the processor's cache
+CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
