@@ -26,11 +26,12 @@ from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.balance import bracket, enclose
 from thirdbody.solver.points import Points
 from thirdbody.solver.solution import VARIABLES, Solution, describe, type_of
+from thirdbody.solver.summits import pieces_for
 from thirdbody.units import is_labelled, unit_of
 
 DEFAULT_RTOL = 1e-9
 LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
-TABLE_WORTH = 500  # points on one roughness that repay the table of its summits
+TABLE_WORTH = 0.7  # points on one roughness that repay a piece of the table of its summits
 CHUNK = 65536  # points solved together
 QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
@@ -141,7 +142,7 @@ def solve_arrays(
 ) -> Solution:
     """What ``solve`` returns for conditions, by name, that have been checked.
 
-    Points on a roughness that ``TABLE_WORTH`` points have are solved by a table of its summits; the
+    Points on a roughness that enough points have are solved by a table of its summits; the
     others, those that magnify its error beyond ``rtol``, and those that may have several separations,
     by quadrature.
     """
@@ -156,7 +157,7 @@ def solve_arrays(
         three_body = has_particles(diameter, density)
         kinds = 2 * has_film(viscosity) + three_body
         single = ~three_body | (load <= greatest_single_load(parameters))
-        by_table = single & _repay_a_table(roughness, single)
+        by_table = single & _repay_a_table(roughness, single, rtol)
         left = ~by_table
         rounds = (rtol, CHUNK, rtol), (None, QUADRATURE_CHUNK, LEAST_RTOL)
         for table_rtol, size, tolerance in rounds:
@@ -175,10 +176,10 @@ def solve_arrays(
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=newtons)
 
 
-def _repay_a_table(roughness, counted):
+def _repay_a_table(roughness, counted, rtol):
     """Whether so many ``counted`` points have the roughness of a point that a table is worth it."""
     _, which = np.unique(roughness, return_inverse=True)
-    return np.bincount(which, counted)[which] >= TABLE_WORTH
+    return np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
 def _pieces(chosen, kinds, roughness, size):

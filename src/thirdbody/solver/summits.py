@@ -107,15 +107,19 @@ class RoughSurfaces:
         return found
 
 
+def pieces_for(rtol: float) -> int:
+    """Number of pieces of a table of summits that is good for a relative error ``rtol``."""
+    doubled = max(np.ceil(np.log2(PIECES_AT_ONE * rtol ** (-1.0 / 6.0) / FEWEST_PIECES)), 0.0)
+    return min(FEWEST_PIECES * 2 ** int(doubled), MOST_PIECES)
+
+
 @lru_cache(maxsize=128)
 def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteTable:
     """The table of surfaces of so many ``roughness`` [m] that is good for a relative error ``rtol``."""
     if len(roughness) > 1:
         return HermiteTable.joined([_table_of((each,), parameters, rtol) for each in roughness])
     summits = SummitPopulation.of(parameters.surface(roughness[0]), parameters)
-    doubled = max(np.ceil(np.log2(PIECES_AT_ONE * rtol ** (-1.0 / 6.0) / FEWEST_PIECES)), 0.0)
-    pieces = min(FEWEST_PIECES * 2 ** int(doubled), MOST_PIECES)
-    return HermiteTable(summits.log_load_and_area, *TABLE_RANGE, pieces)
+    return HermiteTable(summits.log_load_and_area, *TABLE_RANGE, pieces_for(rtol))
 
 
 @lru_cache
