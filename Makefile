@@ -19,8 +19,7 @@ LOWEST := $(VENV)/lowest
 # what the executor for SLURM needs beside locks/workflow.txt
 SLURM_PLUGIN := snakemake-executor-plugin-slurm snakemake-executor-plugin-slurm-jobstep
 
-VERSION := $(shell sed -n 's/^version = "\(.*\)"$$/\1/p' pyproject.toml)
-RELEASE := results/release/thirdbody-$(VERSION)
+RELEASE = results/release/thirdbody-$(shell $(BIN)/python -c "from importlib.metadata import version; print(version('thirdbody'))")
 
 export PYTHONHASHSEED := 0
 

@@ -127,7 +127,7 @@ def test_the_wheel_brings_the_calibrated_inputs_and_the_command(installed):
     code = "import thirdbody as tb; print(repr(tb.load_parameters()), tb.__version__)"
     done = installed(code, beside=packages)
     assert done.stderr == ""
-    assert done.stdout == f"{thirdbody.load_parameters()!r} {project()['version']}\n"
+    assert done.stdout == f"{thirdbody.load_parameters()!r} {distribution('thirdbody').version}\n"
     assert project()["scripts"]["thirdbody"] == "thirdbody.command.main:main"
     done = installed(COMMAND, "bearing", "--json", beside=packages)
     assert done.stderr == "" and json.loads(done.stdout)["found"]

@@ -1,7 +1,7 @@
 """Name, version, date and citation of a release.
 
-``pyproject.toml`` gives the name and version, ``CITATION.cff`` all else, also the date: the same
-sources give the same archive on any day.
+The last tag gives the version, as it is installed, ``pyproject.toml`` the name, and ``CITATION.cff`` all
+else, also the date: the same sources give the same archive on any day.
 """
 
 from __future__ import annotations
@@ -33,19 +33,18 @@ class Release:
         """The release that ``pyproject.toml`` and ``CITATION.cff`` describe.
 
         Unless the configuration ``is_paper``, its version and title say so.  Raises ``ValueError`` if
-        both files have different versions.
+        ``CITATION.cff`` has another version than what is installed.
         """
-        project = _read_project(pyproject)
+        name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
-        if cited["version"] != project["version"]:
+        if cited["version"] != version(name):
             raise ValueError(
-                f"{citation}: version is {cited['version']}; "
-                f"allowed: {project['version']}, as in {pyproject}"
+                f"{citation}: version is {cited['version']}; allowed: {version(name)}, as installed"
             )
         if not is_paper:
             cited["version"] += "+changed"
             cited["title"] += ", with a changed configuration"
-        return cls(project["name"], cited["version"], cited["date-released"], cited)
+        return cls(name, cited["version"], cited["date-released"], cited)
 
     @property
     def full_name(self) -> str:
