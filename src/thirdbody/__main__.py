@@ -1,6 +1,15 @@
-"""``python -m thirdbody`` is the command ``thirdbody``."""
+"""The command ``thirdbody``, also ``python -m thirdbody``."""
 
-from thirdbody.command.main import main
+
+def run() -> int:
+    """Answer one question; Ctrl-C ends it quietly while modules are imported, too."""
+    try:
+        from thirdbody.command.main import main
+
+        return main()
+    except KeyboardInterrupt:
+        return 130
+
 
 if __name__ == "__main__":
-    raise SystemExit(main())
+    raise SystemExit(run())

@@ -9,6 +9,7 @@ import warnings
 
 import pytest
 
+from thirdbody.__main__ import run as command
 from thirdbody.answers.ensemble import calibrated_ensemble
 from thirdbody.command.main import ANSWERED, BAD_INPUT, NONE_FOUND, NOT_WRITTEN, STOPPED, main
 from thirdbody.command.questions import EXAMPLES
@@ -109,6 +110,15 @@ def test_ctrl_c_says_how_to_go_on(capsys, monkeypatch):
     assert run(STATE) == STOPPED
     (line,) = capsys.readouterr().err.splitlines()
     assert line == "thirdbody state: stopped; run the same command again to start over"
+
+
+def test_ctrl_c_before_a_question_is_asked_is_quiet(capsys, monkeypatch):
+    def interrupted():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("thirdbody.command.main.main", interrupted)
+    assert command() == STOPPED
+    assert capsys.readouterr() == ("", "")
 
 
 def test_warnings_that_are_not_for_users_are_not_shown(capsys, monkeypatch):

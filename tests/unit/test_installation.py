@@ -119,7 +119,7 @@ def test_an_editor_sees_the_names_where_they_are():
     assert seen == given
 
 
-COMMAND = "import sys; from thirdbody.command.main import main; sys.exit(main(sys.argv[1:]))"
+COMMAND = "import sys; from thirdbody.__main__ import run; sys.exit(run())"
 
 
 def test_the_wheel_brings_the_calibrated_inputs_and_the_command(installed):
@@ -128,6 +128,6 @@ def test_the_wheel_brings_the_calibrated_inputs_and_the_command(installed):
     done = installed(code, beside=packages)
     assert done.stderr == ""
     assert done.stdout == f"{thirdbody.load_parameters()!r} {distribution('thirdbody').version}\n"
-    assert project()["scripts"]["thirdbody"] == "thirdbody.command.main:main"
+    assert project()["scripts"]["thirdbody"] == "thirdbody.__main__:run"
     done = installed(COMMAND, "bearing", "--json", beside=packages)
     assert done.stderr == "" and json.loads(done.stdout)["found"]
