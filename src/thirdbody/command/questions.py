@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
+from thirdbody.conditions.usual import BOUNDARY_FRICTION, FILM_FRICTION, RESISTIVITY_OHM_M
 from thirdbody.units import ENGINEERING, SEARCHED
 
 REGIME, MODE = "lubrication_regime", "contact_mode"
@@ -314,9 +315,9 @@ def _compare_data(
     speed_m_per_s: _optional(
         "speed-m-per-s", "speed of the inputs, with a column of speeds"
     ) = None,
-    boundary_friction: _option("boundary-friction", "of what solids carry [1]") = 0.12,
-    film_friction: _option("film-friction", "of what the film carries [1]") = 0.03,
-    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = 2.2e-7,
+    boundary_friction: _option("boundary-friction", "of what solids carry [1]") = BOUNDARY_FRICTION,
+    film_friction: _option("film-friction", "of what the film carries [1]") = FILM_FRICTION,
+    resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = RESISTIVITY_OHM_M,
     csv: File = None,
     plot: File = None,
     inputs: Inputs = None,

@@ -24,6 +24,10 @@ USUAL = {
     "particle_density": (1e6, 1e16),
 }
 
+# of steel in oil: what is assumed where measurements are compared and nothing else is given
+BOUNDARY_FRICTION, FILM_FRICTION = 0.12, 0.03
+RESISTIVITY_OHM_M = 2.2e-7
+
 
 class OutOfRangeWarning(UserWarning):
     """Numbers are outside their usual range: probably they are in another unit.

@@ -20,7 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.usual import warn_outside
+from thirdbody.conditions.usual import (
+    BOUNDARY_FRICTION,
+    FILM_FRICTION,
+    RESISTIVITY_OHM_M,
+    warn_outside,
+)
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
@@ -45,9 +50,9 @@ class Assumed:
         Mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
     """
 
-    boundary_friction: float = 0.12
-    film_friction: float = 0.03
-    resistivity_ohm_m: float = 2.2e-7
+    boundary_friction: float = BOUNDARY_FRICTION
+    film_friction: float = FILM_FRICTION
+    resistivity_ohm_m: float = RESISTIVITY_OHM_M
 
     def __post_init__(self):
         for name, value in vars(self).items():
