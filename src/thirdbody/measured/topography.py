@@ -41,11 +41,6 @@ class MeasuredSurface(Tabular):
     curvature: float
     scale: float
 
-    @property
-    def bandwidth(self) -> float:
-        """alpha = m_0 m_4/m_2^2 [1]; random surfaces have 1.5 or more."""
-        return (self.roughness * self.curvature / self.slope**2) ** 2
-
     def parameters(self, parameters: Parameters | None = None) -> Parameters:
         """Inputs of the model, by default the published ones, with the summits of this surface.
 
