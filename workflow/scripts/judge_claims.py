@@ -1,6 +1,6 @@
 """The verdict on every statement of the paper, as a table, as pages and as data."""
 
-from thirdbody.configuration.inputs import read_calibrated, read_entries
+from thirdbody.configuration.inputs import ensemble_of, read_calibrated, read_entries
 from thirdbody.configuration.schema import read_valid
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
@@ -25,7 +25,7 @@ with logged(snakemake.log[0]):
     found = {path: read_calibrated(path, entries) for path in dict.fromkeys([default, *calibrated])}
     main = found[default] | {
         "inputs": found[default]["inputs"] | laid_over,
-        "ensemble": [member | laid_over for member in found[default]["ensemble"]],
+        "ensemble": ensemble_of(found[default], laid_over),
     }
     compared = [
         found[path]

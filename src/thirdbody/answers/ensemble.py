@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from thirdbody.conditions.checks import checked_parameters
-from thirdbody.configuration.inputs import read_calibrated
+from thirdbody.configuration.inputs import ensemble_of, read_calibrated
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.model.parameters import Parameters
@@ -42,14 +42,12 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
     directory = config_directory()
     path = directory.parent / read_yaml(directory / "config.yaml")["calibrated"]
     content = read_calibrated(path)
-    varied = {
-        name for name, value in content["inputs"].items() if getattr(parameters, name) == value
+    changed = {
+        name: value
+        for name, value in parameters.as_dict().items()
+        if content["inputs"].get(name) != value
     }
-    members = tuple(
-        replace(parameters, **{name: member[name] for name in varied & member.keys()})
-        for member in content["ensemble"]
-    )
-    return members if len(set(members)) > 1 else ()
+    return tuple(replace(parameters, **member) for member in ensemble_of(content, changed))
 
 
 def ensemble_notes(members: tuple[Parameters, ...]) -> tuple[str, ...]:

@@ -95,6 +95,7 @@ def write_chunk(
     rtol : float
         Relative error asked for.
     """
+    members = members or [{}]  # without an ensemble, the default alone
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]

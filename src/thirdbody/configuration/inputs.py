@@ -136,7 +136,7 @@ def choose_inputs(
     dict
         ``parameters``, a value of each input, SI; ``calibrated``, the path of the calibrated file,
         ``interpretation``, the one that it is of, and ``ensemble``, the members of its ensemble with
-        what is laid over them; ``inputs``, the values that are laid over.
+        what is laid over them, empty if they do not differ; ``inputs``, the values that are laid over.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
@@ -152,9 +152,18 @@ def choose_inputs(
         "parameters": values,
         "calibrated": str(calibrated),
         "interpretation": found["interpretation"],
-        "ensemble": [plain_values(member) | laid_over for member in found["ensemble"]],
+        "ensemble": ensemble_of(found, laid_over),
         "inputs": laid_over,
     }
+
+
+def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
+    """The members of the ensemble of a calibrated file, with the same values laid over all of them.
+
+    There are none where they do not differ: one alone is no ensemble.
+    """
+    members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
+    return members if any(member != members[0] for member in members) else []
 
 
 def check_ball(values: Values, place: str) -> None:

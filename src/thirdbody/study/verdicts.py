@@ -73,8 +73,6 @@ def judge_everything(
     of all interpretations, ``settings`` that of ``config/calibration.yaml``.
     """
     inputs = judge_all.base.as_dict() | default["inputs"]
-    # one alone is no ensemble
-    members = default["ensemble"] if len(default["ensemble"]) > 1 else ()
     changed = {}
     for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
         for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
@@ -92,7 +90,7 @@ def judge_everything(
         default,
         judge_all(inputs),
         judge_all(inputs, prominence=FAINT),
-        tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in members),
+        tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
         changed,
         interpretations,
         predicted,
