@@ -1,24 +1,13 @@
 """The page that leads to all products: results/index.html."""
 
 import json
-import re
 from pathlib import Path
 
 import jinja2
 
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-
-NUMBERS = re.compile(r"\d+")
-
-
-def figures_named(place):
-    """Numbers of the figures that the place of a statement names, such as "Figures 4 to 7"."""
-    figures = place.partition(",")[0]
-    if "Figure" not in figures:
-        return set()
-    numbers = [int(number) for number in NUMBERS.findall(figures)]
-    return set(range(numbers[0], numbers[-1] + 1)) if " to " in figures else set(numbers)
+from thirdbody.study.claims import figures_named
 
 
 def figure_entry(caption, statements, scenes):

@@ -113,10 +113,7 @@ class Claim:
     @cached_property
     def all_figures(self) -> frozenset[int]:
         """Numbers of the figures that its place names, or that it repeats."""
-        found = set(self.figures)
-        for first, last in FIGURES.findall(self.place):
-            found |= set(range(int(first), int(last or first) + 1))
-        return frozenset(found)
+        return figures_named(self.place).union(self.figures)
 
     @cached_property
     def limits(self) -> dict[str, float]:
@@ -147,6 +144,18 @@ class Claim:
     def step(self) -> float:
         """The tolerance [unit of the quantity]; ln(1 + tolerance) [1] if logarithms are compared."""
         return np.log1p(self.tolerance) if self.relative else self.tolerance
+
+
+def figures_named(place: str) -> frozenset[int]:
+    """Numbers of the figures that the place of a statement names.
+
+    Examples
+    --------
+    >>> sorted(figures_named("Figures 4B and 5C")), sorted(figures_named("Figures 4 to 7"))
+    ([4, 5], [4, 5, 6, 7])
+    """
+    ends = FIGURES.findall(place)
+    return frozenset().union(*(range(int(one), int(last or one) + 1) for one, last in ends))
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
