@@ -71,7 +71,7 @@ def test_another_definition_of_a_turning_point_extracts_and_solves_nothing(works
 
 def test_another_style_of_one_figure_draws_that_figure(workspace):
     jobs = jobs_after(workspace, "src/thirdbody/figures/fronts.py", commented)
-    assert jobs == {"render_fronts": 1} | PUBLISHED
+    assert jobs == {"render_summary": 1} | PUBLISHED
 
 
 def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspace):

@@ -82,10 +82,7 @@ rule render_accuracy:
         **ACCURACY_TABLES,
         style=STYLE,
     output:
-        multiext("<results>/figures/accuracy", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/accuracy.png", category="Accuracy", labels={"figure": "accuracy"}
-        ),
+        **figure_files("accuracy", "Accuracy"),
         targets="<results>/accuracy/targets.csv",
     log:
         "<logs>/render_accuracy.log",

@@ -1,12 +1,13 @@
 # What a calibration gives to the default run: the default by the rule of docs/calibration.md, and the inputs.
 
+SUMMARISED = expand(
+    "<results>/calibration/{interpretation}.yaml", interpretation=CALIBRATION["interpretations"]
+)
+
 
 rule choose_default:
     input:
-        calibrated=expand(
-            "<results>/calibration/{interpretation}.yaml",
-            interpretation=CALIBRATION["interpretations"],
-        ),
+        calibrated=SUMMARISED,
         claims=f"{CONFIG}/claims.yaml",
     output:
         chosen="<results>/calibration/chosen.json",
@@ -26,10 +27,7 @@ rule choose_default:
 
 rule calibrate:
     input:
-        calibrated=expand(
-            "<results>/calibration/{interpretation}.yaml",
-            interpretation=CALIBRATION["interpretations"],
-        ),
+        calibrated=SUMMARISED,
         chosen="<results>/calibration/chosen.json",
     output:
         adopted="<results>/calibration/adopted.txt",

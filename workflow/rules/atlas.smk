@@ -4,6 +4,10 @@
 ATLAS = settings["atlas"]
 
 
+wildcard_constraints:
+    chart="|".join(CHARTS),
+
+
 scattergather:
     atlas=ATLAS["chunks"],
 
@@ -57,8 +61,6 @@ rule extract_chart:
         rows="<results>/extracted/{chart}/all.csv",
     log:
         "<logs>/extract_chart/{chart}.log",
-    wildcard_constraints:
-        chart="|".join(CHARTS),
     conda:
         "../envs/thirdbody.yaml"
     params:
@@ -76,12 +78,9 @@ rule render_chart:
         chunks=gather.atlas("<results>/atlas/chunks/{scatteritem}.nc"),
         style=STYLE,
     output:
-        multiext("<results>/figures/{chart}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report("<results>/figures/{chart}.png", category="Atlas", labels={"figure": "{chart}"}),
+        **figure_files("{chart}", "Atlas"),
     log:
         "<logs>/render_chart/{chart}.log",
-    wildcard_constraints:
-        chart="|".join(CHARTS),
     conda:
         "../envs/thirdbody.yaml"
     params:

@@ -4,14 +4,12 @@
 
 rule sample_inputs:
     input:
-        evaluations=expand(SEARCHED, seed=SEEDS),
+        evaluations=SEARCHED,
         claims=f"{CONFIG}/claims.yaml",
     output:
         samples="<results>/calibration/{interpretation}/seed{seed}_samples.csv",
     log:
         "<logs>/sample_inputs/{interpretation}_{seed}.log",
-    benchmark:
-        "<logs>/sample_inputs/{interpretation}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -28,9 +26,9 @@ rule sample_inputs:
 
 rule summarise_inputs:
     input:
-        evaluations=searches_of,
-        samples=samples_of,
-        folds=folds_of,
+        evaluations=branch(is_shortlisted, then=SEARCHED, otherwise=SEARCHED[:1]),
+        samples=branch(is_shortlisted, then=expand(f"{FOUND}/seed{{seed}}_samples.csv", seed=SEEDS)),
+        folds=branch(is_shortlisted, then=expand(f"{FOUND}/fold{{fold}}.csv", fold=FOLDS)),
         claims=f"{CONFIG}/claims.yaml",
     output:
         calibrated="<results>/calibration/{interpretation}.yaml",

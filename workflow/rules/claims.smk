@@ -36,50 +36,32 @@ rule judge_claims:
         "../scripts/judge_claims.py"
 
 
-rule render_claims:
-    input:
-        claims="<results>/claims/claims.csv",
-        style=STYLE,
-    output:
-        multiext("<results>/figures/claims", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/claims.png",
-            caption="../report/product.rst",
-            category="Statements",
-            labels={"figure": "claims"},
-        ),
-    log:
-        "<logs>/render_claims.log",
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        sources=sources_of("render_claims.py"),
-    message:
-        "Drawing the verdicts"
-    script:
-        "../scripts/render_claims.py"
+# figures that sum up the work, and what each is drawn from
+SUMMARIES = {
+    "claims": "<results>/claims/claims.csv",
+    "sensitivity": "<results>/tables/sensitivity.csv",
+    "fronts": CALIBRATED,
+}
 
 
-rule render_fronts:
+rule render_summary:
     input:
-        calibrated=CALIBRATED,
+        data=lambda wildcards: SUMMARIES[wildcards.summary],
         style=STYLE,
     output:
-        multiext("<results>/figures/fronts", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/fronts.png",
-            caption="../report/product.rst",
-            category="Statements",
-            labels={"figure": "fronts"},
-        ),
+        **figure_files("{summary}", "Statements"),
     log:
-        "<logs>/render_fronts.log",
+        "<logs>/render_summary/{summary}.log",
+    wildcard_constraints:
+        summary="|".join(SUMMARIES),
     conda:
         "../envs/thirdbody.yaml"
     params:
         default=Path(settings["calibrated"]).stem,
-        sources=sources_of("render_fronts.py"),
+        sources=lambda wildcards: sources_of(
+            "render_summary.py", f"thirdbody.figures.{wildcards.summary}"
+        ),
     message:
-        "Drawing what each headline number costs the other statements"
+        "Drawing {wildcards.summary}"
     script:
-        "../scripts/render_fronts.py"
+        "../scripts/render_summary.py"

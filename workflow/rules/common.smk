@@ -27,27 +27,28 @@ IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cac
 STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
 
 
-def sources_of(script):
-    """SHA-256 of the modules of the library that a script imports, directly or not.
+def figure_files(figure, category):
+    """The files of a drawing by their kinds; the PNG goes into Snakemake's report."""
+    files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
+    caption, labels = "../report/product.rst", {"figure": figure}
+    return files | {"png": report(files["png"], caption, category=category, labels=labels)}
+
+
+def sources_of(script, *modules):
+    """SHA-256 of ``modules`` and those that a script imports, with all that they import.
 
     As a parameter of a rule it makes an edit of any of them rerun the rule.
     """
-    statements = ast.walk(ast.parse((HOME / "workflow/scripts" / script).read_bytes()))
-    named = {
-        (
-            f"{statement.module}.{name.name}"
-            if f"{statement.module}.{name.name}" in IMPORTS.modules
-            else statement.module
-        )
-        for statement in statements
-        if isinstance(statement, ast.ImportFrom)
-        for name in statement.names
-    }
-    modules = named & IMPORTS.modules
-    for name in list(modules):
-        modules |= IMPORTS.find_upstream_modules(name)
-    packages = {name.rpartition(".")[0] for name in modules}
-    return digest(project_file(f"src/{module_file(name)}") for name in modules | packages)
+    named = set(modules)
+    for statement in ast.walk(ast.parse((HOME / "workflow/scripts" / script).read_bytes())):
+        if isinstance(statement, ast.ImportFrom):
+            named.add(statement.module)
+            named |= {f"{statement.module}.{each.name}" for each in statement.names}
+    used = named & IMPORTS.modules
+    for name in list(used):
+        used |= IMPORTS.find_upstream_modules(name)
+    packages = {name.rpartition(".")[0] for name in used}
+    return digest(map(module_file, used | packages))
 
 
 def digest(files):
@@ -61,8 +62,6 @@ def file_sum(file):
 
 
 def module_file(name):
-    """Where a module of the library lies below ``src/``."""
-    path = Path(*name.split("."))
-    if IMPORTS.find_children(name):
-        return path / "__init__.py"
-    return path.with_suffix(".py")
+    path = PACKAGE.parent.joinpath(*name.split("."))
+    file = path.with_suffix(".py")
+    return file if file.is_file() else path / "__init__.py"

@@ -3,37 +3,29 @@
 
 rule solve_scene:
     output:
-        dataset="<results>/datasets/{figure}.nc",
+        dataset="<results>/datasets/{scene}.nc",
     log:
-        "<logs>/solve_scene/{figure}.log",
-    benchmark:
-        "<logs>/solve_scene/{figure}.tsv"
-    wildcard_constraints:
-        figure="|".join(settings["scenes"]),
+        "<logs>/solve_scene/{scene}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
-        scene=lookup(dpath="scenes/{figure}", within=settings),
+        scene=lookup(dpath="scenes/{scene}", within=settings),
         parameters=settings["parameters"],
         software=settings["software"],
         sources=sources_of("solve_scene.py"),
     message:
-        "Solving {wildcards.figure}"
+        "Solving {wildcards.scene}"
     script:
         "../scripts/solve_scene.py"
 
 
 rule solve_ensemble:
     input:
-        dataset="<results>/datasets/{figure}.nc",
+        dataset="<results>/datasets/{scene}.nc",
     output:
-        band="<results>/bands/{figure}.nc",
+        band="<results>/bands/{scene}.nc",
     log:
-        "<logs>/solve_ensemble/{figure}.log",
-    benchmark:
-        "<logs>/solve_ensemble/{figure}.tsv"
-    wildcard_constraints:
-        figure="|".join(settings["scenes"]),
+        "<logs>/solve_ensemble/{scene}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
@@ -41,25 +33,23 @@ rule solve_ensemble:
         ensemble=settings["ensemble"],
         sources=sources_of("solve_ensemble.py"),
     message:
-        "Solving {wildcards.figure} for each member of the ensemble"
+        "Solving {wildcards.scene} for each member of the ensemble"
     script:
         "../scripts/solve_ensemble.py"
 
 
 rule compute_schematic:
     output:
-        sections="<results>/schematics/{figure}.nc",
+        sections="<results>/schematics/{schematic}.nc",
     log:
-        "<logs>/compute_schematic/{figure}.log",
-    wildcard_constraints:
-        figure="|".join(SCHEMATICS),
+        "<logs>/compute_schematic/{schematic}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
-        panels=lookup(dpath="schematics/{figure}", within=settings),
+        panels=lookup(dpath="schematics/{schematic}", within=settings),
         parameters=settings["parameters"],
         sources=sources_of("compute_schematic.py"),
     message:
-        "Solving the sections of {wildcards.figure}"
+        "Solving the sections of {wildcards.schematic}"
     script:
         "../scripts/compute_schematic.py"

@@ -3,21 +3,19 @@
 
 rule extract_curves:
     input:
-        dataset="<results>/datasets/{figure}.nc",
+        dataset="<results>/datasets/{scene}.nc",
     output:
-        tpca_loads="<results>/extracted/tpca_loads/{figure}.csv",
-        transitions="<results>/extracted/transitions/{figure}.csv",
+        tpca_loads="<results>/extracted/tpca_loads/{scene}.csv",
+        transitions="<results>/extracted/transitions/{scene}.csv",
     log:
-        "<logs>/extract_curves/{figure}.log",
-    wildcard_constraints:
-        figure="|".join(settings["scenes"]),
+        "<logs>/extract_curves/{scene}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
         parameters=settings["parameters"],
         sources=sources_of("extract_curves.py"),
     message:
-        "Extracting turning points and transitions of {wildcards.figure}"
+        "Extracting turning points and transitions of {wildcards.scene}"
     script:
         "../scripts/extract_curves.py"
 

@@ -12,57 +12,41 @@ WINDOWS = "<results>/extracted/tpca_windows/all.csv"
 
 rule render_figure:
     input:
-        dataset="<results>/datasets/{figure}.nc",
-        turning_points="<results>/extracted/tpca_loads/{figure}.csv",
+        dataset="<results>/datasets/{scene}.nc",
+        turning_points="<results>/extracted/tpca_loads/{scene}.csv",
         printed=PRINTED,
-        windows=lambda wildcards: WINDOWS if wildcards.figure in ("fig09", "fig10") else [],
-        band=branch(settings["bands"], then="<results>/bands/{figure}.nc", otherwise=[]),
+        windows=lambda wildcards: WINDOWS if wildcards.scene in ("fig09", "fig10") else [],
+        band=branch(settings["bands"], then="<results>/bands/{scene}.nc", otherwise=[]),
         style=STYLE,
     output:
-        multiext("<results>/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        wide="<results>/figures/{figure}_wide.csv",
-        png=report(
-            "<results>/figures/{figure}.png",
-            caption="../report/product.rst",
-            category="Figures",
-            labels={"figure": "{figure}"},
-        ),
+        **figure_files("{scene}", "Figures"),
+        wide="<results>/figures/{scene}_wide.csv",
     log:
-        "<logs>/render_figure/{figure}.log",
-    wildcard_constraints:
-        figure="|".join(settings["scenes"]),
+        "<logs>/render_figure/{scene}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
         sources=sources_of("render_figure.py"),
     message:
-        "Drawing {wildcards.figure}"
+        "Drawing {wildcards.scene}"
     script:
         "../scripts/render_figure.py"
 
 
 rule render_schematic:
     input:
-        sections="<results>/schematics/{figure}.nc",
+        sections="<results>/schematics/{schematic}.nc",
         style=STYLE,
     output:
-        multiext("<results>/figures/{figure}", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/{figure}.png",
-            caption="../report/product.rst",
-            category="Figures",
-            labels={"figure": "{figure}"},
-        ),
+        **figure_files("{schematic}", "Figures"),
     log:
-        "<logs>/render_schematic/{figure}.log",
-    wildcard_constraints:
-        figure="|".join(SCHEMATICS),
+        "<logs>/render_schematic/{schematic}.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
         sources=sources_of("render_schematic.py"),
     message:
-        "Drawing {wildcards.figure}"
+        "Drawing {wildcards.schematic}"
     script:
         "../scripts/render_schematic.py"
 
@@ -101,17 +85,14 @@ rule write_table:
 # the same tables for a scene of your own: mine_tpca_loads, mine_transitions
 use rule write_table as write_scene_table with:
     input:
-        parts=["<results>/extracted/{table}/{figure}.csv"],
+        parts=["<results>/extracted/{table}/{scene}.csv"],
         printed=[],
     output:
-        multiext(
-            "<results>/tables/{figure}_{table}", csv=".csv", json=".json", md=".md", tex=".tex"
-        ),
-        html="<results>/tables/{figure}_{table}.html",
+        multiext("<results>/tables/{scene}_{table}", csv=".csv", json=".json", md=".md", tex=".tex"),
+        html="<results>/tables/{scene}_{table}.html",
     log:
-        "<logs>/write_scene_table/{figure}_{table}.log",
+        "<logs>/write_scene_table/{scene}_{table}.log",
     wildcard_constraints:
-        figure="(?!fig)[a-z][a-z0-9_]*",
         table="tpca_loads|transitions",
     message:
-        "Writing table {wildcards.table} of {wildcards.figure}"
+        "Writing table {wildcards.table} of {wildcards.scene}"

@@ -14,8 +14,6 @@ rule scatter_inputs:
         scattered="<results>/calibration/{interpretation}/scattered.csv",
     log:
         "<logs>/scatter_inputs/{interpretation}.log",
-    benchmark:
-        "<logs>/scatter_inputs/{interpretation}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -38,8 +36,6 @@ rule search_inputs:
         evaluations="<results>/calibration/{interpretation}/seed{seed}.csv",
     log:
         "<logs>/search_inputs/{interpretation}_{seed}.log",
-    benchmark:
-        "<logs>/search_inputs/{interpretation}_{seed}.tsv"
     conda:
         "../envs/thirdbody.yaml"
     resources:
@@ -61,8 +57,6 @@ use rule search_inputs as search_fold with:
         evaluations="<results>/calibration/{interpretation}/fold{fold}.csv",
     log:
         "<logs>/search_fold/{interpretation}_{fold}.log",
-    benchmark:
-        "<logs>/search_fold/{interpretation}_{fold}.tsv"
     params:
         settings=settings_of,
         parameters=settings["uncalibrated"],

@@ -22,27 +22,3 @@ rule compute_sensitivities:
         "Computing how results respond to each unpublished input"
     script:
         "../scripts/compute_sensitivities.py"
-
-
-rule render_sensitivity:
-    input:
-        table="<results>/tables/sensitivity.csv",
-        style=STYLE,
-    output:
-        multiext("<results>/figures/sensitivity", svg=".svg", pdf=".pdf", csv=".csv", md=".md"),
-        png=report(
-            "<results>/figures/sensitivity.png",
-            caption="../report/product.rst",
-            category="Sensitivity",
-            labels={"figure": "sensitivity"},
-        ),
-    log:
-        "<logs>/render_sensitivity.log",
-    conda:
-        "../envs/thirdbody.yaml"
-    params:
-        sources=sources_of("render_sensitivity.py"),
-    message:
-        "Drawing the sensitivities"
-    script:
-        "../scripts/render_sensitivity.py"

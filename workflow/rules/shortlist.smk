@@ -10,7 +10,8 @@ FEW_UNKNOWNS = [
     if len({*CALIBRATION["always"], *each.get("unknowns", ())} - set(each["fixed"]))
     <= CALIBRATION["shortlist"]["unknowns"]
 ]
-SEARCHED = "<results>/calibration/{{interpretation}}/seed{seed}.csv"
+FOUND = "<results>/calibration/{{interpretation}}"
+SEARCHED = expand(f"{FOUND}/seed{{seed}}.csv", seed=SEEDS)
 
 
 def settings_of(wildcards):
@@ -19,23 +20,6 @@ def settings_of(wildcards):
     interpretation = dict(CALIBRATION["interpretations"][name])
     budget = CALIBRATION["budget"] | interpretation.pop("budget", {})
     return {**CALIBRATION, "budget": budget, "interpretations": {name: interpretation}}
-
-
-def searches_of(wildcards):
-    """The searches of an interpretation: of the shortlist from all seeds, else from the first."""
-    return expand(SEARCHED, seed=SEEDS if is_shortlisted(wildcards) else SEEDS[:1])
-
-
-def samples_of(wildcards):
-    """The samples of an interpretation of the shortlist."""
-    samples = "<results>/calibration/{{interpretation}}/seed{seed}_samples.csv"
-    return expand(samples, seed=SEEDS) if is_shortlisted(wildcards) else []
-
-
-def folds_of(wildcards):
-    """The cross-validation of an interpretation of the shortlist."""
-    folds = "<results>/calibration/{{interpretation}}/fold{fold}.csv"
-    return expand(folds, fold=FOLDS) if is_shortlisted(wildcards) else []
 
 
 def is_shortlisted(wildcards):

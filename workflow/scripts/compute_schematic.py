@@ -18,7 +18,7 @@ def solved_state(conditions, parameters):
 
 
 with logged(snakemake.log[0]):
-    figure = snakemake.wildcards.figure
+    figure = snakemake.wildcards.schematic
     inputs = Parameters(**snakemake.params.parameters)
     states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
     computed = sections(figure, states, inputs)

@@ -8,7 +8,7 @@ from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
-    figure = snakemake.wildcards.figure
+    figure = snakemake.wildcards.scene
     inputs = Parameters(**snakemake.params.parameters)
     curves = read_plain(snakemake.input.dataset)
     turning = tpca_rows(figure, curves, inputs)

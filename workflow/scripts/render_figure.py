@@ -12,7 +12,7 @@ from thirdbody.figures.registry import curve_figure
 from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):
-    figure = snakemake.wildcards.figure
+    figure = snakemake.wildcards.scene
     windows = snakemake.input.windows
     ensemble_range = snakemake.input.band
     data = read_plain(snakemake.input.dataset)

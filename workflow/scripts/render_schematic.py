@@ -9,7 +9,7 @@ from thirdbody.figures.sections import read_sections
 from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):
-    figure = snakemake.wildcards.figure
+    figure = snakemake.wildcards.schematic
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(
             SCHEMATICS[figure](read_sections(snakemake.input.sections)),

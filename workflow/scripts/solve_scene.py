@@ -8,7 +8,7 @@ from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
-    figure = snakemake.wildcards.figure
+    figure = snakemake.wildcards.scene
     scene = snakemake.params.scene
     inputs = Parameters(**snakemake.params.parameters)
     points = Scene.of(figure, scene, inputs.newtons_per_load)

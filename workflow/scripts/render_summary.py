@@ -1,0 +1,25 @@
+"""Draw a figure from a table of its name, or from calibrated files; nothing is solved here."""
+
+from importlib import import_module
+from pathlib import Path
+
+import matplotlib.style
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.tables import TABLES, read_csv
+from thirdbody.figures.captions import caption
+from thirdbody.figures.drawing import save
+from thirdbody.job_log import logged
+
+with logged(snakemake.log[0]):
+    figure = snakemake.wildcards.summary
+    data = snakemake.input.data
+    if figure in TABLES:
+        drawn = read_csv(data, TABLES[figure])
+    else:
+        files = sorted(data, key=lambda path: Path(path).stem != snakemake.params.default)
+        drawn = [content for content in map(read_yaml, files) if content["fronts"]]
+    plot = import_module(f"thirdbody.figures.{figure}").plot
+    with matplotlib.style.context(snakemake.input.style, after_reset=True):
+        save(plot(drawn), snakemake.output.png.removesuffix(".png"), caption(figure))
+    print(f"{figure}: {len(drawn)} rows or files drawn")
