@@ -37,29 +37,10 @@ def band(
 ) -> PlainDataset:
     """Lowest and highest value of each quantity over an ensemble of inputs, along given curves.
 
-    Every member of the ensemble is solved at the conditions and loads F_t* of ``dataset``.  The
-    values of ``dataset`` count as well, so that the band encloses its curves.
-
-    Parameters
-    ----------
-    dataset : PlainDataset
-        Points of a figure, one of ``thirdbody.data.netcdf.read_plain``, solved with ``base``.
-    base : Parameters
-        Inputs of the model.
-    ensemble : sequence of mapping
-        For each member, the inputs that differ from ``base``: names of fields of ``Parameters``
-        and their values, SI.  Without members the band is as wide as the curves.
-
-    Returns
-    -------
-    PlainDataset
-        Variables ``<quantity>_low`` and ``<quantity>_high`` for each of ``QUANTITIES``, with the
-        dimensions, shape and units that the quantity has in ``dataset``.
-
-    Raises
-    ------
-    ValueError
-        If the inputs of a member are not physical.
+    ``dataset`` has the points of a figure, solved with ``base``; each member of the ``ensemble`` has the
+    inputs that differ from ``base``, SI.  Every member is solved at the conditions and loads F_t* of
+    ``dataset``, whose own values count as well, so that the band encloses its curves.  Returned are
+    variables ``<quantity>_low`` and ``<quantity>_high``, laid out as the quantity is in ``dataset``.
 
     Examples
     --------
@@ -67,11 +48,9 @@ def band(
     >>> inputs = tb.load_parameters()
     >>> axes = dict(viscosity=9e-5, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
     >>> points = tb.grid(load=[1e-6, 1e-5], **axes, parameters=inputs)
-    >>> stiffer = {"apparent_area": 0.9 * inputs.apparent_area}
-    >>> envelope = band(points, inputs, [stiffer])
-    >>> bool((envelope["separation_low"].values <= points["separation"].values).all())
-    True
-    >>> bool((envelope["separation_high"].values >= points["separation"].values).all())
+    >>> envelope = band(points, inputs, [{"apparent_area": 0.9 * inputs.apparent_area}])
+    >>> low, high = (envelope[f"separation_{end}"].values for end in ("low", "high"))
+    >>> bool(((low <= points["separation"].values) & (points["separation"].values <= high)).all())
     True
     """
     conditions, shown = curves_of(dataset)
@@ -79,14 +58,12 @@ def band(
     start = {name: dataset[name].values[:, shown] for name in QUANTITIES}
     envelope = {end: dict(start) for end in ENDS}
     for member in ensemble:
-        inputs = replace(base, **member)
-        names = tuple(QUANTITIES)
         solution = solve(
             load=load,
             **Condition(*conditions)._asdict(),
-            parameters=inputs,
+            parameters=replace(base, **member),
             rtol=BAND_RTOL,
-            variables=names,
+            variables=tuple(QUANTITIES),
         )
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
@@ -100,11 +77,8 @@ def band(
 
 
 def _variable(values, attributes, shown, extreme):
-    """A variable as a dataset takes it: dimensions, values and attributes.
-
-    ``values`` [load, curve] go to the combinations of conditions that are ``shown``; all others
-    hold the fill value.
-    """
+    """Dimensions, values and attributes of a variable: ``values`` [load, curve] where conditions are
+    ``shown``, else the fill value."""
     whole = np.full((len(values), *shown.shape), FILL_FLOAT)
     whole[:, shown] = values
     described = {name: attributes[name] for name in ("units", "symbol", "equation")}
@@ -114,7 +88,6 @@ def _variable(values, attributes, shown, extreme):
 
 
 def _attributes(dataset, ensemble) -> dict:
-    """Global attributes: those of ``dataset``, with the title, origin and ensemble of the band."""
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
     return dataset.attrs | {

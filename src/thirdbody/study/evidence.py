@@ -84,16 +84,8 @@ SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VAR
 class SolvedEvidence:
     """Curves, turning points and windows for one set of inputs, solved when first asked for.
 
-    Parameters
-    ----------
-    parameters : Parameters
-        Inputs of the model.
-    asked : mapping
-        What can be asked for, from ``thirdbody.study.claims.referenced_conditions``.
-    newtons : tuple of float
-        First and last normal load of every curve [N].
-    effort : Effort
-        How finely everything is solved.
+    ``asked`` says what can be asked for (``thirdbody.study.claims.referenced_conditions``), ``newtons``
+    are the first and last normal load of every curve [N].
 
     Examples
     --------
@@ -101,10 +93,8 @@ class SolvedEvidence:
     >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
     >>> asked = {"curve": {dry}, "turning_point": {dry}, "window": set()}
     >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
-    >>> evidence.curve(*dry).total_contact_area.shape
-    (60,)
-    >>> evidence.turning_point(*dry).prominence > 0.02
-    True
+    >>> evidence.curve(*dry).total_contact_area.shape, evidence.turning_point(*dry).prominence > 0.02
+    ((60,), True)
     """
 
     def __init__(

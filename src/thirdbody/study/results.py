@@ -33,12 +33,9 @@ def summary(
     """Sum up the searches of an interpretation, as the content of its calibrated file, SI.
 
     ``inputs`` are those of the acceptable sets under which most statements hold, and of these the most
-    plausible.
-
-    ``searches``, ``samples`` and ``folds`` are positions and objectives, arrays of shape (rows,
-    unknowns + 1): the search of each seed over all statements, what was drawn from each seed, and the
-    search of each fold; the last two only of the shortlist.  ``judge_all`` has all statements,
-    ``settings`` is the content of ``config/calibration.yaml``.
+    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, arrays of shape
+    (rows, unknowns + 1): the search of each seed over all statements, what was drawn from each seed, and
+    the search of each fold; the last two only of the shortlist.  ``judge_all`` has all statements.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -119,13 +116,9 @@ def price_front(
     """What the other statements lose as the one with the id ``name`` comes to hold: a Pareto front.
 
     ``rows``, shape (evaluations, unknowns + 1), are a search in which the weight of this statement was
-    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``.
-
-    Returns
-    -------
-    list of [float, float]
-        Score of the statement, and the objective without it and those that repeat it; no other set
-        of inputs that was judged is better in both.
+    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``.  Of each
+    point it has the score of the statement, and the objective without it and those that repeat it; no
+    other set of inputs that was judged is better in both.
     """
     place = [claim.id for claim in objective.claims].index(name)
     cluster = objective.claims[place].counted_as
@@ -151,11 +144,9 @@ def mixed_ensemble(
 
     An interpretation has a place if its mean fraction is at most one standard deviation of the folds
     of the default below that of the default, and a number of members in proportion to its fraction.
-
     ``contents`` are those of calibrated files, that of the default first; ``fractions`` has for each
     interpretation that was cross-validated the fraction of the statements that is predicted in each
-    fold.  Returned are the inputs of the members, SI, those of the default first, and the interpretation
-    of each.
+    fold.  Returned are the inputs of the members, SI, and the interpretation of each.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]

@@ -27,15 +27,8 @@ def posterior_sample(
 
     Walkers start from the best of the ``evaluations`` of a search, shape (evaluations, unknowns + 1).
     ``budget`` says how many ``walkers`` make how many ``steps``; the first quarter is dropped.  The same
-    ``seed`` gives the same result.
+    ``seed`` gives the same result: positions and, in the last column, the objective there [1].
 
-    Returns
-    -------
-    array, shape ((steps - steps // 4) * walkers, unknowns + 1)
-        Positions and, in the last column, the objective there [1].
-
-    References
-    ----------
     Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
     doi:10.1007/s11222-008-9104-9.
     """

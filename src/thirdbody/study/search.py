@@ -39,26 +39,11 @@ def search(
 ) -> NDArray[np.float64]:
     """Search the unknowns of an interpretation, two at least, for the least objective.
 
-    A CMA evolution strategy descends, which saves evaluations by a quadratic surrogate (Hansen 2019,
-    doi:10.1145/3321707.3321842).
-
-    Parameters
-    ----------
-    interpretation : Interpretation
-        Its unknowns are searched.
-    objective : callable
-        ``objective(interpretation, positions)`` is minimised.
-    start : array, shape (unknowns,)
-        Where the descent starts.
-    budget : mapping
-        Number of ``evaluations`` for each unknown, which the last generation may exceed.
-    seed : int
-        Of the random numbers, from 1: the same seed gives the same result.
-
-    Returns
-    -------
-    array, shape (evaluations, unknowns + 1)
-        Positions, and in the last column the objective there [1], in the order of evaluation.
+    A CMA evolution strategy descends from the position ``start``, and saves evaluations by a quadratic
+    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations``
+    for each unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same
+    result: positions, and in the last column the objective there [1], shape (evaluations, unknowns + 1),
+    in the order of evaluation.
     """
     rows = []
 
@@ -77,7 +62,5 @@ def search(
     }
     cma.fmin_lq_surr(function, start, FIRST_STEP, options)
     least = min(row[-1] for row in rows)
-    print(
-        f"{interpretation.name} seed {seed}: {len(rows)} evaluations, least objective {least:.3f}"
-    )
+    print(f"{interpretation.name} seed {seed}: {len(rows)} evaluations, least {least:.3f}")
     return np.array(rows)

@@ -189,10 +189,7 @@ def default_elasticities(
     inputs: Mapping[str, float],
     base: NDArray[np.float64],
 ) -> Found:
-    """Elasticities of the outputs at given inputs.
-
-    ``inputs`` are those that vary, with their values, SI; ``base`` are the outputs at ``parameters``.
-    """
+    """Elasticities of the outputs, which are ``base`` at ``parameters``, in ``inputs`` that vary, SI."""
     searches = subject.local_searches(base)
     solved = []
 

@@ -91,15 +91,12 @@ def default_indices(
     base: NDArray[np.float64],
     settings: Mapping[str, Any],
 ) -> Found:
-    """Total Sobol indices of the outputs around given inputs.
+    """Total Sobol indices of the outputs, which are ``base`` at ``parameters``, in ``inputs`` that vary, SI.
 
     Their error is what the response surface misses, as any input may take part in it.  An output that
-    occurs in too few of the solved sets keeps nan, and a line of text says so.
-
-    ``inputs`` are those that vary, with their values, SI; ``base`` are the outputs at ``parameters``.
-    ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change
-    to either side, as far as the input may have such values, ``solved`` the number of sets of inputs,
-    ``seed`` that of their scatter.
+    occurs in too few of the solved sets keeps nan, and a line of text says so.  ``settings`` is the entry
+    ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to either side, as far as the
+    input may have such values, ``solved`` the number of sets of inputs, ``seed`` that of their scatter.
     """
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])

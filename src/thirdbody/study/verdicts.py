@@ -250,36 +250,33 @@ def statements_table(judged: Judged) -> pd.DataFrame:
 def headline_table(judged: Judged) -> pd.DataFrame:
     """The headline numbers in the paper, in the model and in the ensemble.
 
-    Where no numbers are compared, the range is how many members agree with the verdict.  A number
-    counts as reached if its statement holds, or within its entry of ``headline_tolerances``.
+    A number counts as reached if its statement holds, or within its entry of ``headline_tolerances``.
     """
-    tolerances = judged.settings["headline_tolerances"]
-    rows = []
-    for claim in judged.claims:
-        if claim.id not in judged.settings["headline"]:
-            continue
-        verdict = judged.verdicts[claim.id]
-        ends = number_ranges(judged, claim.id)
-        within = ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
-        if not judged.members:
-            within = "no ensemble"
-        elif not np.isfinite(ends).any():
-            same = _agreeing(judged.members, claim.id, verdict)
-            within = f"{same} of {len(judged.members)} agree"
-        near = verdict.tested and abs(verdict.deviation) <= tolerances.get(claim.id, 0.0)
-        rows.append(
-            {
-                "statement": claim.statement,
-                "id": claim.id,
-                "paper": published_text(claim),
-                "model": once(verdict.computed),
-                "ensemble, 90 %": once(within),
-                "verdict": outcome(claim, verdict),
-                "reached": bool(verdict.holds or near),
-            }
-        )
-    names = ["statement", "id", "paper", "model", "ensemble, 90 %", "verdict", "reached"]
-    return pd.DataFrame(rows, columns=names)
+    table = judged.table[judged.table["id"].isin(judged.settings["headline"])]
+    tolerances = table["id"].map(judged.settings["headline_tolerances"]).fillna(0.0)
+    near = table["verdict"].ne(NOT_TESTED) & table["deviation"].abs().le(tolerances)
+    return pd.DataFrame(
+        {
+            "statement": table["statement"],
+            "id": table["id"],
+            "paper": table["published"],
+            "model": table["computed"].map(once),
+            "ensemble, 90 %": [once(_range_text(judged, id)) for id in table["id"]],
+            "verdict": table["verdict"],
+            "reached": table["verdict"].eq(HOLDS) | near,
+        }
+    )
+
+
+def _range_text(judged: Judged, id: str) -> str:
+    """The range of each number; where there are none, how many members agree with the verdict."""
+    ends = number_ranges(judged, id)
+    if not judged.members:
+        return "no ensemble"
+    if np.isfinite(ends).any():
+        return ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
+    same = _agreeing(judged.members, id, judged.verdicts[id])
+    return f"{same} of {len(judged.members)} agree"
 
 
 def number_ranges(judged: Judged, id: str) -> np.ndarray:
