@@ -80,20 +80,10 @@ def write_chunk(
 ) -> None:
     """Solve some surfaces of the atlas for all inputs and write what is found, little by little.
 
-    Parameters
-    ----------
-    path : path
-        NetCDF-4 file to write, which only this process reads before it is complete.
-    axes : mapping
-        Those of ``atlas_axes``, with some of the roughnesses.
-    default : Parameters
-        The default inputs.
-    members : sequence of mapping
-        For each member of the ensemble, the inputs that differ from the default, SI.
-    kept : collection of str
-        Quantities kept of each point under the default inputs, beside the flags.
-    rtol : float
-        Relative error asked for.
+    ``path`` is a NetCDF-4 file, which only this process reads before it is complete; ``axes`` are those of
+    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs that differ from the default in
+    each member of the ensemble, SI.  Of each point under the default inputs the quantities ``kept`` are
+    kept, beside the flags.
     """
     members = members or [{}]  # without an ensemble, the default alone
     ensemble = [replace(default, **member) for member in members]

@@ -52,22 +52,12 @@ def solve_surface(
     kept: Collection[str],
     rtol: float,
 ) -> dict[str, NDArray]:
-    """All that the atlas holds of a few particle densities on one surface.
+    """All that the atlas holds of a few particle densities on one surface, by the names of variables.
 
-    Parameters
-    ----------
-    axes : mapping
-        Those of ``thirdbody.atlas.chunk.atlas_axes`` with one roughness.
-    sets, weights : sequence
-        The default inputs, then the others of the ensemble, and how often each is in the ensemble.
-    kept, rtol
-        As of ``thirdbody.atlas.chunk.write_chunk``.
-
-    Returns
-    -------
-    dict
-        Arrays by the name of the variable: those kept and the flags, counts of the members in each
-        regime and mode, ``LIMITS`` of the default with their quantiles, and counts of turning points.
+    ``axes`` are those of ``thirdbody.atlas.chunk.atlas_axes`` with one roughness; ``sets`` the default inputs,
+    then the others of the ensemble, and ``weights`` how often each is in it; ``kept`` and ``rtol`` are those
+    of ``write_chunk``.  Returned are those kept and the flags, counts of the members in each regime and
+    mode, ``LIMITS`` of the default with their quantiles, and counts of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
@@ -147,13 +137,9 @@ def first_passed(
 
     It is interpolated over the logarithm of the axis, whose value 0 is left out.  Where it leaps, as it
     does where the first particle touches, ``between`` maps neighbours on the axis [SI], and places on
-    the other four, to where between them the level is passed [SI].
-
-    Returns
-    -------
-    array
-        Of the shape of the grid without the axis, SI: 0 where the level is passed at the first value
-        already, infinite where it never is, nan where points without solution leave that open.
+    the other four, to where between them the level is passed [SI].  The result has the shape of the grid
+    without the axis, SI: 0 where the level is passed at the first value already, infinite where it never
+    is, nan where points without solution leave that open.
     """
     nodes = axes[along][axes[along] > 0.0]
     excess = np.moveaxis(excess, list(axes).index(along), 0)[axes[along] > 0.0]

@@ -129,14 +129,10 @@ def choose_inputs(
     """Values of all inputs, as the head of this module says.
 
     ``given`` is laid over the inputs of the file ``calibrated``: values, or a file of them.  If it is a
-    calibrated file itself, it takes the place of that.  Raises ``ValueError`` in one line.
-
-    Returns
-    -------
-    dict
-        ``parameters``, a value of each input, SI; ``calibrated``, the path of the calibrated file,
-        ``interpretation``, the one that it is of, and ``ensemble``, the members of its ensemble with
-        what is laid over them, empty if they do not differ; ``inputs``, the values that are laid over.
+    calibrated file itself, it takes the place of that.  Raises ``ValueError`` in one line.  Returned are
+    ``parameters``, a value of each input, SI; ``calibrated``, the path of the calibrated file, and
+    ``interpretation``, the one that it is of; ``ensemble``, its members with what is laid over them;
+    ``inputs``, the values that are laid over.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):

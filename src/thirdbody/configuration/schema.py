@@ -77,18 +77,9 @@ def read_schema(kind: str) -> dict:
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
     """Raise ``ValueError`` if plain data break a schema.
 
-    Its one line is about the fault that is nearest to the top: ``name: key is VALUE; allowed: ...``.
-
-    Parameters
-    ----------
-    content : dict or list
-        Plain data.
-    schema : Mapping
-        JSON Schema with the keywords ``rules`` and ``allowed``.
-    name : str
-        What the message calls the content: the file that it is from.
-    **definitions : Mapping
-        Schemas that do not lie in a file; ``schema`` refers to each by its name.
+    Its one line is about the fault that is nearest to the top: ``name: key is VALUE; allowed: ...``, where
+    ``name`` is the file that the content is from.  ``schema`` is a JSON Schema with the keywords ``rules``
+    and ``allowed``, and refers to the ``definitions``, schemas that do not lie in a file, by their names.
     """
     known = {f"{SHARED}.schema.yaml": read_schema(SHARED), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]

@@ -23,26 +23,12 @@ SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # whose versions can change 
 def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict[str, Any]:
     """All settings of a run of the workflow, checked before anything is computed.
 
-    Parameters
-    ----------
-    config : Mapping
-        What Snakemake has read: keys that are missing are those of the paper, and ``changes`` is the
-        path of a file that is laid over all of them.
-    folder : str or Path
-        The folder of the configuration.
-    *given : str or Path
-        Files of the command line, which Snakemake has merged into ``config``.
-
-    Returns
-    -------
-    dict
-        What ``workflow_settings`` returns; ``run``, the name of the run or None; ``config``, the merged
-        configuration, and ``is_paper``, whether it is the paper's.
-
-    Raises
-    ------
-    ValueError
-        In one line: the file, the key at fault, its value and what is allowed.
+    ``config`` is what Snakemake has read: keys that are missing are those of the paper, and ``changes`` is
+    the path of a file that is laid over all of them.  ``folder`` is that of the configuration; ``given`` are
+    files of the command line, which Snakemake has merged into ``config``.  Returned is what
+    ``workflow_settings`` returns, with ``run``, the name of the run or None; ``config``, the merged
+    configuration, and ``is_paper``, whether it is the paper's.  Raises ``ValueError`` in one line: the file,
+    the key at fault, its value and what is allowed.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in given:

@@ -41,36 +41,15 @@ def page_content(
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
 ) -> dict[str, Any]:
-    """Gather what the page shows.
+    """Gather what the page shows, as plain values for JSON.
 
-    Parameters
-    ----------
-    figures : iterable of (path, path)
-        Points drawn (.csv) and caption (.md) of each figure of curves.
-    claims : iterable of Claim
-        The statements of the paper, ``thirdbody.study.claims.Claim``.
-    verdicts : Mapping
-        Content of ``claims.json``.
-    inputs : Mapping
-        Of each input of the model its ``symbol``, ``unit``, ``source``, ``value`` as the run has it,
-        and either ``allowed`` words or, of a number that is not printed, perhaps ``bounds`` and
-        ``scale`` of the search for it.
-    interpretations : Mapping
-        Inputs by the name of each calibrated interpretation.
-    ensemble : sequence of Mapping
-        Inputs that differ from the default in each member of the ensemble.
-    ranges : Mapping
-        First and last value of each condition in the paper, by its symbol, in engineering units.
-
-    Returns
-    -------
-    dict
-        Plain values for JSON.
-
-    Raises
-    ------
-    OSError
-        If a file is damaged: one line names it.
+    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves; ``claims`` those
+    of ``thirdbody.study.claims``, ``verdicts`` the content of ``claims.json``.  ``inputs`` has of each input
+    its ``symbol``, ``unit``, ``source``, ``value`` as the run has it, and either ``allowed`` words or, of a
+    number that is not printed, perhaps ``bounds`` and ``scale`` of the search for it.  ``interpretations`` are
+    inputs by the name of each calibrated one, ``ensemble`` those that differ from the default in each
+    member, ``ranges`` the first and last value of each condition in the paper, by its symbol, in engineering
+    units.  Raises ``OSError`` if a file is damaged: one line names it.
 
     Examples
     --------
@@ -139,24 +118,11 @@ def _claim(claim, verdict):
 
 
 def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
-    """What the page shows of a figure of curves.
+    """What the page shows of a figure of curves: ``points`` drawn (.csv), and its ``caption`` (.md).
 
-    Parameters
-    ----------
-    points, caption : path
-        The points drawn (.csv), and the caption with the alternative text (.md).
-
-    Returns
-    -------
-    dict
-        Its ``name``, ``title`` and ``caption``; ``curves``, the conditions [SI] of all that it shows;
-        and ``panels``, each with the indices of its curves, their ensemble ranges and the numbers
-        that the paper prints.
-
-    Raises
-    ------
-    OSError
-        If a file is damaged: one line names it.
+    It has a ``name``, ``title`` and ``caption``; ``curves``, the conditions [SI] of all that it shows; and
+    ``panels``, each with the indices of its curves, their ensemble ranges and the numbers that the paper
+    prints.
 
     Examples
     --------

@@ -15,17 +15,9 @@ EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
 
 
 def page_text(content: Mapping[str, Any]) -> str:
-    """The page, which needs no other file and no network.
+    """The page as HTML, which needs no other file and no network.
 
-    Parameters
-    ----------
-    content : Mapping
-        What ``thirdbody.explorer.content.page_content`` gathers.
-
-    Returns
-    -------
-    str
-        HTML.
+    ``content`` is what ``thirdbody.explorer.content.page_content`` gathers.
 
     Examples
     --------
