@@ -64,15 +64,17 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
 
 
 def queries(
-    conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str
-) -> dict[str, NDArray]:
-    """The conditions [SI] of queries ``along`` the one that is not given; they broadcast."""
+    conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **more: NDArray
+) -> tuple[tuple[int, ...], dict[str, NDArray]]:
+    """The shape of queries, to which ``more`` columns and the conditions broadcast, and all of them flat,
+    in SI; the condition ``along`` is not given."""
     for key, values in conditions.items():
         if is_labelled(values):
             raise ValueError(f"{key} has named dimensions; allowed: .values of it")
-    given = in_si(conditions, parameters, without=along)
+    given = more | in_si(conditions, parameters, without=along)
     check_points(given)
-    return given
+    columns = np.broadcast_arrays(*given.values())
+    return columns[0].shape, dict(zip(given, map(np.ravel, columns)))
 
 
 def _is_number(value: Any) -> bool:

@@ -23,15 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Border:
-    """What lies on both sides of a limit.
-
-    Attributes
-    ----------
-    flag : str
-        ``lubrication_regime`` or ``contact_mode``.
-    below, above : str
-        The regime or mode below the limit, and that above it.
-    """
+    """A limit between two states of a flag, ``lubrication_regime`` or ``contact_mode``."""
 
     flag: str
     below: str
@@ -128,10 +120,8 @@ def transitions(
     """
     parameters = checked_parameters(parameters)
     unit, swept = sweep_values(along, between, count, parameters)
-    given = queries(conditions, parameters, unit.condition)
-    columns = np.broadcast_arrays(*given.values())
-    others = dict(zip(given, map(np.ravel, columns), strict=True))
-    limits = [(quantity, np.full(columns[0].size, level)) for quantity, level in LIMITS]
+    shape, others = queries(conditions, parameters, unit.condition)
+    limits = [(quantity, np.full(shape, level).ravel()) for quantity, level in LIMITS]
     found = crossings(limits, unit, swept, others, parameters, rtol)
     changes = [
         Transition(

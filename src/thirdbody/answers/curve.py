@@ -25,9 +25,7 @@ class Curve(Tabular):
     Attributes
     ----------
     along : str
-        The axis and its unit, by its name.
-    points : array, shape (n,)
-        Values of the axis, in that unit.
+        The axis and its unit, by its name; ``points`` are its values, in that unit.
     values : mapping
         Arrays of shape (n,) by the names of variables, SI; nan where there is no solution.
     low, high : mapping

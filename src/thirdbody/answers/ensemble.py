@@ -16,18 +16,10 @@ from thirdbody.model.parameters import Parameters
 
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
-    """The sets of inputs of the calibration, with what the user has changed.
+    """The sets of inputs of the calibration, with what differs in ``parameters`` from the calibrated default.
 
-    Parameters
-    ----------
-    parameters : Parameters
-        Inputs of the user: those that differ from the calibrated default are the same in every set.
-
-    Returns
-    -------
-    tuple of Parameters
-        A set for each member of the calibrated file that ``config/config.yaml`` names; empty where
-        nothing is left in which they differ: then there is no ensemble.
+    It has a set for each member of the calibrated file that ``config/config.yaml`` names; it is empty where
+    nothing is left in which they differ: then there is no ensemble.
 
     Examples
     --------

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.answers.arguments import check_count, check_ends, checked_levels, queries
-from thirdbody.conditions.checks import check_points, check_rtol, checked_parameters
+from thirdbody.conditions.checks import check_rtol, checked_parameters
 from thirdbody.conditions.in_si import CONDITIONS
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.model.parameters import Parameters
@@ -174,14 +174,10 @@ def find(
     level = checked_levels(variable, level)
     check_progress(progress)
     unit, swept = sweep_values(along, between, count, parameters)
-    given = queries(conditions, parameters, unit.condition)
-    check_points({"level": level, **given})
-    columns = np.broadcast_arrays(level, *given.values())
-    levels, *others = map(np.ravel, columns)
-    (found,) = crossings(
-        [(variable, levels)], unit, swept, dict(zip(given, others)), parameters, rtol, progress
-    )
-    return Crossings(along, columns[0].shape, *found)
+    shape, others = queries(conditions, parameters, unit.condition, level=level)
+    limits = [(variable, others.pop("level"))]
+    (found,) = crossings(limits, unit, swept, others, parameters, rtol, progress)
+    return Crossings(along, shape, *found)
 
 
 def sweep_values(

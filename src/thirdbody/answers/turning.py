@@ -76,13 +76,10 @@ def turning_point(
     check_rtol(rtol)
     check_count("count", count)
     loads = np.geomspace(*load_range(between_N, parameters), count)
-    given = queries(conditions, parameters, "load")
-    columns = np.broadcast_arrays(*given.values())
-    curves = dict(zip(given, map(np.ravel, columns), strict=True))
+    shape, curves = queries(conditions, parameters, "load")
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"])
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
-    shape = columns[0].shape
     return TurningPoints(
         **{field.name: getattr(found, field.name).reshape(shape) for field in fields(found)}
     )
@@ -130,14 +127,14 @@ def turning_window(
             message = "allowed: roughness and particle density"
             raise ValueError(f"{key} is no condition of a window of dry contact; {message}")
     parameters = checked_parameters(parameters)
-    given = queries(DRY | conditions, parameters, "load")
-    for name, values in given.items():
-        if values.ndim:
-            raise ValueError(f"{name} has shape {values.shape}; allowed: one number")
+    shape, given = queries(DRY | conditions, parameters, "load")
+    if shape:
+        names = " and ".join(conditions)
+        raise ValueError(f"{names} have shape {shape}; allowed: one number each")
     loads = load_range(between_N, parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
-    density = float(given["particle_density"])
-    (found,) = turning_point_windows([search], [given["roughness"]], density, loads, parameters)
+    (density,) = given["particle_density"].tolist()
+    (found,) = turning_point_windows([search], given["roughness"], density, loads, parameters)
     return found
 
 
