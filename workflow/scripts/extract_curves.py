@@ -13,10 +13,7 @@ with logged(snakemake.log[0]):
     curves = read_plain(snakemake.input.dataset)
     turning = tpca_rows(figure, curves, inputs)
     crossings = transition_rows(figure, curves, inputs)
-    with atomic_write(snakemake.output.tpca_loads, snakemake.output.transitions) as (
-        tpca_part,
-        transitions_part,
-    ):
-        write_csv(tpca_part, turning, TABLES["tpca_loads"])
-        write_csv(transitions_part, crossings, TABLES["transitions"])
+    with atomic_write(snakemake.output.tpca_loads, snakemake.output.transitions) as parts:
+        write_csv(parts[0], turning, TABLES["tpca_loads"])
+        write_csv(parts[1], crossings, TABLES["transitions"])
     print(f"{figure}: {len(turning)} turning points, {len(crossings)} transitions")

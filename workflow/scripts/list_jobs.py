@@ -4,6 +4,7 @@ import csv
 import json
 import subprocess
 import sys
+from graphlib import TopologicalSorter
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -35,30 +36,16 @@ def jobs_of(rows, run):
         inputs = [without_run(name, run) for name in files]
         job = jobs.setdefault(log, {"rule": row["rule"], "inputs": inputs, "outputs": []})
         job["outputs"].append(without_run(row["output_file"], run))
-    return in_order(list(jobs.values()))
+    maker = {output: log for log, job in jobs.items() for output in job["outputs"]}
+    before = {
+        log: [maker[name] for name in job["inputs"] if name in maker] for log, job in jobs.items()
+    }
+    return [jobs[log] for log in TopologicalSorter(before).static_order()]
 
 
 def without_run(name, run):
     """The name of a product in a run without a name."""
     return name.replace(f"results/{run}/", "results/", 1) if run else name
-
-
-def in_order(jobs):
-    """The same ``jobs``, each after those that make its inputs."""
-    maker = {output: job for job in jobs for output in job["outputs"]}
-    ordered = []
-
-    def add(job):
-        if job in ordered:
-            return
-        for name in job["inputs"]:
-            if name in maker:
-                add(maker[name])
-        ordered.append(job)
-
-    for job in jobs:
-        add(job)
-    return ordered
 
 
 with logged(snakemake.log[0]), atomic_write(snakemake.output.jobs) as part:

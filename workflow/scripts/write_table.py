@@ -15,16 +15,10 @@ with logged(snakemake.log[0]):
     numbers = read_csv(printed, TABLES["printed"]) if printed else ()
     unit = newtons_per_load(parameters["apparent_area"], parameters["elastic_modulus_surfaces"])
     sheets = readable(table, rows, numbers, unit)
-    places = (
-        snakemake.output.csv,
-        snakemake.output.json,
-        snakemake.output.md,
-        snakemake.output.html,
-        snakemake.output.tex,
-    )
-    with atomic_write(*places) as (csv_part, schema_part, md_part, html_part, tex_part):
-        write_csv(csv_part, rows, columns)
-        write_schema(schema_part, columns)
-        md_part.write_text(markdown(sheets), encoding="utf-8")
-        html_part.write_text(page(sheets), encoding="utf-8")
-        write_latex(tex_part, rows, columns)
+    places = [snakemake.output[kind] for kind in ("csv", "json", "md", "html", "tex")]
+    with atomic_write(*places) as (as_csv, as_json, as_md, as_html, as_tex):
+        write_csv(as_csv, rows, columns)
+        write_schema(as_json, columns)
+        as_md.write_text(markdown(sheets), encoding="utf-8")
+        as_html.write_text(page(sheets), encoding="utf-8")
+        write_latex(as_tex, rows, columns)
