@@ -9,7 +9,6 @@ import pytest
 import yaml
 
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.data.conditions import Condition
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
@@ -20,24 +19,28 @@ LOADS = np.geomspace(1e-7, 1e-4, 61)
 DECADES = np.log10(LOADS / LOADS[0])  # 0 to 3
 
 
+class Answers(dict):
+    """What a function gives; the keys are what it was asked."""
+
+    def __init__(self, function):
+        self.function = function
+
+    def __missing__(self, key):
+        return self.setdefault(key, self.function(key))
+
+
 class Synthetic:
     """Evidence from functions of a ``Condition``; remembers what it was asked."""
 
     def __init__(self, curve=None, turning_point=None, window=None):
-        self.answers = {"curve": curve, "turning_point": turning_point, "window": window}
-        self.asked = {"curve": set(), "turning_point": set(), "window": set()}
+        self.curves, self.turning_points, self.windows = map(
+            Answers, (curve, turning_point, window)
+        )
 
-    def curve(self, *condition):
-        self.asked["curve"].add(condition)
-        return self.answers["curve"](Condition(*condition))
-
-    def turning_point(self, *condition):
-        self.asked["turning_point"].add(condition)
-        return self.answers["turning_point"](Condition(*condition))
-
-    def window(self, roughness):
-        self.asked["window"].add(roughness)
-        return self.answers["window"](roughness)
+    @property
+    def asked(self):
+        found = zip(("curve", "turning_point", "window"), vars(self).values())
+        return {name: set(answers) for name, answers in found}
 
 
 def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):

@@ -142,7 +142,7 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
         found = Measured(text, 2.0 + lack / BOUND_TOLERANCE, np.nan)
     text, distance = found.text, found.distance
     if claim.source == "turning_point":
-        heights = [evidence.turning_point(*each).prominence for each in claim.all_curves]
+        heights = [evidence.turning_points[each].prominence for each in claim.all_curves]
         least = np.min(heights)
         if not least >= prominence:
             text += f"; stands out by {least:.2g}"
@@ -163,7 +163,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
     """
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
-    last = evidence.curve(*claim.curves[0]).load[-1]
+    last = evidence.curves[claim.curves[0]].load[-1]
     if claim.quantity == BEND_OVER_MIXED:
         return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
     loads = _scalars(claim, evidence)
@@ -201,7 +201,7 @@ def check_value(claim: Claim, evidence) -> Measured:
 
 def check_span(claim: Claim, evidence) -> Measured:
     """Check that both published numbers lie on a curve, and say at which loads."""
-    (curve,) = (evidence.curve(*condition) for condition in claim.curves)
+    (curve,) = (evidence.curves[condition] for condition in claim.curves)
     (course,) = _courses(claim, evidence)
     numbers = np.array([course.min(), course.max()])
     nearest = np.clip(claim.published, *numbers)
@@ -214,7 +214,7 @@ def check_span(claim: Claim, evidence) -> Measured:
 
 def check_window(claim: Claim, evidence) -> Measured:
     """Check the range of x_a/sigma with a turning point; of several surfaces the worst counts."""
-    windows = np.array([evidence.window(condition.roughness) for condition in claim.curves])
+    windows = np.array([evidence.windows[condition.roughness] for condition in claim.curves])
     text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
     return _against_published(claim, windows, text)
 
@@ -250,7 +250,7 @@ def check_course(claim: Claim, evidence) -> Measured:
 
 def check_sequence(claim: Claim, evidence) -> Measured:
     """Check that regimes, modes or both are passed in order on all curves, or with ``any_curve`` on one."""
-    curves = [evidence.curve(*condition) for condition in claim.curves]
+    curves = [evidence.curves[condition] for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
     chosen = int(np.argmin(misses) if claim.any_curve else np.argmax(misses))
     return _missed(claim, _passed_states(claim, curves[chosen]), misses[chosen])
@@ -300,12 +300,12 @@ def _scalars(claim, evidence):
         return np.array(BETWEEN[claim.quantity](claim, evidence))
     if claim.source == "turning_point":
         pick = TURNING_POINT_QUANTITIES[claim.quantity]
-        values = np.array([pick(evidence.turning_point(*c)) for c in claim.curves])
-        references = [pick(evidence.turning_point(*c)) for c in claim.references]
+        values = np.array([pick(evidence.turning_points[c]) for c in claim.curves])
+        references = [pick(evidence.turning_points[c]) for c in claim.references]
         return values / references - 1.0 if references else values
     if claim.source == "window":
         end = WINDOW_QUANTITIES[claim.quantity]
-        return np.array([evidence.window(c.roughness)[end] for c in claim.curves])
+        return np.array([evidence.windows[c.roughness][end] for c in claim.curves])
     extreme = np.max if claim.extreme == "maximum" else np.min
     return np.array([extreme(course) for course in _courses(claim, evidence)])
 
@@ -329,7 +329,7 @@ def _gaps(claim, evidence):
 def _pairs(claim, evidence):
     """The reference of each curve, and the curve."""
     for reference, condition in zip(claim.references, claim.curves, strict=True):
-        yield evidence.curve(*reference), evidence.curve(*condition)
+        yield evidence.curves[reference], evidence.curves[condition]
 
 
 def _reversal_load(claim, evidence):
@@ -350,7 +350,7 @@ def _bend_loads(claim, evidence):
 
 def _mixed_loads(claim, evidence):
     """Loads F_t* [1] at which mixed lubrication begins."""
-    curves = [evidence.curve(*condition) for condition in claim.curves]
+    curves = [evidence.curves[condition] for condition in claim.curves]
     excess = [_log(curve.solid_load_fraction / BOUNDARY_LIMIT) for curve in curves]
     return [_first_fall(curve.load, each) for curve, each in zip(curves, excess)]
 
@@ -385,7 +385,7 @@ BETWEEN = {
 
 def _table(claim, evidence, group, quantity=""):
     """Abscissa [points] and quantity [curves, points] of curves, where the claim refers to them."""
-    curves = [evidence.curve(*condition) for condition in group]
+    curves = [evidence.curves[condition] for condition in group]
     # Bounds of the load hold on a curve itself, not on the reference that it is compared with.
     x = _loads(claim, curves, curves[bool(claim.references) :])
     if claim.against != "load":
@@ -567,7 +567,7 @@ def _text_of(claim, evidence, values):
     """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
     if claim.quantity in ("load", REVERSAL_LOAD, BEND_LOAD):
-        first, last = evidence.curve(*claim.curves[0]).load[[0, -1]]
+        first, last = evidence.curves[claim.curves[0]].load[[0, -1]]
         texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
         texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]
     return ", ".join(texts)

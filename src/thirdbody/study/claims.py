@@ -135,7 +135,7 @@ class Claim:
 
     @property
     def source(self) -> str:
-        """Method of ``thirdbody.study.evidence.SolvedEvidence`` that gives what the claim refers to."""
+        """What of ``thirdbody.study.evidence.SolvedEvidence`` the claim refers to."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
@@ -183,7 +183,7 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """What must be solved to judge ``claims``, by the method of ``SolvedEvidence`` that gives it.
+    """What must be solved to judge ``claims``, as ``SolvedEvidence`` takes it.
 
     It is a set of ``Condition`` for ``curve`` and ``turning_point``, of sigma [m] for ``window``.
     """

@@ -81,6 +81,7 @@ QUICK_EFFORT = Effort(
 SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VARIABLES)
 
 
+@dataclass(frozen=True)
 class SolvedEvidence:
     """Curves, turning points and windows for one set of inputs, solved when first asked for.
 
@@ -93,34 +94,23 @@ class SolvedEvidence:
     >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
     >>> asked = {"curve": {dry}, "turning_point": {dry}, "window": set()}
     >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
-    >>> evidence.curve(*dry).total_contact_area.shape, evidence.turning_point(*dry).prominence > 0.02
+    >>> evidence.curves[dry].total_contact_area.shape, evidence.turning_points[dry].prominence > 0.02
     ((60,), True)
     """
 
-    def __init__(
-        self,
-        parameters: Parameters,
-        asked: Mapping[str, set],
-        newtons: tuple[float, float],
-        effort: Effort = FULL_EFFORT,
-    ):
-        self.parameters = parameters
-        self.effort = effort
-        self.load_range = tuple(force / parameters.newtons_per_load for force in newtons)
-        self._asked = asked
-        self._conditions = sorted(asked["curve"] | asked["turning_point"])
+    parameters: Parameters
+    asked: Mapping[str, set]
+    newtons: tuple[float, float]
+    effort: Effort = FULL_EFFORT
 
-    def curve(self, *condition: float) -> Curve:
-        """The curve over all loads at the four numbers of a ``Condition``, SI."""
-        return self._curves[condition]
+    @cached_property
+    def load_range(self) -> tuple[float, ...]:
+        """First and last load F_t* [1] of every curve."""
+        return tuple(force / self.parameters.newtons_per_load for force in self.newtons)
 
-    def turning_point(self, *condition: float) -> TurningPoint:
-        """The turning point of the curve at the four numbers of a ``Condition``, SI."""
-        return self._turning_points[condition]
-
-    def window(self, roughness: float) -> tuple[float, float]:
-        """Ends of the range of x_a/sigma [1] with a dry turning point at ``roughness`` sigma [m]."""
-        return self._windows[roughness]
+    @cached_property
+    def _conditions(self):
+        return sorted(self.asked["curve"] | self.asked["turning_point"])
 
     @cached_property
     def _loads(self):
@@ -137,7 +127,8 @@ class SolvedEvidence:
         )
 
     @cached_property
-    def _curves(self):
+    def curves(self) -> dict[Condition, Curve]:
+        """The curve over all loads at each condition that was asked for."""
         solution = self._solution
         newtons = self._loads * self.parameters.newtons_per_load
         solved = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
@@ -152,8 +143,9 @@ class SolvedEvidence:
         }
 
     @cached_property
-    def _windows(self):
-        wanted = sorted(self._asked["window"])
+    def windows(self) -> dict[float, tuple[float, float]]:
+        """Ends of the range of x_a/sigma [1] with a dry turning point, by sigma [m]."""
+        wanted = sorted(self.asked["window"])
         searches = [self.effort.window] * len(wanted)
         found = turning_point_windows(
             searches, wanted, WINDOW_DENSITY, self.load_range, self.parameters
@@ -161,8 +153,9 @@ class SolvedEvidence:
         return {sigma: (window.low, window.high) for sigma, window in zip(wanted, found)}
 
     @cached_property
-    def _turning_points(self):
-        wanted = sorted(self._asked["turning_point"])
+    def turning_points(self) -> dict[Condition, TurningPoint]:
+        """The turning point of the curve at each condition that was asked for one."""
+        wanted = sorted(self.asked["turning_point"])
         separation = self._solution.separation[:, [self._conditions.index(each) for each in wanted]]
         found = turning_points(separation, *np.transpose(wanted), self.parameters, self.effort.rtol)
         columns = [getattr(found, name).tolist() for name in TurningPoint._fields]

@@ -80,7 +80,7 @@ class Subject:
         searches = searches or [effort.window] * len(self.window_roughness)
         asked = {"curve": set(self.transitions), "turning_point": set(self.turning_points)}
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
-        found = [evidence.turning_point(*curve) for curve in self.turning_points]
+        found = [evidence.turning_points[curve] for curve in self.turning_points]
         points = [
             point[:2] if point.prominence >= PROMINENCE else (np.nan, np.nan) for point in found
         ]
@@ -114,7 +114,7 @@ def last_crossings(
     """
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
-        curves = [evidence.curve(*condition) for condition in conditions]
+        curves = [evidence.curves[condition] for condition in conditions]
         values = {
             name: np.column_stack([getattr(curve, name) for curve in curves]) for name, _ in LIMITS
         }
