@@ -73,3 +73,25 @@ rule recompute_paper_table:
         "Recomputing {wildcards.table} of the paper"
     script:
         "../scripts/recompute_paper_table.py"
+
+
+# how results respond to the inputs that the paper does not print, at the default
+rule compute_sensitivities:
+    output:
+        elasticities="<results>/extracted/sensitivity/elasticities.csv",
+        indices="<results>/extracted/sensitivity/sobol_indices.csv",
+    log:
+        "<logs>/compute_sensitivities.log",
+    # the longest job: run last, it would leave a core idle
+    priority: 1
+    conda:
+        "../envs/thirdbody.yaml"
+    params:
+        settings=settings["sensitivity"],
+        unpublished=[*settings["calibration"]["unknowns"], *settings["sensitivity"]["also"]],
+        parameters=settings["parameters"],
+        sources=sources_of("compute_sensitivities.py"),
+    message:
+        "Computing how results respond to each unpublished input"
+    script:
+        "../scripts/compute_sensitivities.py"

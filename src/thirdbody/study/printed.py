@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from itertools import product
 
 import numpy as np
 
+from thirdbody.data.places import FIGURE
 from thirdbody.study.claims import BETWEEN_CURVES, CURVE_QUANTITIES, REVERSAL_LOAD, Claim
-
-NUMBER = re.compile(r"Figures? (\d+)")
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
@@ -23,7 +21,7 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
         is_change = claim.reference and claim.quantity not in BETWEEN_CURVES
         if claim.kind not in ("value", "span", "window") or is_change:
             continue
-        number = NUMBER.match(claim.place)
+        number = FIGURE.match(claim.place)
         levels = [(name, value) for name, value in claim.limits.items() if name in CURVE_QUANTITIES]
         at_quantity, at_level = levels[0] if levels else ("", None)
         curves = claim.curves
