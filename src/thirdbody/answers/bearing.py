@@ -139,12 +139,8 @@ def bearing(
     A ball of silicon nitride on steel, at 2 m/s in an oil of 850 kg/m3:
 
     >>> import thirdbody as tb
-    >>> inputs = tb.bearing(
-    ...     tb.load_parameters(),
-    ...     ball=MATERIALS["silicon nitride"],
-    ...     speed_m_per_s=2.0,
-    ...     oil_density_kg_per_m3=850.0,
-    ... )
+    >>> ball = MATERIALS["silicon nitride"]
+    >>> inputs = tb.bearing(ball=ball, speed_m_per_s=2.0, oil_density_kg_per_m3=850.0)
     >>> round(inputs.elastic_modulus_surfaces / 1e9, 1)
     134.1
     """

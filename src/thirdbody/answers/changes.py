@@ -106,15 +106,8 @@ def transitions(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> found = tb.transitions(
-    ...     "viscosity_cSt",
-    ...     between=(20, 1000),
-    ...     parameters=tb.load_parameters(),
-    ...     load_N=10,
-    ...     particle_diameter_nm=500,
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ... )
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> found = tb.transitions("viscosity_cSt", load_N=10, **layer)
     >>> [(each.before, each.after) for each in found if each.border.flag == "lubrication_regime"]
     [('boundary', 'mixed'), ('mixed', 'full_film')]
     """

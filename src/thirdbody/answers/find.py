@@ -156,17 +156,8 @@ def find(
     From which viscosity on the solids carry less than 90 % and less than half of 10 N:
 
     >>> import thirdbody as tb
-    >>> found = tb.find(
-    ...     "solid_load_fraction",
-    ...     [0.9, 0.5],
-    ...     "viscosity_cSt",
-    ...     between=(20, 1000),
-    ...     parameters=tb.load_parameters(),
-    ...     load_N=10,
-    ...     particle_diameter_nm=500,
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ... )
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> found = tb.find("solid_load_fraction", [0.9, 0.5], "viscosity_cSt", load_N=10, **layer)
     >>> found.count, bool(found.first[0] < found.first[1])
     (array([1, 1]), True)
     """

@@ -68,13 +68,8 @@ class Interface:
     Examples
     --------
     >>> import thirdbody as tb
-    >>> interface = tb.Interface(
-    ...     load_N=10,
-    ...     viscosity_cSt=90,
-    ...     particle_diameter_nm=500,
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ... )
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> interface = tb.Interface(load_N=10, viscosity_cSt=90, **layer)
     >>> interface.changed(viscosity_cSt=0).state().value("lubrication_regime")
     'boundary'
     """

@@ -62,14 +62,8 @@ def turning_point(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> found = tb.turning_point(
-    ...     parameters=tb.load_parameters(),
-    ...     viscosity_cSt=0,
-    ...     particle_diameter_nm=[20, 300],
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ... )
-    >>> found.exists
+    >>> layer = dict(particle_diameter_nm=[20, 300], particle_density_per_m2=1e11, roughness_nm=300)
+    >>> tb.turning_point(viscosity_cSt=0, **layer).exists
     array([False,  True])
     """
     parameters = checked_parameters(parameters)
@@ -116,9 +110,7 @@ def turning_window(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> window = tb.turning_window(
-    ...     parameters=tb.load_parameters(), roughness_nm=300, particle_density_per_m2=1e11
-    ... )
+    >>> window = tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11)
     >>> bool(window.low < 1.0 < window.high)
     True
     """

@@ -147,13 +147,8 @@ def compare(
     >>> import pandas as pd
     >>> import thirdbody as tb
     >>> data = {"load [N]": [5, 10, 20], "friction coefficient": [0.06, 0.08, 0.10]}
-    >>> found = tb.compare(
-    ...     pd.DataFrame(data),
-    ...     viscosity_cSt=90,
-    ...     particle_diameter_nm=500,
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ... )
+    >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
+    >>> found = tb.compare(pd.DataFrame(data), viscosity_cSt=90, **layer)
     >>> found.table["friction_coefficient_model"].round(3).tolist()
     [0.111, 0.094, 0.077]
     """
