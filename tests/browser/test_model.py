@@ -221,7 +221,7 @@ def results_of_claims(page, defaults):
         "inputs"
     ]
     some = claims[::4]
-    judged = Judge(some, defaults, NEWTONS)(other, FULL_EFFORT)
+    judged = Judge(some, defaults.as_dict(), NEWTONS)(other, FULL_EFFORT)
     words = {
         "default": {row["id"]: row["verdict"] for row in written["statements"]},
         "other": {claim.id: outcome(claim, judged[claim.id]) for claim in some},

@@ -69,7 +69,7 @@ def test_the_loss_grows_with_the_score_and_no_miss_outweighs_the_others():
 
 
 def test_the_objective_adds_up_weighted_losses_and_penalties(parameters):
-    objective = Objective.of(CLAIMS, SETTINGS, parameters)
+    objective = Objective.of(CLAIMS, SETTINGS, parameters.as_dict())
     assert not any(claim.aside for claim in objective.claims)
     scores = np.linspace(0.0, 3.0, len(objective.claims))
     assert objective.value(0.7, scores) == pytest.approx(0.7 + objective.weights @ loss(scores))
@@ -81,14 +81,14 @@ def test_the_objective_adds_up_weighted_losses_and_penalties(parameters):
 
 
 def test_statements_that_repeat_one_another_share_one_weight(parameters):
-    objective = Objective.of(CLAIMS, SETTINGS, parameters)
+    objective = Objective.of(CLAIMS, SETTINGS, parameters.as_dict())
     clusters = {}
     for claim, weight in zip(objective.claims, objective.weights, strict=True):
         of_kind = SETTINGS["weights"].get(claim.kind, 1.0)
         clusters.setdefault(claim.counted_as, []).append(weight / of_kind)
     assert max(map(len, clusters.values())) > 2
     assert_allclose([sum(shares) for shares in clusters.values()], 1.0)
-    raised = Objective.of(CLAIMS, SETTINGS, parameters, "fig09-window", 10.0)
+    raised = Objective.of(CLAIMS, SETTINGS, parameters.as_dict(), "fig09-window", 10.0)
     factors = raised.weights / objective.weights
     chosen = [claim.counted_as == "window-on-300nm" for claim in objective.claims]
     assert_allclose(factors, np.where(chosen, 10.0, 1.0))
@@ -123,7 +123,9 @@ def test_no_fold_sees_what_it_is_judged_on(parameters):
             for claim in CLAIMS
         ]
         again = make_folds(spoilt, [figures])[0].fitted
-        one, other = (Objective.of(each, SETTINGS, parameters) for each in (fold.fitted, again))
+        one, other = (
+            Objective.of(each, SETTINGS, parameters.as_dict()) for each in (fold.fitted, again)
+        )
         assert one.claims == other.claims
         assert np.array_equal(one.weights, other.weights)
 
@@ -174,7 +176,7 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
     folds = [searches[0][:50]] * len(SETTINGS["folds"])
     samples = [rows[-40:] for rows in searches]
     settings = SETTINGS | {"acceptance": 0.02, "ensemble": 4}
-    judge_all = Judge([], parameters, SETTINGS["newtons"])
+    judge_all = Judge([], parameters.as_dict(), SETTINGS["newtons"])
     found = summary(TWO, judge_all, searches, samples, folds, settings)
     assert found["inputs"]["gap_ratio"] == pytest.approx(1.5, abs=0.1)
     assert found["identification"]["gap_ratio"]["identified"]
@@ -188,7 +190,7 @@ def test_a_summary_is_a_valid_file_and_reports_what_is_identified(tmp_path, para
 
 def test_the_price_of_a_number_is_a_front_that_falls(parameters):
     interpretation = Interpretation.of(DEFAULT, SETTINGS)
-    objective = Objective.of(CLAIMS[:12], SETTINGS, parameters)
+    objective = Objective.of(CLAIMS[:12], SETTINGS, parameters.as_dict())
     rows = np.column_stack(
         [np.random.default_rng(1).random((6, len(interpretation.unknowns))), np.arange(6.0)]
     )

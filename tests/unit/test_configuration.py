@@ -1,6 +1,7 @@
 """Configuration that is refused, each in one line that names the place, and what is accepted."""
 
 import copy
+import json
 import math
 from dataclasses import fields, replace
 from pathlib import Path
@@ -136,11 +137,12 @@ def test_the_inputs_have_an_entry_for_each_field_and_no_other():
 def test_each_input_says_where_it_comes_from_and_what_is_allowed():
     for name, entry in read_yaml(CONFIG / "inputs.yaml").items():
         assert entry["source"] in ("published", "deduced", "calibrated", "assumed"), name
-        if "allowed" in entry:
-            assert entry["value"] in entry["allowed"], name
-        else:
+        assert ("value" in entry) == (entry["source"] != "calibrated"), name
+        if "allowed" not in entry:
             assert entry["unit"], name
-            assert BOUNDS[name].hold(entry["value"]), name
+            assert BOUNDS[name].hold(entry.get("value", BOUNDS[name].least)), name
+        elif "value" in entry:
+            assert entry["value"] in entry["allowed"], name
 
 
 def test_a_file_of_some_keys_is_laid_over_the_calibrated_inputs(write, defaults):
@@ -168,9 +170,8 @@ def test_a_bad_single_input_is_refused_by_name(given, told):
     assert refusal(lambda: load_parameters(**given)).startswith(f"load_parameters: {told}")
 
 
-def test_a_file_of_all_inputs_leaves_nothing_of_the_calibrated_ones():
-    plain = {name: entry["value"] for name, entry in read_entries().items()}
-    assert load_parameters(CONFIG / "inputs.yaml").as_dict() == plain
+def test_a_copy_of_the_projects_file_leaves_the_calibrated_inputs(defaults):
+    assert load_parameters(CONFIG / "inputs.yaml") == defaults
 
 
 def calibrated(inputs, member="{truncation: 2.0}"):
@@ -232,10 +233,16 @@ def test_each_shipped_calibrated_file_is_valid(path):
     assert read_calibrated(path)["interpretation"] == path.stem
 
 
-def test_a_calibrated_file_replaces_its_inputs_alone(write):
-    path = write(calibrated("{truncation: 3.0}"))
-    base = load_parameters(CONFIG / "inputs.yaml").as_dict()
-    assert load_parameters(path).as_dict() == base | {"truncation": 3.0}
+def test_a_calibrated_file_gives_all_that_is_calibrated(write, defaults):
+    names = {name for name, entry in read_entries().items() if "value" not in entry}
+    found = {name: value for name, value in defaults.as_dict().items() if name in names}
+    path = write(calibrated(json.dumps(found | {"truncation": 2.5})))
+    assert load_parameters(path) == replace(defaults, truncation=2.5)
+    del found["apparent_area"]
+    lacks = refusal(load_parameters, write(calibrated(json.dumps(found))))
+    assert lacks.endswith(
+        "inputs: apparent_area is missing; allowed: a value of each calibrated input"
+    )
 
 
 def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):

@@ -162,7 +162,7 @@ def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
         for name in names
     ]
     held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
-    judge_all = Judge([TAKEN], parameters, SETTINGS["newtons"])
+    judge_all = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
     table = compare(judge_all, contents, dict.fromkeys(names, {"taken": HELD}), held, settings)
     ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
@@ -209,7 +209,7 @@ def test_everything_is_judged_by_the_real_model(parameters):
         {"figures": [9], "inputs": content["inputs"]},
         {"figures": [11], "inputs": content["inputs"] | {"summit_radius": 1e-4}},
     ]
-    judge_all = Judge(claims, parameters, SETTINGS["newtons"])
+    judge_all = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
     found = judge_everything(judge_all, content, [content], SETTINGS)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted[content["interpretation"]]
@@ -227,7 +227,7 @@ def test_an_input_is_changed_only_where_a_surface_can_have_it(parameters):
             raise ValueError("summit_parameter leaves no variance to the summits")
         return {}
 
-    judge_all.claims, judge_all.base = (), parameters
+    judge_all.claims, judge_all.base = (), parameters.as_dict()
     name = "uncentred_summit_wide_full_natural"
     inputs = parameters.as_dict() | {"summit_parameter": 0.1}
     content = {"interpretation": name, "inputs": inputs, "ensemble": []}

@@ -7,7 +7,6 @@ import numpy as np
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
@@ -28,7 +27,7 @@ def _fractions(judge_all, verdicts, folds):
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     statements = load_claims(snakemake.input.claims)
-    base = Parameters(**snakemake.params.parameters)
+    base = snakemake.params.parameters
     judge_all = Judge(statements, base, settings["newtons"])
     contents = {
         content["interpretation"]: content for content in map(read_yaml, snakemake.input.calibrated)

@@ -5,7 +5,6 @@ from thirdbody.configuration.schema import read_valid
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown
@@ -18,7 +17,7 @@ with logged(snakemake.log[0]):
     laid_over = snakemake.params.laid_over
     judge_all = Judge(
         load_claims(snakemake.input.claims),
-        Parameters(**snakemake.params.parameters),
+        snakemake.params.parameters,
         settings["newtons"],
     )
     entries = read_entries()

@@ -3,7 +3,6 @@
 import numpy as np
 
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows, write_rows
@@ -11,7 +10,7 @@ from thirdbody.study.sampling import posterior_sample
 
 with logged(snakemake.log[0]):
     settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)
-    base = Parameters(**snakemake.params.parameters)
+    base = snakemake.params.parameters
     objective = Objective.of(load_claims(snakemake.input.claims), settings, base)
     found = np.vstack([read_rows(path) for path in snakemake.input.evaluations])
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)

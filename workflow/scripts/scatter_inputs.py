@@ -3,7 +3,6 @@
 import numpy as np
 
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective
 from thirdbody.study.claims import load_claims
 from thirdbody.study.record import write_rows
@@ -12,7 +11,7 @@ from thirdbody.study.search import scatter
 with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     objective = Objective.of(
-        load_claims(snakemake.input.claims), settings, Parameters(**snakemake.params.parameters)
+        load_claims(snakemake.input.claims), settings, snakemake.params.parameters
     )
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
     places = scatter(interpretation, settings["budget"])

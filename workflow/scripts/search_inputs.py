@@ -3,7 +3,6 @@
 import numpy as np
 
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.claims import load_claims
 from thirdbody.study.record import read_rows, write_rows
@@ -28,7 +27,7 @@ with logged(snakemake.log[0]):
     fold = snakemake.params.fold
     settings = snakemake.params.settings
     statements = load_claims(snakemake.input.claims)
-    base = Parameters(**snakemake.params.parameters)
+    base = snakemake.params.parameters
     # a number says which fold's statements are left out
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
     objective = Objective.of(fitted, settings, base)

@@ -4,7 +4,6 @@ import yaml
 
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.calibration import Interpretation
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
@@ -17,7 +16,7 @@ with logged(snakemake.log[0]):
         Interpretation.of(snakemake.wildcards.interpretation, settings),
         Judge(
             load_claims(snakemake.input.claims),
-            Parameters(**snakemake.params.parameters),
+            snakemake.params.parameters,
             settings["newtons"],
         ),
         [read_rows(path) for path in snakemake.input.evaluations],

@@ -1,8 +1,8 @@
 """Inputs of the model: where their values come from, and what is laid over what.
 
-``config/inputs.yaml`` has an entry for each input: its value with symbol, unit, source, and the words
-that are allowed; ``thirdbody.model.bounds`` says what numbers may be.  Of the values of an input the
-last that is given counts:
+``config/inputs.yaml`` has an entry for each input: its value, unless it is calibrated, with symbol, unit,
+source, and the words that are allowed; ``thirdbody.model.bounds`` says what numbers may be.  Of the values
+of an input the last that is given counts:
 
 1. that of ``config/inputs.yaml``;
 2. that of a calibrated file, as ``snakemake calibrate`` writes it: the one that ``calibrated`` in
@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -110,16 +110,18 @@ def read_entries(directory: Path | None = None) -> Entries:
     """Entries of the file ``inputs.yaml`` in a folder, the project's ``config/`` unless another is given."""
     path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
-    schema.validate(entries, _overlay_schema(entries), str(path))
+    given = {name: entry for name, entry in entries.items() if "value" in entry}
+    schema.validate(given, _overlay_schema(entries), str(path))
     return entries
 
 
 def plain_values(given: Mapping) -> Values:
-    """The value of each entry, or the plain value itself; numbers as ``float``."""
+    """The value of each entry that has one, or the plain value itself; numbers as ``float``."""
     values = {}
     for name, each in given.items():
-        value = each["value"] if isinstance(each, Mapping) else each
-        values[name] = value if isinstance(value, bool | str) else float(value)
+        value = each.get("value") if isinstance(each, Mapping) else each
+        if value is not None:
+            values[name] = value if isinstance(value, bool | str) else float(value)
     return values
 
 
@@ -143,6 +145,7 @@ def choose_inputs(
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
+    check_complete(values, entries, f"{shown_file(calibrated)}: inputs")
     check_ball(values, place)
     return {
         "parameters": values,
@@ -160,6 +163,15 @@ def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
     """
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
+
+
+def check_complete(given: Collection[str], entries: Entries, place: str) -> None:
+    """Raises ``ValueError`` unless every input that has no value of its own is ``given``."""
+    for name, entry in entries.items():
+        if "value" not in entry and name not in given:
+            raise ValueError(
+                f"{place}: {name} is missing; allowed: a value of each calibrated input"
+            )
 
 
 def check_ball(values: Values, place: str) -> None:
@@ -198,15 +210,17 @@ def _value_schema(name: str, entry: Mapping) -> dict:
 
 
 def _overlay_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: each a value, or an entry with a value in the same unit."""
+    """JSON Schema of some inputs: each a value, or an entry with a value in the same unit; the entry of a
+    calibrated input may have none, as in ``config/inputs.yaml``."""
     given = {}
+    calibrated = {"properties": {"source": {"const": "calibrated"}}, "required": ["source"]}
     for name, entry in entries.items():
         value = _value_schema(name, entry)
         unit = {"unit": {"const": entry["unit"]}} if "unit" in entry else {}
         whole = _closed(dict.fromkeys(entry, True) | unit | {"value": value})
         given[name] = {
             "if": {"type": "object"},
-            "then": whole | {"required": ["value"]},
+            "then": whole | {"if": calibrated, "else": {"required": ["value"]}},
             "else": value,
         }
     return _closed(given)

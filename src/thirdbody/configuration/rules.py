@@ -28,6 +28,16 @@ def first_below_last(ends: list) -> Iterator[Fault]:
         yield Fault("a first value below the last")
 
 
+def value_unless_calibrated(entry: dict) -> Iterator[Fault]:
+    """The value of a calibrated input stands in a file of ``config/calibrated/``, that of any other here."""
+    if entry["source"] != "calibrated" and "value" not in entry:
+        yield Fault("a value", problem="value is missing")
+    if entry["source"] == "calibrated" and "value" in entry:
+        yield Fault(
+            "no value of a calibrated input, which has that of config/calibrated", ("value",)
+        )
+
+
 def particles_fit(conditions: dict) -> Iterator[Fault]:
     """Particles lie side by side: pi/4 x_a^2 eta_a, the area they cover, cannot exceed 1."""
     if "particle_diameter_nm" in conditions:

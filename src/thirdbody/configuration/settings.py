@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from thirdbody.configuration.inputs import (
+    check_complete,
     choose_inputs,
     plain_values,
     read_entries,
@@ -61,7 +62,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     - ``scenes``, each with its own load axis and ``rtol``, so that it depends on nothing else;
     - ``parameters``, ``calibrated``, ``ensemble`` and ``inputs``, as ``choose_inputs`` returns them,
-      and ``uncalibrated``, the inputs without calibrated file and what is laid over it, SI;
+      and ``uncalibrated``, the values of the inputs that no search finds, SI;
     - ``calibration``, ``sensitivity``, ``accuracy`` and ``atlas``, the settings of these runs;
     - ``software``, the versions of what computes.
     """
@@ -85,6 +86,10 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
         raise ValueError(
             f"{chosen['calibrated']}: interpretation is {shown(interpretation)}; allowed: {allowed}"
         )
+    for name, each in calibration["interpretations"].items():
+        known = {*each["fixed"], *calibration["always"], *each.get("unknowns", ())}
+        place = f"{folder}/calibration.yaml: interpretations: {name}"
+        check_complete(known, entries, place)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,

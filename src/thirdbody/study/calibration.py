@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.model.parameters import Parameters
 from thirdbody.study.checks import MISSING_SCORE, Judge
 from thirdbody.study.claims import Claim
 from thirdbody.study.evidence import QUICK_EFFORT
@@ -125,7 +124,7 @@ class Objective:
         cls,
         claims: Sequence[Claim],
         settings: Mapping[str, Any],
-        base: Parameters,
+        base: Mapping[str, Any],
         emphasised: str = "",
         emphasis: float = 1.0,
     ) -> Objective:

@@ -89,11 +89,13 @@ class NotReached(Exception):
 class Judge:
     """Judges the same statements under any set of inputs.
 
-    ``base`` has the inputs that a set does not give; ``newtons`` are the first and last normal load of
-    every curve [N].
+    ``base`` has the inputs that a set does not give, fields of ``Parameters`` in SI; ``newtons`` are the
+    first and last normal load of every curve [N].
     """
 
-    def __init__(self, claims: Sequence[Claim], base: Parameters, newtons: tuple[float, float]):
+    def __init__(
+        self, claims: Sequence[Claim], base: Mapping[str, Any], newtons: tuple[float, float]
+    ):
         self.claims = tuple(claims)
         self.base = base
         self._newtons = tuple(newtons)
@@ -115,7 +117,10 @@ class Judge:
             some = [_at_prominence(claim, prominence) for claim in some]
             effort = replace(effort, window=replace(effort.window, prominence=prominence))
         evidence = SolvedEvidence(
-            replace(self.base, **inputs), referenced_conditions(some), self._newtons, effort
+            Parameters(**{**self.base, **inputs}),
+            referenced_conditions(some),
+            self._newtons,
+            effort,
         )
         return {claim.id: judge(claim, evidence, prominence) for claim in some}
 

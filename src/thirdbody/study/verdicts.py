@@ -72,7 +72,7 @@ def judge_everything(
     ``default`` is the content of the calibrated file whose inputs are the default, ``contents`` those
     of all interpretations, ``settings`` that of ``config/calibration.yaml``.
     """
-    inputs = judge_all.base.as_dict() | default["inputs"]
+    inputs = judge_all.base | default["inputs"]
     changed = {}
     for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
         for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
