@@ -1,9 +1,9 @@
 // Any variable against any condition or variable, for several values of another condition.
 
-import { axes, axisNamed, currentPoint, state } from "./state.js";
-import { DRY_TWO_BODY, currentEngine, placesAlong } from "./engine.js";
-import { axisFor, ink, mineColour, shade } from "./chart.js";
-import { pointsOf, specOf, yName } from "./figures.js";
+import { axes, currentPoint, state } from "./state.js";
+import { currentEngine, placesAlong } from "./engine.js";
+import { DASHED, axisFor, shade } from "./chart.js";
+import { specOf, starsOf, yName } from "./figures.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionText, conditionWord } from "./names.js";
 
@@ -15,26 +15,21 @@ const LEVELS = {
   roughness: [100e-9, 200e-9, 300e-9, 400e-9, 500e-9],
   particle_density: [0, 1e10, 1e11, 5e11, 1e12, 5e12],
 };
-const isAxis = (name) => axes.some((axis) => axis.name === name);
 
 // The spec of the chart, and the conditions that its curves have in common.
 export function axesView() {
   const engine = currentEngine();
   const point = currentPoint();
   const [x, y, by] = [state.x, yName(state.y), state.by];
-  const along = isAxis(x) ? x : "load";
-  const mine = point[by];
-  const others = LEVELS[by].filter((level) => Math.abs(level - mine) > 1e-9 * mine);
-  const levels = by === along ? [mine] : d3.sort([...others, mine]);
+  const along = axes.some(({ name }) => name === x) ? x : "load";
+  const others = LEVELS[by].filter((level) => Math.abs(level - point[by]) > 1e-9 * point[by]);
+  const levels = by === along ? [point[by]] : d3.sort([...others, point[by]]);
   const lines = levels.map((level, rank) => {
-    const { load, ...condition } = { ...point, [by]: level };
-    const curve = along === "load" ? engine.curve(condition) : null;
+    const at = { ...point, [by]: level };
     return {
       label: by === along ? conditionText(point, [along]) : conditionWord(by, level),
-      condition,
-      points: curve ? pointsOf(x, y, curve, engine) : pointsAlong(x, y, { load, ...condition }, engine),
-      turningPoint: curve?.turningPoint,
-      ...styleOf(level, rank, levels.length, level === mine),
+      ...(along === "load" ? curveOverLoad(x, y, at, engine) : curveAlong(x, y, at, engine)),
+      ...styleOf(level, rank, levels.length, level === point[by]),
     };
   });
   const measured = measuredPoints(x, y, lines, engine);
@@ -47,9 +42,7 @@ export function axesView() {
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     lines,
     measured,
-    stars: lines
-      .filter(({ turningPoint }) => turns && turningPoint)
-      .map(({ turningPoint, color }) => ({ x: turningPoint[x], y: turningPoint[y], color })),
+    stars: turns ? starsOf(x, y, lines, engine) : [],
     here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
   });
   const shared = axes.filter(({ name }) => name !== along && name !== by);
@@ -59,25 +52,29 @@ export function axesView() {
 }
 
 function styleOf(level, rank, count, mine) {
-  if (mine) return { color: mineColour(), mine };
-  if (level === 0) return { color: ink(), dash: "5 3" };
+  if (mine) return { color: "var(--mine)", mine };
+  if (level === 0) return { color: "var(--ink)", dash: DASHED };
   return { color: shade(rank / Math.max(count - 1, 1)), marker: rank };
 }
 
-// Points along a condition other than the load.
-function pointsAlong(x, y, point, engine) {
-  return placesAlong(x, shownRange(x, point), COUNT).map((place) => {
+function curveOverLoad(x, y, { load, ...condition }, engine) {
+  const { states, turningPoint } = engine.curve(condition);
+  return { condition, turningPoint, points: states.map((found) => engine.pointOf(x, y, found, condition)) };
+}
+
+function curveAlong(x, y, point, engine) {
+  const places = placesAlong(x, shownRange(x, point), COUNT);
+  const points = places.map((place) => {
     const at = { ...point, [x]: place };
-    const found = engine.state(at);
-    if (y !== "total_contact_area_over_two_body") return { x: place, y: found[y], state: found };
-    const reference = engine.state({ ...at, ...DRY_TWO_BODY });
-    return { x: place, y: found.total_contact_area / reference.total_contact_area, state: found };
+    return engine.pointOf(x, y, engine.state(at), at);
   });
+  const { load, ...condition } = point;
+  return { condition, points };
 }
 
 // The paper's range of a condition, and the chosen value if it is outside.
 export function shownRange(name, point) {
-  const { range, scale } = axisNamed(name);
+  const { range, scale } = axes.find((axis) => axis.name === name);
   const [low, high] = range.map((end) => end * scale);
   const first = { viscosity: 1e-6, particle_diameter: 10e-9 }[name] ?? low; // Eq. 7 means no thinner film
   return [Math.min(first, point[name] || first), Math.max(high, point[name])];

@@ -69,17 +69,13 @@ export function turningWindow(model, roughness, density, low, high) {
     const contact = model.contact({ ...condition, particle_diameter: ratio * roughness });
     return turningPointBetween(contact, low, high) !== null;
   };
-  const found = RATIOS.map(turns);
-  let [start, stop] = [-1, -2]; // the longest row of ratios at which curves turn
-  for (let first = 0; first < RATIOS.length; first++) {
-    let last = first;
-    while (found[first] && found[last + 1]) last++;
-    if (found[first] && last - first > stop - start) [start, stop] = [first, last];
-    first = last;
-  }
-  if (start < 0) return [NaN, NaN];
+  const inside = d3.range(RATIOS.length).filter((i) => turns(RATIOS[i]));
+  if (!inside.length) return [NaN, NaN];
+  const rows = d3.groups(inside, (i, rank) => i - rank); // of ratios that follow one another
+  const [, longest] = d3.greatest(rows, ([, row]) => row.length);
+  const [first, last] = d3.extent(longest);
   const end = (inner, outer) => boundary(turns, RATIOS[inner], RATIOS[outer] ?? RATIOS[inner], 14);
-  return [end(start, start - 1), end(stop, stop + 1)];
+  return [end(first, first - 1), end(last, last + 1)];
 }
 
 // Between a place that satisfies a condition and one that does not: where that changes.

@@ -5,10 +5,11 @@ import { curveOf, turningPointOf } from "./curves.js";
 import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
-const NEWTONS = axes[0].range;
-export const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
+const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
+export const NEWTONS = axes[0].range;
+export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 
-export function engineOf(inputs) {
+const engineOf = remembered((inputs) => {
   const model = modelOf(inputs);
   const { newtonsPerLoad } = model;
   const loads = NEWTONS.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
@@ -17,6 +18,15 @@ export function engineOf(inputs) {
     const states = curveOf(contact(condition), ...loads);
     return { condition, states, turningPoint: turningPointOf(contact(condition), states) };
   });
+  // A_t* of dry contact without particles on the same surface
+  const twoBodyArea = remembered(
+    ({ roughness, load }) => contact({ ...DRY_TWO_BODY, roughness }).solve(load).total_contact_area,
+    5000,
+  );
+  const valueOf = (name, found, condition) => {
+    if (name !== OVER_TWO_BODY) return condition[name] ?? found[name];
+    return found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
+  };
   return {
     model,
     newtonsPerLoad,
@@ -25,23 +35,15 @@ export function engineOf(inputs) {
     curve,
     // the state at all five conditions, the load in newtons
     state: ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad),
-    // A_t* of dry contact without particles on the same surface, at the loads of a curve
-    twoBodyArea: (condition) =>
-      curve({ ...condition, ...DRY_TWO_BODY }).states.map((each) => each.total_contact_area),
+    // two variables of a state at a condition
+    pointOf: (x, y, found, condition) => ({ x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found }),
   };
-}
+}, 100);
 
-const engineFor = remembered(engineOf, 20);
-export const defaultEngine = engineOf(defaultInputs);
-export const currentEngine = () => {
-  const inputs = currentInputs();
-  return JSON.stringify(inputs) === JSON.stringify(defaultInputs) ? defaultEngine : engineFor(inputs);
-};
-let members = null;
-export function ensembleEngines() {
-  members ??= content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
-  return members;
-}
+export const defaultEngine = () => engineOf(defaultInputs);
+export const currentEngine = () => engineOf(currentInputs());
+export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
+export const turningPointUnder = (inputs, condition) => engineOf(inputs).curve(condition).turningPoint;
 
 // A value along an axis, at a part from 0 to 1 of the way between two ends [SI; the load in newtons].
 export function placeAlong(name, [low, high], part) {

@@ -6,7 +6,7 @@ import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { mapKey, mapView } from "./map.js";
 import { drawSection, sectionKey } from "./section.js";
-import { MARKERS, chartIn, sizeIn } from "./chart.js";
+import { chartIn, markerShape, widthIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
@@ -14,7 +14,7 @@ import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
 import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
 import { modelOf } from "./model.js";
-import { engineOf } from "./engine.js";
+import { turningPointUnder } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
@@ -33,7 +33,7 @@ let shown = null; // what can be downloaded
 
 // --- values under the pointer ---
 
-function showTooltip({ spec: { x, y, rows }, line, point, at, event }) {
+function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const tooltip = $("tooltip");
   const { state: found } = point;
   const isSolved = found?.mode >= 0;
@@ -45,13 +45,13 @@ function showTooltip({ spec: { x, y, rows }, line, point, at, event }) {
     isSolved ? `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication` : "",
     found ? statusText(found.status) : "",
   ].filter(Boolean);
-  tooltip.innerHTML = `<b>${escaped(line.label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
+  tooltip.innerHTML = `<b>${escaped(label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
   tooltip.style.left = `${Math.max(left, 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
-  if (event.type === "keydown") $("live").textContent = [line.label, ...texts].join(", ");
+  if (event.type === "keydown") $("live").textContent = [label, ...texts].join(", ");
 }
 
 const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
@@ -70,8 +70,8 @@ function drawCharts(view, name) {
     parent.dataset.kind = state.view;
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
-  const sizes = charts.map(({ figure }) => sizeIn(figure)); // before any of them changes
-  specs.forEach((spec, i) => charts[i].update(spec, sizes[i]));
+  const widths = charts.map(({ figure }) => widthIn(figure)); // before any of them changes
+  specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
   shown = { csv: () => csvOf(specs), name };
   showKey(key);
   return view;
@@ -82,7 +82,7 @@ function showKey(entries) {
   const html = entries.map(({ text, color, fill, dash, marker }) => {
     const line = color ? `<path d="M0,7H30" stroke="${color}" stroke-width="2.2" stroke-dasharray="${dash ?? "none"}"/>` : "";
     const box = fill ? `<rect x="4" y="1" width="22" height="12" fill="${fill}" stroke="var(--soft)"/>` : "";
-    const shape = marker === undefined ? "" : d3.symbol(MARKERS[marker % MARKERS.length], 40)();
+    const shape = marker === undefined ? "" : markerShape(marker, 40);
     const mark = `<path d="${shape}" fill="${color}" transform="translate(15,7)"/>`;
     const drawing = `<svg width="30" height="14" aria-hidden="true">${line}${box}${mark}</svg>`;
     return `<span class="entry">${drawing}<span>${escaped(text)}</span></span>`;
@@ -287,6 +287,6 @@ fromFragment(location.hash);
 globalThis.thirdbody = {
   inputs: defaultInputs,
   solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),
-  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint,
+  turningPoint: turningPointUnder,
   judge: judgedUnder,
 };

@@ -2,7 +2,7 @@
 
 import { currentInputs, currentPoint } from "./state.js";
 import { currentEngine } from "./engine.js";
-import { sizeIn } from "./chart.js";
+import { widthIn } from "./chart.js";
 import { MODE_TEXT, REGIME_TEXT, conditionText, valueText } from "./names.js";
 import { readable } from "./text.js";
 
@@ -96,7 +96,7 @@ export function drawSection(parent) {
   const { found, point, lower, upper, touches, particles } = sectionOf();
   const figure = d3.select(parent).html("").append("figure");
   figure.append("figcaption").text("The interface cut across, true to scale");
-  const { em, width } = sizeIn(parent);
+  const width = widthIn(parent);
   const svg = figure.append("svg").attr("class", "chart section").attr("xmlns", "http://www.w3.org/2000/svg").attr("role", "img");
   if (!lower) {
     svg.attr("viewBox", `0 0 ${width} 60`).append("text").attr("x", 10).attr("y", 30).text(NO_SOLUTION);
@@ -112,7 +112,7 @@ export function drawSection(parent) {
     `${conditionText(point)} under ${valueText("load", point.load)}: ${MODE_TEXT[found.mode]} mode, ` +
     `${REGIME_TEXT[found.regime]} lubrication, separation ${readable(found.separation * 1e9)} nm; this cut meets ` +
     `${contacts} contact${contacts === 1 ? "" : "s"} of summits, and ${carrying} of ${particles.length} particles carry load.`;
-  svg.attr("viewBox", `0 0 ${width} ${ground + 34 * em}`).attr("aria-label", words);
+  svg.attr("viewBox", `0 0 ${width} ${ground + 34}`).attr("aria-label", words);
 
   const between = (from, to) => d3.area((_, i) => x(i), (_, i) => y(from[i]), (_, i) => y(to[i])).digits(1)(lower);
   const [bed, roof] = [lower.map(() => top - ground / scale), upper.map(() => top)];
@@ -131,7 +131,7 @@ export function drawSection(parent) {
     `<title>${words}</title>` +
       layers.map(([name, path, fill]) => `<path class="${name}" d="${path}" fill="${fill}"/>`).join("") +
       `${balls.join("")}<path class="touch" d="${touching}"/>${planes.join("")}` +
-      `<g transform="translate(10,${ground + 14 * em})"><path d="M0,-4V4M0,0H${1e-6 * scale}M${1e-6 * scale},-4V4"/>` +
+      `<g transform="translate(10,${ground + 14})"><path d="M0,-4V4M0,0H${1e-6 * scale}M${1e-6 * scale},-4V4"/>` +
       `<text x="${1e-6 * scale + 6}" dy="0.32em">1 µm both ways; dashed: mean planes</text></g>`,
   );
   return words;

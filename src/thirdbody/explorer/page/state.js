@@ -52,17 +52,13 @@ export function change(what) {
   listeners.forEach((listener) => listener());
 }
 
-export function setCondition(name, value) {
-  const { [name]: _, ...others } = state.conditions;
-  change({ conditions: value === undefined ? others : { ...others, [name]: value } });
+// Values that are chosen and differ from the default.
+function chosen(values) {
+  const entries = Object.entries(values);
+  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== defaultInputs[name]));
 }
-
-export function setInputs(values) {
-  const inputs = Object.entries({ ...state.inputs, ...values });
-  const differs = ([name, value]) => value !== undefined && value !== defaultInputs[name];
-  change({ inputs: Object.fromEntries(inputs.filter(differs)) });
-}
-
+export const setCondition = (name, value) => change({ conditions: chosen({ ...state.conditions, [name]: value }) });
+export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
 export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...START, ...state.conditions });
@@ -90,15 +86,11 @@ export function fromFragment(text) {
   for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
     const number = numberIn(word);
-    if (Object.hasOwn(CHOICES, name)) {
-      if (CHOICES[name].includes(word)) found[name] = word;
-    } else if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
-    else if (Object.hasOwn(defaultInputs, name)) {
-      const value = inputNamed(name, word);
-      if (value !== undefined && value !== defaultInputs[name]) found.inputs[name] = value;
-    }
+    if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
+    if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
+    if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
-  change(found);
+  change({ ...found, inputs: chosen(found.inputs) });
 }
 
 export function isAllowed({ name }, value) {

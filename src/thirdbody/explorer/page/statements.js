@@ -1,7 +1,7 @@
 // The paper's statements with their verdicts under the inputs and conditions of the page.
 
-import { axes, change, conditionAxes, content, state } from "./state.js";
-import { currentEngine, inSlices } from "./engine.js";
+import { change, conditionAxes, content, state } from "./state.js";
+import { NEWTONS, currentEngine, inSlices } from "./engine.js";
 import { evidenceOf, judge, replacedConditions } from "./judge.js";
 import { verdicts } from "./figures.js";
 import { modelOf } from "./model.js";
@@ -11,7 +11,6 @@ import { escaped, readable } from "./text.js";
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
 const GLYPHS = { holds: "✓", fails: "✗" };
 const FILTERS = { here: "of this figure", all: "all", fails: "that fail", changed: "changed by your inputs" };
-const NEWTONS = axes[0].range;
 const original = new Map(verdicts);
 let running = 0;
 let judged = "";
