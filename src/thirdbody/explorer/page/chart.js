@@ -17,13 +17,10 @@ const MARKERS_PER_CURVE = 5;
 const NEAR = 40; // pixels within which the pointer finds a point
 const MARGIN = { left: 58, right: 14, top: 12, bottom: 40 };
 const NEWTON_AXIS = 24; // its height above a panel
+// by how many curves, and by how many points, a key moves
 const MOVES = {
-  ArrowLeft: [0, -1],
-  ArrowRight: [0, 1],
-  ArrowUp: [-1, 0],
-  ArrowDown: [1, 0],
-  Home: [0, -Infinity],
-  End: [0, Infinity],
+  ...{ ArrowUp: [-1, 0], ArrowDown: [1, 0], ArrowLeft: [0, -1], ArrowRight: [0, 1] },
+  ...{ Home: [0, -Infinity], End: [0, Infinity] },
 };
 
 export const isDark = () => document.documentElement.dataset.theme === "dark";
@@ -65,14 +62,10 @@ function drawAxes(group, { x: { name: xName }, y: { name: yName }, newtonsPerLoa
   const [width, height] = [right - left, bottom - top];
   const [across, upwards] = [left + width / 2, top + height / 2];
   group.html("");
-  drawAxis(group, d3.axisBottom(x), xName, [0, bottom], width, `translate(${across},${bottom + 34})`)
-    .clone()
-    .attr("class", "grid")
-    .attr("y2", -height);
-  drawAxis(group, d3.axisLeft(y), yName, [left, 0], height, `translate(13,${upwards}) rotate(-90)`)
-    .clone()
-    .attr("class", "grid")
-    .attr("x2", width);
+  const below = drawAxis(group, d3.axisBottom(x), xName, [0, bottom], width, `translate(${across},${bottom + 34})`);
+  const beside = drawAxis(group, d3.axisLeft(y), yName, [left, 0], height, `translate(13,${upwards}) rotate(-90)`);
+  below.clone().attr("class", "grid").attr("y2", -height);
+  beside.clone().attr("class", "grid").attr("x2", width);
   if (!newtonsPerLoad) return;
   const newtons = x.copy().domain(x.domain().map((end) => end * newtonsPerLoad));
   drawAxis(group, d3.axisTop(newtons), "normal_load", [0, top], width, `translate(${across},${top - NEWTON_AXIS})`);
@@ -81,8 +74,9 @@ function drawAxes(group, { x: { name: xName }, y: { name: yName }, newtonsPerLoa
 // Draw an axis and its title; returns the lines of the ticks that have a label.
 function drawAxis(group, axis, name, at, length, titleAt) {
   const scale = axis.scale();
-  const inPowers = scale.base && name !== "normal_load";
-  const label = (value) => tickText(name, value, inPowers);
+  const { factor } = VARIABLES[name];
+  const inPowers = scale.base && !factor && name !== "normal_load";
+  const label = (value) => (inPowers ? powerText(value) : readable(value * (factor ?? 1)));
   axis.ticks(scale.base ? 10 : Math.min(length / 55, 6)).tickSizeOuter(0);
   axis.tickFormat(scale.base ? scale.tickFormat(3, label) : label);
   const title = group.append("text").attr("class", "label").attr("text-anchor", "middle");
@@ -91,10 +85,9 @@ function drawAxis(group, axis, name, at, length, titleAt) {
   return drawn.selectAll(".tick").filter((_, i, ticks) => ticks[i].textContent).select("line");
 }
 
-function tickText(name, value, inPowers) {
+function powerText(value) {
   const power = Math.log10(value);
-  if (inPowers && Math.abs(power - Math.round(power)) < 1e-9) return powerOfTen(Math.round(power));
-  return readable(value * (VARIABLES[name].factor ?? 1));
+  return Math.abs(power - Math.round(power)) < 1e-9 ? powerOfTen(Math.round(power)) : readable(value);
 }
 
 // "A_sa,t*" as a letter, its index, and what follows, with the unit
@@ -217,7 +210,8 @@ function marksOf(spec, { x: toX, y: toY }) {
     return `<path ${classOf("line", curve)} data-label="${escaped(curve.label)}" d="${path(curve.points)}" ${look}/>`;
   });
   const markers = markersOf(spec.lines).filter(isShown).map(shape("marker"));
-  const doubtful = spec.lines.flatMap(({ points }) => points.filter((point) => isShown(point) && isDoubtful(point)));
+  const isDoubtful = (point) => isShown(point) && point.state && point.state.status !== "converged";
+  const doubtful = spec.lines.flatMap(({ points }) => points.filter(isDoubtful));
   const doubts = doubtful.map(({ x, y }) => shape("doubt")({ x, y, symbol: DOUBT, color: "none" }));
   const here = canShow(spec.x, spec.here) ? `<path class="here" d="M${inX(spec.here)},${toY.range().join("V")}"/>` : "";
   const measured = spec.measured.filter(isShown).map(({ x, y, color }) => {
@@ -233,23 +227,10 @@ function marksOf(spec, { x: toX, y: toY }) {
   });
   const stars = spec.stars.filter(isShown);
   const locus = spec.locus && stars.length ? `<path class="locus" d="${path(stars)}"/>` : "";
-  return [
-    ...areas,
-    ...borders,
-    ...ranges,
-    ghosts,
-    ...lines,
-    `<g>${markers.join("")}</g>`,
-    ...doubts,
-    here,
-    ...measured,
-    ...printed,
-    locus,
-    ...stars.map((star) => shape("star")({ symbol: STAR, ...star })),
-  ].join("");
+  const shapes = stars.map((star) => shape("star")({ symbol: STAR, ...star }));
+  const curves = [areas, borders, ranges, ghosts, lines, "<g>", markers, "</g>"];
+  return [...curves, doubts, here, measured, printed, locus, shapes].flat().join("");
 }
-
-const isDoubtful = ({ state }) => state && state.status !== "converged";
 
 // Markers distinguish curves without colour: a few on each, at places that differ from curve to curve.
 function markersOf(lines) {
@@ -285,14 +266,8 @@ function described({ stars, printed, measured, x, y }, rows) {
     const [first, last] = [points[0], points.at(-1)].map((point) => numberText(y.name, point.y));
     return `${label} runs from ${first} to ${last}`;
   });
-  const others = [
-    [stars, "turning points"],
-    [printed, "numbers printed in the paper"],
-    [measured, "points of your file"],
-  ];
-  return [
-    `${rows.length} curves of ${words} ${plainSymbol(symbol)} over ${VARIABLES[x.name].words}`,
-    ...ends,
-    ...others.filter(([marks]) => marks.length).map(([marks, what]) => `${marks.length} ${what}`),
-  ].join("; ");
+  const what = `${rows.length} curves of ${words} ${plainSymbol(symbol)} over ${VARIABLES[x.name].words}`;
+  const counts = { "turning points": stars, "numbers printed in the paper": printed, "points of your file": measured };
+  const marks = Object.entries(counts).filter(([, { length }]) => length).map(([name, { length }]) => `${length} ${name}`);
+  return [what, ...ends, ...marks].join("; ");
 }

@@ -17,43 +17,25 @@ export const updateControls = () => updates.forEach((update) => update());
 
 export function makeControls(form) {
   form.addEventListener("submit", (event) => event.preventDefault());
-  const conditions = group(form, "Conditions");
-  conditions.append(...axes.map(conditionControl), newtonsNote());
   const named = Object.entries(content.inputs);
-  const words = named.filter(([, { allowed }]) => allowed).map(([name]) => wordControl(name));
-  group(form, "Interpretation of the paper").append(presetControl(), ...words);
-  const numbers = d3.group(
-    named.filter(([, { allowed }]) => !allowed),
-    ([, { source, bounds }]) => PRINTED.includes(source) && !bounds,
+  const words = named.filter(([, { allowed }]) => allowed);
+  const isPrinted = ({ source, bounds }) => PRINTED.includes(source) && !bounds;
+  const [printed, others] = [true, false].map((wanted) =>
+    named.filter(([, input]) => !input.allowed && isPrinted(input) === wanted),
   );
-  const controls = (isPrinted) => (numbers.get(isPrinted) ?? []).map(([name]) => numberControl(name));
-  group(form, "Inputs that the paper does not print").append(...controls(false));
-  group(form, "Materials, film and ball", false).append(...controls(true));
+  const controls = (inputs, control) => inputs.map(([name]) => control(name));
+  group(form, "Conditions", axes.map(conditionControl));
+  group(form, "Interpretation of the paper", [presetControl(), ...controls(words, wordControl)]);
+  group(form, "Inputs that the paper does not print", controls(others, numberControl));
+  group(form, "Materials, film and ball", controls(printed, numberControl), false);
   updateControls();
 }
 
-function group(form, title, open = true) {
+function group(form, title, controls, open = true) {
   const details = Object.assign(document.createElement("details"), { open });
-  details.innerHTML = `<summary>${title}</summary><div></div>`;
+  details.innerHTML = `<summary>${title}</summary>`;
+  details.append(...controls);
   form.append(details);
-  return details.querySelector("div");
-}
-
-// What newtons are: the paper leaves it open.
-export function newtonsText() {
-  const area = readable(currentInputs().apparent_area * 1e6, 3);
-  return (
-    `In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; ` +
-    `it is ${area} mm² here, one of the inputs.`
-  );
-}
-
-function newtonsNote() {
-  const note = Object.assign(document.createElement("p"), { className: "note" });
-  updates.push(() => {
-    note.textContent = newtonsText();
-  });
-  return note;
 }
 
 // A control with a button that goes back to the default, where it has been changed.
@@ -76,14 +58,13 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
     <small class="note">${note}</small>`,
   );
-  const [field, slider] = ["[type=text]", "[type=range]"].map((each) => control.querySelector(each));
+  const [field, slider] = control.querySelectorAll("input");
   scale.range([0, STEPS]).clamp(true);
   slider.setAttribute("aria-label", `${control.querySelector("label").textContent}, slider`);
-  slider.addEventListener("input", () => set(rounded(scale.invert(slider.value), digits)));
+  slider.addEventListener("input", () => set(Number(scale.invert(slider.value).toPrecision(digits))));
   field.addEventListener("change", () => {
-    const allowed = set(numberIn(field.value));
-    field.setCustomValidity(allowed ? "" : given.hint);
-    if (!allowed) field.reportValidity();
+    field.setCustomValidity(set(numberIn(field.value)) ? "" : given.hint);
+    field.reportValidity();
   });
   updates.push(() => {
     slider.value = Math.round(scale(value()));
@@ -95,34 +76,38 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
   return control;
 }
 
-const rounded = (value, digits) => Number(value.toPrecision(digits));
-const rangeText = (ends) => ends.map((end) => readable(end)).join(" to ");
+const rangeText = (ends, factor = 1) => ends.map((end) => readable(end / factor)).join(" to ");
 
-function conditionControl(axis) {
-  const { name, range } = axis;
-  const [low, high] = range;
+function conditionControl({ name, range: [low, high] }) {
   const log = name === "load" || name === "particle_density";
   // a little beyond the paper's range
-  const first = name === "roughness" ? 0.3 * low : 0;
+  const ends = log ? [low / 4, 4 * high] : [0.3 * low, 1.3 * high];
   const dry = name === "viscosity" ? ", 0 is dry" : "";
-  const note = `the paper: ${rangeText(range)} ${unitOf(name)}${dry}`;
+  const note = `the paper: ${rangeText([low, high])} ${unitOf(name)}${dry}`;
   return rangeControl({
     id: `condition-${name}`,
     label: `${wordOf(name)} <i>${letterOf(name)}</i> [${unitOf(name)}]`,
     hint: `${wordOf(name)} in ${note}`,
     note,
     unit: unitOf(name),
-    scale: log ? d3.scaleLog().domain([low / 4, 4 * high]) : d3.scaleLinear().domain([first, 1.3 * high]),
+    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain(ends),
     digits: 3,
     value: () => toUnit(name, currentPoint()[name]),
     changed: () => name in state.conditions,
     set(value) {
-      if (isAllowed(axis, value)) setCondition(name, fromUnit(name, value));
-      return isAllowed(axis, value);
+      if (isAllowed(name, value)) setCondition(name, fromUnit(name, value));
+      return isAllowed(name, value);
     },
     back: () => setCondition(name, undefined),
   });
 }
+
+// What controls of all inputs have in common.
+const inputControl = (name) => ({
+  id: `input-${name}`,
+  changed: () => name in state.inputs,
+  back: () => setInputs({ [name]: undefined }),
+});
 
 function numberControl(name) {
   const { bounds, scale, symbol, unit, source, least, most } = content.inputs[name];
@@ -130,31 +115,27 @@ function numberControl(name) {
   const original = defaultInputs[name];
   const near = original > 0 ? [Math.max(original / 4, least), Math.min(original * 4, most)] : [0, Math.min(1, most)];
   const log = scale === "logarithmic" || (!bounds && original > 0);
-  const ends = (bounds ?? near).map((end) => end / factor);
-  const shownRange = (values) => rangeText(values.map((value) => value / factor));
   return rangeControl({
-    id: `input-${name}`,
+    ...inputControl(name),
     label: `${inputWords(name)} <i>${symbol}</i>${text ? ` [${text}]` : ""}`,
-    hint: `${inputWords(name)} (${source}): ${shownRange([least, most])} ${text}`,
-    note: bounds ? `searched ${shownRange(bounds)}; ${ensembleText(name, shownRange)}` : source,
+    hint: `${inputWords(name)} (${source}): ${rangeText([least, most], factor)} ${text}`,
+    note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
     unit: text,
-    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain(ends),
+    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,
     value: () => currentInputs()[name] / factor,
-    changed: () => name in state.inputs,
     set(value) {
-      const found = inputNamed(name, String(rounded(value * factor, 12)));
+      const found = inputNamed(name, (value * factor).toPrecision(12));
       if (found !== undefined) setInputs({ [name]: found });
       return found !== undefined;
     },
-    back: () => setInputs({ [name]: undefined }),
   });
 }
 
 // Which values the members of the ensemble have.
-function ensembleText(name, shownRange) {
+function ensembleText(name, factor) {
   const [low, high] = d3.extent([defaultInputs, ...content.ensemble], (member) => member[name]);
-  return low === high ? "one value in the ensemble" : `ensemble ${shownRange([low, high])}`;
+  return low === high ? "one value in the ensemble" : `ensemble ${rangeText([low, high], factor)}`;
 }
 
 // A list of words to choose from.
@@ -173,23 +154,20 @@ function choiceControl({ options, value, set, ...given }) {
 function wordControl(name) {
   const { allowed, source } = content.inputs[name];
   return choiceControl({
-    id: `input-${name}`,
+    ...inputControl(name),
     label: inputWords(name),
     hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
-    options: allowed.map((word) => [String(word), OFFSETS[word] ?? spaced(word)]),
-    value: () => String(currentInputs()[name]),
-    changed: () => name in state.inputs,
+    options: allowed.map((word) => [word, OFFSETS[word] ?? spaced(word)]),
+    value: () => currentInputs()[name],
     set: (word) => setInputs({ [name]: inputNamed(name, word) }),
-    back: () => setInputs({ [name]: undefined }),
   });
 }
 
 // All inputs of a calibrated interpretation at once.
 function presetControl() {
   const { interpretations, interpretation } = content;
-  const isChosen = (name) =>
-    Object.entries(interpretations[name]).every(([input, value]) => currentInputs()[input] === value);
-  const chosen = () => Object.keys(interpretations).find(isChosen) ?? "";
+  const isChosen = ([, inputs]) => Object.entries(inputs).every(([name, value]) => currentInputs()[name] === value);
+  const chosen = () => Object.entries(interpretations).find(isChosen)?.[0] ?? "";
   return choiceControl({
     id: "interpretation",
     label: "Calibrated inputs",

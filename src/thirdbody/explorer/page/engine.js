@@ -27,17 +27,13 @@ const engineOf = remembered((inputs) => {
     if (name !== OVER_TWO_BODY) return condition[name] ?? found[name];
     return found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
   };
-  return {
-    model,
-    newtonsPerLoad,
-    loads,
-    contact,
-    curve,
-    // the state at all five conditions, the load in newtons
-    state: ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad),
-    // two variables of a state at a condition
-    pointOf: (x, y, found, condition) => ({ x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found }),
+  // two variables of a state at a condition
+  const pointOf = (x, y, found, condition) => {
+    return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
   };
+  // the state at all five conditions, the load in newtons
+  const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
+  return { model, newtonsPerLoad, loads, contact, curve, pointOf, state };
 }, 100);
 
 export const defaultEngine = () => engineOf(defaultInputs);

@@ -16,11 +16,8 @@ const DOTTED = "1.5 2.5";
 export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) => [id, { verdict, measured }]));
 
 // a spec of a chart; what is not given is empty
-export const specOf = (given) => ({
-  ...{ letter: "", newtonsPerLoad: null, lines: [], ghosts: [], ranges: [], printed: [] },
-  ...{ stars: [], measured: [], locus: false, areas: [], borders: [] },
-  ...given,
-});
+const EMPTY = { letter: "", lines: [], ghosts: [], ranges: [], printed: [], stars: [], measured: [], areas: [], borders: [] };
+export const specOf = (given) => ({ ...EMPTY, ...given });
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));

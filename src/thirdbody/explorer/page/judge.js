@@ -24,13 +24,11 @@ const TURNING_POINT = {
   turning_point_solid_load_fraction: (point) => point.solid_load_fraction,
   turning_point_solid_load: (point) => point.solid_load_fraction * point.load,
 };
-const NO_TURNING_POINT = { load: NaN, particle_contact_area_ratio: NaN, solid_load_fraction: NaN };
 const log = (values) => values.map((value) => Math.log(Math.max(value, TINY)));
 const negated = (values) => values.map((value) => -value);
 const most = (values) => Math.max(...values); // NaN if one is
 const least = (values) => Math.min(...values);
 const difference = (a, b) => a.map((value, i) => value - b[i]);
-const last = (values) => values[values.length - 1];
 
 const NOT_REACHED = new Error("no load of the curve is within the bounds of the statement");
 
@@ -43,8 +41,13 @@ class Course {
     this.solid_load = this.load.map((load, i) => load * this.solid_load_fraction[i]);
   }
 
+  // between the neighbours of each point, whose steps are equal
   get total_contact_area_slope() {
-    return gradient(log(this.total_contact_area), this.load.map(Math.log));
+    const [x, y] = [this.load.map(Math.log), log(this.total_contact_area)];
+    return y.map((_, i) => {
+      const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
+      return (y[after] - y[before]) / (x[after] - x[before]);
+    });
   }
 
   // The variable `name` where the variable `against` has the values x, NaN beyond the curve.
@@ -65,14 +68,6 @@ class Course {
   }
 }
 
-// Slopes between the neighbours of each point, whose steps are equal.
-function gradient(y, x) {
-  return y.map((_, i) => {
-    const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
-    return (y[after] - y[before]) / (x[after] - x[before]);
-  });
-}
-
 // What statements are judged on, between two normal loads [N].
 export function evidenceOf(model, newtons) {
   const ends = newtons.map((force) => force / model.newtonsPerLoad);
@@ -83,7 +78,7 @@ export function evidenceOf(model, newtons) {
     turningPoint: remembered((condition) => {
       const separations = states(condition).map(({ separation }) => separation);
       const found = highestMaximum(model.contact(condition), separations);
-      return found && found.prominence > 0 ? found : { ...NO_TURNING_POINT, prominence: 0 };
+      return found?.prominence > 0 ? found : { prominence: 0 };
     }),
     window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...ends)),
   };
@@ -138,7 +133,7 @@ function measure(claim, evidence) {
 // A load beyond the last one is known to be larger, and no more.
 function isWithinTheLoads(claim, evidence) {
   if (claim.quantity !== "load" && !(claim.quantity in BETWEEN_CURVES)) return true;
-  const end = last(evidence.curve(claim.curves[0]).load);
+  const end = evidence.curve(claim.curves[0]).load.at(-1);
   if (claim.quantity === "bend_load_over_mixed_load") {
     return most([...bendLoads(claim, evidence), ...mixedLoads(claim, evidence)]) < end;
   }
@@ -310,7 +305,7 @@ function table(claim, evidence, group, quantity = claim.quantity) {
   if (claim.against !== "load") {
     const spans = curves.map((curve) => d3.extent(curve[claim.against]));
     const [low, high] = [most(spans.map((span) => span[0])), least(spans.map((span) => span[1]))];
-    const asked = last(curves).at(claim.against, x);
+    const asked = curves.at(-1).at(claim.against, x);
     x = asked.map((value) => Math.min(Math.max(value, low), high));
   }
   return [x, curves.map((curve) => curve.at(quantity, x, claim.against))];
@@ -320,7 +315,7 @@ function table(claim, evidence, group, quantity = claim.quantity) {
 function loadsOf(claim, curves, bounded, model) {
   const { load, load_min = 0, load_max_N = Infinity, load_max, ...others } = claim.limits;
   if (load !== undefined) return [load];
-  const grid = last(curves);
+  const grid = curves.at(-1);
   const limits = Object.entries(others).map(([key, limit]) => {
     const [, name, end] = key.match(/^(.*?)(_min|_max)?$/);
     return { name, end, limit };
@@ -332,7 +327,7 @@ function loadsOf(claim, curves, bounded, model) {
   }
   const low = most([load_min, ...curves.map((curve) => curve.load[0])]);
   const heaviest = load_max ?? load_max_N / model.newtonsPerLoad;
-  const high = least([heaviest, ...curves.map((curve) => last(curve.load))]);
+  const high = least([heaviest, ...curves.map((curve) => curve.load.at(-1))]);
   if (!(low < high)) throw NOT_REACHED;
   const loads = [low, ...grid.load.filter((each) => each > low && each < high), high];
   if (!limits.length) return loads;
@@ -358,25 +353,25 @@ function firstFall(loads, values) {
 
 // --- by how much a course of values misses what its name says ---
 
-const runningLeast = (values) => {
-  let low = Infinity;
+// The least, or the most, of the values up to each.
+function running(pick, values) {
+  let found = values[0];
   return values.map((value) => {
-    low = Math.min(low, value);
-    return low;
+    found = pick(found, value);
+    return found;
   });
-};
-const runningMost = (values) => negated(runningLeast(negated(values)));
+}
 
 function riseMiss(values, step) {
-  const relapse = most(difference(runningMost(values), values));
-  return most([relapse, 2 * step - (last(values) - values[0])]);
+  const relapse = most(difference(running(Math.max, values), values));
+  return most([relapse, 2 * step - (values.at(-1) - values[0])]);
 }
 
 // Height of the most prominent maximum above the lowest values on its two sides.
 function peakHeight(values) {
-  const left = difference(values, runningLeast(values));
-  const right = difference(values, d3.reverse(runningLeast(d3.reverse(values))));
-  return most(left.map((value, i) => Math.min(value, right[i])));
+  const left = running(Math.min, values);
+  const right = d3.reverse(running(Math.min, d3.reverse(values)));
+  return most(values.map((value, i) => value - Math.max(left[i], right[i])));
 }
 
 const peakMiss = (values, step) => 2 * step - peakHeight(values);

@@ -1,7 +1,7 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
-import { axes, change, content, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
-import { makeControls, newtonsText, updateControls } from "./controls.js";
+import { axes, change, content, currentInputs, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
+import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
 import { mapKey, mapView } from "./map.js";
@@ -27,9 +27,8 @@ const CAPTIONS = {
     "Surfaces and particles are drawn at random, always the same, from the distributions that the model assumes, " +
     "at the separation that it finds.",
 };
-const statements = { filter: $("filter"), list: $("claims"), tally: $("tally") };
 let charts = [];
-let shown = null; // what can be downloaded
+let csv = null; // gives the numbers that are shown, if there are any
 
 // --- values under the pointer ---
 
@@ -62,19 +61,14 @@ const hideTooltip = () => {
 
 // --- drawing ---
 
-function drawCharts(view, name) {
-  const { specs, key } = view;
+function drawCharts(specs) {
   const parent = $("charts");
-  if (charts.length !== specs.length || parent.dataset.kind !== state.view) {
+  if (charts.length !== specs.length) {
     parent.replaceChildren();
-    parent.dataset.kind = state.view;
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
   const widths = charts.map(({ figure }) => widthIn(figure)); // before any of them changes
   specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
-  shown = { csv: () => csvOf(specs), name };
-  showKey(key);
-  return view;
 }
 
 // The key: an entry has a text and a colour with dashes and marker, or a fill.
@@ -90,50 +84,58 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
-// Each draws a view, and returns its heading, notes and, if it has its own, its caption.
+// Each gives the heading, notes and key of a view, and the specs of its charts, or draws it.
 const VIEWS = {
-  figures: () => drawCharts(figureView(), state.figure),
-  axes: () => drawCharts(axesView(), "thirdbody"),
+  figures: figureView,
+  axes: axesView,
   map() {
-    if ($("charts").dataset.kind !== "map") {
-      $("charts").replaceChildren("Solving all points of the map …");
-      $("key").replaceChildren();
-      charts = [];
-      shown = null;
-    }
-    $("charts").dataset.kind = "map";
+    if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
     mapView((spec) => {
       if (state.view !== "map") return;
-      drawCharts({ specs: [spec], key: mapKey() }, "map");
-      shown.csv = () => csvOfMap(spec);
+      drawCharts([spec]);
+      csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
       showToolbar();
     });
     const point = currentPoint();
     const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
     const notes = others.map(({ name }) => conditionWord(name, point[name]));
-    return { heading: "Map of modes and regimes", notes };
+    return { heading: "Map of modes and regimes", notes, key: mapKey() };
   },
-  section() {
-    $("charts").dataset.kind = "section";
-    const notes = [drawSection($("charts"))];
-    showKey(sectionKey());
-    shown = { csv: null, name: "section" };
-    return { heading: "The interface at your conditions", notes };
-  },
+  section: () => ({
+    heading: "The interface at your conditions",
+    notes: [drawSection($("charts"))],
+    key: sectionKey(),
+  }),
 };
 
-let asked = false;
-let addressing = 0;
+// What newtons are: the paper leaves it open.
+const newtonsText = () =>
+  "In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; " +
+  `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;
+
 function draw() {
   hideTooltip();
-  const { heading, notes, specs = [], caption = CAPTIONS[state.view] } = VIEWS[state.view]();
-  const hasNewtons = state.view === "map" || specs.some(({ newtonsPerLoad }) => newtonsPerLoad);
+  if ($("charts").dataset.kind !== state.view) {
+    $("charts").dataset.kind = state.view;
+    $("charts").replaceChildren();
+    charts = [];
+    csv = null;
+  }
+  const { heading, notes, key, specs, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  if (specs) {
+    drawCharts(specs);
+    csv = () => csvOf(specs);
+  }
+  showKey(key);
+  const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").textContent = heading;
   $("notes").textContent = notes.join("; ");
   $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
 }
 
+let asked = false;
+let addressing = 0;
 function render() {
   asked = false;
   draw();
@@ -141,19 +143,15 @@ function render() {
   showToolbar();
   showTabs();
   showPoint($("point"));
-  showStatements(statements);
+  showStatements();
   judgeAll(() => {
-    showStatements(statements);
+    showStatements();
     $("claims").dataset.judged = toFragment();
     if (state.view === "figures" && state.claim) draw();
   });
   clearTimeout(addressing);
-  addressing = setTimeout(showAddress, 100); // browsers limit how often it changes
-}
-
-function showAddress() {
-  const fragment = toFragment();
-  if (location.hash.slice(1) !== fragment) history.replaceState(null, "", `#${fragment}`);
+  // browsers limit how often the address changes
+  addressing = setTimeout(() => history.replaceState(null, "", `#${toFragment()}`), 100);
 }
 
 function ask() {
@@ -166,13 +164,15 @@ function ask() {
 // --- tabs and toolbar ---
 
 const tabs = [...$("tabs").children];
-$("tabs").addEventListener("click", ({ target }) => target.dataset.view && change({ view: target.dataset.view }));
-$("tabs").addEventListener("keydown", (event) => {
-  const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!move) return;
-  const tab = tabs[(tabs.indexOf(event.target) + move + tabs.length) % tabs.length];
-  change({ view: tab.dataset.view });
-  tab.focus();
+tabs.forEach((tab, i) => {
+  tab.addEventListener("click", () => change({ view: tab.dataset.view }));
+  tab.addEventListener("keydown", ({ key }) => {
+    const move = { ArrowLeft: -1, ArrowRight: 1 }[key];
+    if (!move) return;
+    const next = tabs.at((i + move) % tabs.length);
+    next.focus();
+    next.click();
+  });
 });
 
 function showTabs() {
@@ -190,16 +190,18 @@ function fillToolbar() {
   const figures = content.figures.map(({ name, title }) => [title.split(". ")[0], name]);
   const options = { figure: figures, y: quantities, x: [...conditions, ...quantities] };
   for (const id of ["by", "map_x", "map_y"]) options[id] = conditions;
+  for (const id of ["x_scale", "y_scale"]) options[id] = [["as usual", "auto"], ["logarithmic", "log"], ["linear", "linear"]];
   for (const [id, texts] of Object.entries(options)) $(id).replaceChildren(...texts.map((each) => new Option(...each)));
 }
 
 $("toolbar").addEventListener("change", ({ target: { id, value } }) =>
   change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
 );
-$("save-csv").addEventListener("click", () => save(`${shown.name}.csv`, "text/csv", shown.csv()));
+const shownName = () => (state.view === "figures" ? state.figure : state.view);
+$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csv()));
 $("save-svg").addEventListener("click", () => {
-  const parts = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
-  save(`${shown.name}.svg`, "image/svg+xml", svgOf(...parts.map((found) => [...found])));
+  const [figures, entries] = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
+  save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
 });
 
 function showToolbar() {
@@ -208,8 +210,8 @@ function showToolbar() {
     const select = label.querySelector("select");
     select.value = state[select.id];
   }
-  $("save-csv").disabled = !shown?.csv;
-  $("save-svg").disabled = !shown;
+  $("save-csv").disabled = !csv;
+  $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
 // --- measured values ---
@@ -255,12 +257,10 @@ $("copy-link").addEventListener("click", async () => {
   try {
     await navigator.clipboard.writeText(link);
     $("live").textContent = $("copy-link").textContent = "Link copied";
+    setTimeout(() => ($("copy-link").textContent = "Copy link"), 1500);
   } catch {
     prompt("The link that restores this page:", link); // where the clipboard is not allowed
   }
-  setTimeout(() => {
-    $("copy-link").textContent = "Copy link";
-  }, 1500);
 });
 $("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => {
@@ -280,7 +280,7 @@ if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) =
 setTheme();
 fillToolbar();
 makeControls($("controls"));
-makeStatements(statements);
+makeStatements();
 onChange(ask);
 fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.

@@ -10,13 +10,7 @@ export const defaultInputs = Object.fromEntries(
 );
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
-export const START = {
-  load: 10,
-  viscosity: 90e-6,
-  particle_diameter: 500e-9,
-  roughness: 300e-9,
-  particle_density: 1e11,
-};
+const START = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
 // What can be chosen; the first is the default.
 const names = axes.map(({ name }) => name);
@@ -87,13 +81,13 @@ export function fromFragment(text) {
     const axis = axes.find(({ key }) => key === name);
     const number = numberIn(word);
     if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
-    if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
+    if (axis && isAllowed(axis.name, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
     if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
   change({ ...found, inputs: chosen(found.inputs) });
 }
 
-export function isAllowed({ name }, value) {
+export function isAllowed(name, value) {
   const positive = name === "load" || name === "roughness";
   return Number.isFinite(value) && (positive ? value > 0 : value >= 0);
 }
