@@ -17,35 +17,33 @@ export const updateControls = () => updates.forEach((update) => update());
 
 export function makeControls(form) {
   form.addEventListener("submit", (event) => event.preventDefault());
-  const named = Object.entries(content.inputs);
-  const words = named.filter(([, { allowed }]) => allowed);
-  const isPrinted = ({ source, bounds }) => PRINTED.includes(source) && !bounds;
-  const [printed, others] = [true, false].map((wanted) =>
-    named.filter(([, input]) => !input.allowed && isPrinted(input) === wanted),
-  );
-  const controls = (inputs, control) => inputs.map(([name]) => control(name));
+  const names = d3.group(Object.keys(content.inputs), kindOf);
+  const controls = (kind, control) => (names.get(kind) ?? []).map(control);
   group(form, "Conditions", axes.map(conditionControl));
-  group(form, "Interpretation of the paper", [presetControl(), ...controls(words, wordControl)]);
-  group(form, "Inputs that the paper does not print", controls(others, numberControl));
-  group(form, "Materials, film and ball", controls(printed, numberControl), false);
+  group(form, "Interpretation of the paper", [presetControl(), ...controls("word", wordControl)]);
+  group(form, "Inputs that the paper does not print", controls("unknown", numberControl));
+  group(form, "Materials, film and ball", controls("printed", numberControl), false);
   updateControls();
 }
 
+function kindOf(name) {
+  const { allowed, bounds, source } = content.inputs[name];
+  if (allowed) return "word";
+  return PRINTED.includes(source) && !bounds ? "printed" : "unknown";
+}
+
 function group(form, title, controls, open = true) {
-  const details = Object.assign(document.createElement("details"), { open });
-  details.innerHTML = `<summary>${title}</summary>`;
-  details.append(...controls);
-  form.append(details);
+  const details = d3.select(form).append("details").property("open", open);
+  details.append("summary").text(title);
+  details.node().append(...controls);
 }
 
 // A control with a button that goes back to the default, where it has been changed.
 function controlOf({ id, label, hint, changed, back }, markup) {
-  const control = Object.assign(document.createElement("div"), { className: "control", title: hint });
-  control.innerHTML = `<label for="${id}">${label}</label>${markup}`;
-  const button = control.querySelector(".back");
-  button.setAttribute("aria-label", `default of ${control.querySelector("label").textContent}`);
-  button.addEventListener("click", back);
-  updates.push(() => control.classList.toggle("changed", changed()));
+  const control = d3.create("div").attr("class", "control").attr("title", hint);
+  control.html(`<label for="${id}">${label}</label>${markup}`);
+  control.select(".back").attr("aria-label", `default of ${control.select("label").text()}`).on("click", back);
+  updates.push(() => control.classed("changed", changed()));
   return control;
 }
 
@@ -58,9 +56,9 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
     <small class="note">${note}</small>`,
   );
-  const [field, slider] = control.querySelectorAll("input");
+  const [field, slider] = control.selectAll("input").nodes();
   scale.range([0, STEPS]).clamp(true);
-  slider.setAttribute("aria-label", `${control.querySelector("label").textContent}, slider`);
+  slider.setAttribute("aria-label", `${control.select("label").text()}, slider`);
   slider.addEventListener("input", () => set(Number(scale.invert(slider.value).toPrecision(digits))));
   field.addEventListener("change", () => {
     field.setCustomValidity(set(numberIn(field.value)) ? "" : given.hint);
@@ -73,7 +71,7 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
     field.value = significant(value(), 5);
     field.setCustomValidity("");
   });
-  return control;
+  return control.node();
 }
 
 const rangeText = (ends, factor = 1) => ends.map((end) => readable(end / factor)).join(" to ");
@@ -140,15 +138,11 @@ function ensembleText(name, factor) {
 
 // A list of words to choose from.
 function choiceControl({ options, value, set, ...given }) {
-  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`);
-  control.classList.add("wide");
-  const select = control.querySelector("select");
-  select.append(...options.map(([word, text]) => new Option(text, word)));
-  select.addEventListener("change", () => set(select.value));
-  updates.push(() => {
-    select.value = value();
-  });
-  return control;
+  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`).classed("wide", true);
+  const select = control.select("select").on("change", (event) => set(event.target.value));
+  select.node().append(...options.map(([word, text]) => new Option(text, word)));
+  updates.push(() => select.property("value", value()));
+  return control.node();
 }
 
 function wordControl(name) {

@@ -16,41 +16,37 @@ export function curveOf(contact, low, high, count = 80) {
   return states;
 }
 
-const ratioAt = (contact, d) => {
-  const { particles, summits } = contact.solids(d);
-  return particles / (particles + summits);
-};
-
-// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, or null.
+// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, if there is one.
 // A_sa,t* depends on the separation alone: `separations` fall.
 export function highestMaximum(contact, separations) {
-  if (contact.twoBody) return null;
-  const ratios = separations.map((d) => ratioAt(contact, d));
-  let best = null;
-  for (let i = 1; i < ratios.length - 1; i++) {
-    if (!(ratios[i] > ratios[i - 1] && ratios[i] >= ratios[i + 1])) continue;
-    const d = maximum((x) => ratioAt(contact, x), separations[i + 1], separations[i - 1]);
+  if (contact.twoBody) return undefined;
+  const ratioAt = (d) => {
+    const { particles, summits } = contact.solids(d);
+    return particles / (particles + summits);
+  };
+  const ratios = separations.map(ratioAt);
+  const isPeak = (i) => ratios[i] > ratios[i - 1] && ratios[i] >= ratios[i + 1];
+  const peaks = d3.range(1, ratios.length - 1).filter(isPeak).map((i) => {
+    const d = maximum(ratioAt, separations[i + 1], separations[i - 1]);
     const lowest = Math.max(Math.min(...ratios.slice(0, i)), Math.min(...ratios.slice(i + 1)));
-    const prominence = ratioAt(contact, d) - lowest;
-    if (!best || prominence > best.prominence) best = { d, prominence };
-  }
+    return { d, prominence: ratioAt(d) - lowest };
+  });
+  const best = d3.greatest(peaks, ({ prominence }) => prominence);
   return best && { ...contact.at(best.d, contact.loadAt(best.d)), prominence: best.prominence };
 }
 
-// The same between two loads F_t*.
-function highestMaximumBetween(contact, low, high) {
-  const [far, near] = [low, high].map((load) => contact.solve(load).separation);
-  if (Number.isNaN(near)) return null;
-  const step = (near - far) / (SEPARATIONS - 1);
-  return highestMaximum(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+// The turning point of the contact area: a maximum that stands out enough.
+export function turningPointOf(contact, separations) {
+  const found = highestMaximum(contact, separations);
+  return found?.prominence >= PROMINENCE ? found : undefined;
 }
 
-// The turning point of the contact area, or null: a maximum that stands out enough.
-const prominent = (found) => (found && found.prominence >= PROMINENCE ? found : null);
-export const turningPointOf = (contact, states) =>
-  prominent(highestMaximum(contact, states.map(({ separation }) => separation)));
-export const turningPointBetween = (contact, low, high) =>
-  prominent(highestMaximumBetween(contact, low, high));
+// The same between two loads F_t*.
+export function turningPointBetween(contact, low, high) {
+  const [far, near] = [low, high].map((load) => contact.solve(load).separation);
+  const step = (near - far) / (SEPARATIONS - 1);
+  return turningPointOf(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+}
 
 // Where a function with one maximum has it, by thirds.
 function maximum(f, low, high) {
@@ -67,7 +63,7 @@ export function turningWindow(model, roughness, density, low, high) {
   const turns = (ratio) => {
     const condition = { viscosity: 0, roughness, particle_density: density };
     const contact = model.contact({ ...condition, particle_diameter: ratio * roughness });
-    return turningPointBetween(contact, low, high) !== null;
+    return turningPointBetween(contact, low, high) !== undefined;
   };
   const inside = d3.range(RATIOS.length).filter((i) => turns(RATIOS[i]));
   if (!inside.length) return [NaN, NaN];

@@ -6,17 +6,17 @@ import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
 const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
-export const NEWTONS = axes[0].range;
 export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 
-const engineOf = remembered((inputs) => {
+export const engineOf = remembered((inputs) => {
   const model = modelOf(inputs);
   const { newtonsPerLoad } = model;
-  const loads = NEWTONS.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
+  const loads = axes[0].range.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
   const contact = remembered(model.contact);
   const curve = remembered((condition) => {
     const states = curveOf(contact(condition), ...loads);
-    return { condition, states, turningPoint: turningPointOf(contact(condition), states) };
+    const separations = states.map(({ separation }) => separation);
+    return { condition, states, turningPoint: turningPointOf(contact(condition), separations) };
   });
   // A_t* of dry contact without particles on the same surface
   const twoBodyArea = remembered(
@@ -39,7 +39,6 @@ const engineOf = remembered((inputs) => {
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
-export const turningPointUnder = (inputs, condition) => engineOf(inputs).curve(condition).turningPoint;
 
 // A value along an axis, at a part from 0 to 1 of the way between two ends [SI; the load in newtons].
 export function placeAlong(name, [low, high], part) {

@@ -68,19 +68,18 @@ class Course {
   }
 }
 
-// What statements are judged on, between two normal loads [N].
-export function evidenceOf(model, newtons) {
-  const ends = newtons.map((force) => force / model.newtonsPerLoad);
-  const states = remembered((condition) => curveOf(model.contact(condition), ...ends, LOADS));
+// What statements are judged on.
+export function evidenceOf({ model, contact, loads, newtonsPerLoad }) {
+  const states = remembered((condition) => curveOf(contact(condition), ...loads, LOADS));
   return {
-    model,
+    newtonsPerLoad,
     curve: remembered((condition) => new Course(states(condition))),
     turningPoint: remembered((condition) => {
       const separations = states(condition).map(({ separation }) => separation);
-      const found = highestMaximum(model.contact(condition), separations);
+      const found = highestMaximum(contact(condition), separations);
       return found?.prominence > 0 ? found : { prominence: 0 };
     }),
-    window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...ends)),
+    window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...loads)),
   };
 }
 
@@ -301,7 +300,7 @@ function departureSharpness(claim, evidence) {
 function table(claim, evidence, group, quantity = claim.quantity) {
   const curves = group.map(evidence.curve);
   const bounded = claim.references.length ? curves.slice(1) : curves;
-  let x = loadsOf(claim, curves, bounded, evidence.model);
+  let x = loadsOf(claim, curves, bounded, evidence);
   if (claim.against !== "load") {
     const spans = curves.map((curve) => d3.extent(curve[claim.against]));
     const [low, high] = [most(spans.map((span) => span[0])), least(spans.map((span) => span[1]))];
@@ -312,7 +311,7 @@ function table(claim, evidence, group, quantity = claim.quantity) {
 }
 
 // The loads that a statement refers to: the one that it names, or all within its bounds.
-function loadsOf(claim, curves, bounded, model) {
+function loadsOf(claim, curves, bounded, { newtonsPerLoad }) {
   const { load, load_min = 0, load_max_N = Infinity, load_max, ...others } = claim.limits;
   if (load !== undefined) return [load];
   const grid = curves.at(-1);
@@ -326,7 +325,7 @@ function loadsOf(claim, curves, bounded, model) {
     return [firstFall(grid.load, excess)];
   }
   const low = most([load_min, ...curves.map((curve) => curve.load[0])]);
-  const heaviest = load_max ?? load_max_N / model.newtonsPerLoad;
+  const heaviest = load_max ?? load_max_N / newtonsPerLoad;
   const high = least([heaviest, ...curves.map((curve) => curve.load.at(-1))]);
   if (!(low < high)) throw NOT_REACHED;
   const loads = [low, ...grid.load.filter((each) => each > low && each < high), high];

@@ -1,11 +1,12 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
-import { axes, change, content, currentInputs, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
+import { CHOICES, axes, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
+import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
-import { mapKey, mapView } from "./map.js";
-import { drawSection, sectionKey } from "./section.js";
+import { MAP_KEY, mapView } from "./map.js";
+import { SECTION_KEY, drawSection } from "./section.js";
 import { chartIn, markerShape, widthIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint } from "./point.js";
@@ -13,19 +14,16 @@ import { judgeAll, judgedUnder, makeStatements, showStatements } from "./stateme
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
 import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
-import { modelOf } from "./model.js";
-import { turningPointUnder } from "./engine.js";
+import { engineOf } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
   axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
-  map:
-    "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes. " +
-    "Heavy line: turning points of the contact area. The cross is at your conditions.",
-  section:
-    "Surfaces and particles are drawn at random, always the same, from the distributions that the model assumes, " +
-    "at the separation that it finds.",
+  map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes.
+    Heavy line: turning points of the contact area. The cross is at your conditions.`,
+  section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
+    assumes, at the separation that it finds.`,
 };
 let charts = [];
 let csv = null; // gives the numbers that are shown, if there are any
@@ -100,13 +98,9 @@ const VIEWS = {
     const point = currentPoint();
     const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
     const notes = others.map(({ name }) => conditionWord(name, point[name]));
-    return { heading: "Map of modes and regimes", notes, key: mapKey() };
+    return { heading: "Map of modes and regimes", notes, key: MAP_KEY };
   },
-  section: () => ({
-    heading: "The interface at your conditions",
-    notes: [drawSection($("charts"))],
-    key: sectionKey(),
-  }),
+  section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
 };
 
 // What newtons are: the paper leaves it open.
@@ -134,10 +128,10 @@ function draw() {
   $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
 }
 
-let asked = false;
+let asked = 0;
 let addressing = 0;
 function render() {
-  asked = false;
+  asked = 0;
   draw();
   updateControls();
   showToolbar();
@@ -156,9 +150,7 @@ function render() {
 
 function ask() {
   $("claims").dataset.judged = "not yet";
-  if (asked) return;
-  asked = true;
-  requestAnimationFrame(render);
+  asked ||= requestAnimationFrame(render);
 }
 
 // --- tabs and toolbar ---
@@ -184,14 +176,12 @@ function showTabs() {
   $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
 }
 
-function fillToolbar() {
-  const quantities = content.quantities.map((name) => [`${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`, name]);
-  const conditions = axes.map(({ name }) => [`${wordOf(name)} ${letterOf(name)}`, name]);
-  const figures = content.figures.map(({ name, title }) => [title.split(". ")[0], name]);
-  const options = { figure: figures, y: quantities, x: [...conditions, ...quantities] };
-  for (const id of ["by", "map_x", "map_y"]) options[id] = conditions;
-  for (const id of ["x_scale", "y_scale"]) options[id] = [["as usual", "auto"], ["logarithmic", "log"], ["linear", "linear"]];
-  for (const [id, texts] of Object.entries(options)) $(id).replaceChildren(...texts.map((each) => new Option(...each)));
+const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
+const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
+const TEXTS = { ...FIGURES, ...SCALES, own: "as it is", over_two_body: "over dry two-body" };
+for (const select of $("toolbar").querySelectorAll("select")) {
+  const text = (value) => TEXTS[value] ?? `${wordOf(value)} ${plainSymbol(letterOf(value))}`;
+  select.replaceChildren(...CHOICES[select.id].map((value) => new Option(text(value), value)));
 }
 
 $("toolbar").addEventListener("change", ({ target: { id, value } }) =>
@@ -236,7 +226,7 @@ addEventListener("drop", (event) => {
   addMeasured(event.dataTransfer.files);
 });
 
-// --- theme, link, print ---
+// --- theme, print, address, width ---
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 function setTheme() {
@@ -252,16 +242,6 @@ addEventListener("beforeprint", () => {
   draw();
 });
 addEventListener("afterprint", setTheme);
-$("copy-link").addEventListener("click", async () => {
-  const link = `${location.href.split("#")[0]}#${toFragment()}`;
-  try {
-    await navigator.clipboard.writeText(link);
-    $("live").textContent = $("copy-link").textContent = "Link copied";
-    setTimeout(() => ($("copy-link").textContent = "Copy link"), 1500);
-  } catch {
-    prompt("The link that restores this page:", link); // where the clipboard is not allowed
-  }
-});
 $("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => {
   if (location.hash.slice(1) !== toFragment()) fromFragment(location.hash);
@@ -278,7 +258,6 @@ for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
 $("measured").hidden = true;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 setTheme();
-fillToolbar();
 makeControls($("controls"));
 makeStatements();
 onChange(ask);
@@ -286,7 +265,7 @@ fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.
 globalThis.thirdbody = {
   inputs: defaultInputs,
-  solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),
-  turningPoint: turningPointUnder,
+  solve: (inputs, condition, load) => engineOf(inputs).contact(condition).solve(load),
+  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint ?? null,
   judge: judgedUnder,
 };

@@ -5,7 +5,7 @@ import { currentEngine, inSlices, placeAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./figures.js";
-import { LIMITS } from "./model.js";
+import { LIMITS, remembered } from "./model.js";
 import { CROSS } from "./chart.js";
 import { MODE_TEXT, wordOf } from "./names.js";
 
@@ -42,8 +42,10 @@ function* mapSteps(done) {
   const pointAt = ([i, j]) => ({ ...point, [x]: valueAt(x, i), [y]: valueAt(y, j) });
   const stateAt = (place) => engine.state(pointAt(place));
   const cornerAt = ([i, j, onBorder]) => ({ x: valueAt(x, i), y: valueAt(y, j), onBorder });
-  const turningLoadAt = ({ load, ...condition }) =>
-    turningPointBetween(engine.contact(condition), ...engine.loads)?.normal_load ?? NaN;
+  const turningLoad = remembered((condition) => {
+    const found = turningPointBetween(engine.contact(condition), ...engine.loads);
+    return found?.normal_load ?? NaN;
+  }, CELLS.length);
 
   const cells = [];
   for (const cell of CELLS) {
@@ -59,18 +61,13 @@ function* mapSteps(done) {
     }
     layers.push({ ...look, rings });
   }
-  // the turning points of all cells, or, where the load is on an axis, of all places along the other one
-  const hasLoad = x === "load" || y === "load";
-  const turning = [];
-  for (const place of hasLoad ? d3.zip(PLACES, PLACES) : CELLS) {
-    const at = pointAt(place);
-    const load = turningLoadAt(at);
-    turning.push({ x: at[x], y: at[y], [x === "load" ? "x" : "y"]: load, load, onBorder: load > 0 });
+  const above = []; // by how much the turning point of each cell is above its load, in logarithms
+  for (const cell of CELLS) {
+    const { load, ...condition } = pointAt(cell);
+    above.push(Math.log(turningLoad(condition) / load));
     yield;
   }
-  const turns = hasLoad
-    ? [turning]
-    : ringsAround(turning.map(({ load }) => Math.log(load)), Math.log(point.load)).map((ring) => ring.map(cornerAt));
+  const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
   const axisOver = (name) => ({
     name: name === "load" ? "normal_load" : name,
     log: name === "load" || name === "particle_density",
@@ -113,7 +110,7 @@ function refined([i, j, onBorder], isEnclosed) {
 }
 
 // What the colours and lines of the map mean.
-export const mapKey = () => [
+export const MAP_KEY = [
   ...MODE_TEXT.map((text, mode) => ({ text, fill: FILLS[mode] })),
   { text: `boundary to mixed, L_s = ${LIMITS.boundary}`, color: "var(--accent)", dash: BOUNDARY_DASH },
   { text: `mixed to full film, L_s = ${LIMITS.full_film}`, color: "var(--accent)", dash: FULL_FILM_DASH },

@@ -164,9 +164,6 @@ function momentTable({ truncation: most }, { square, least }) {
 // Mean of alpha over all particles, whose sizes are m + alpha x_a spread_ratio.
 const meanOf = ({ truncation: most }, { least }) => (normal(least) - normal(most)) / integral(normal, least, most);
 
-// Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
-const ELASTIC_SIDE = { printed: -1, physical: 1 };
-
 // of Eqs. 4 and 5
 function elasticFactor(inputs) {
   const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
@@ -236,7 +233,8 @@ export function modelOf(inputs) {
   const moment = momentTable(inputs, sizes);
   const meanSize = meanOf(inputs, sizes);
   const factor = elasticFactor(inputs);
-  const side = ELASTIC_SIDE[inputs.elastic_limits];
+  // how much sizes above d and above d + side h_e count in the brackets of Eqs. 4 and 5
+  const side = inputs.elastic_limits === "printed" ? -1 : 1;
   const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
   const contacting = inputs.coverage_limits === "contacting";
   const wRatio = inputs.apparent_area / inputs.ball_radius ** 2; // W/F*

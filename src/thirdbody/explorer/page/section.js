@@ -131,7 +131,7 @@ export function drawSection(parent) {
   return words;
 }
 
-export const sectionKey = () => [
+export const SECTION_KEY = [
   { text: "surfaces", fill: "var(--solid)" },
   { text: "film", fill: "var(--oil)" },
   { text: "particle that carries load", fill: "var(--fails)" },

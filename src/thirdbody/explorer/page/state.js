@@ -5,37 +5,35 @@ import { numberIn, significant } from "./text.js";
 export const content = JSON.parse(document.getElementById("content").textContent);
 export const axes = content.axes; // load, then the four conditions of a curve
 export const conditionAxes = axes.slice(1);
-export const defaultInputs = Object.fromEntries(
-  Object.entries(content.inputs).map(([name, { value }]) => [name, value]),
-);
+export const defaultInputs = Object.fromEntries(Object.entries(content.inputs).map(([name, { value }]) => [name, value]));
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
 const START = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
-// What can be chosen; the first is the default.
+// What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
 const SCALES = ["auto", "log", "linear"];
-const CHOICES = {
+export const CHOICES = {
   view: ["figures", "axes", "map", "section"],
-  figure: [...figures.filter((name) => name === "fig11"), ...figures],
+  figure: figures,
   x: [...names, ...content.quantities],
-  y: ["particle_contact_area_ratio", ...content.quantities],
-  by: ["particle_diameter", ...names],
+  y: content.quantities,
+  by: names,
   map_x: names,
-  map_y: ["particle_diameter", ...names],
+  map_y: names,
   x_scale: SCALES,
   y_scale: SCALES,
   area: ["own", "over_two_body"],
   claim: ["", ...content.claims.map(({ id }) => id)],
   show: ["here", "all", "fails", "changed"],
 };
-
-const fresh = () => ({
+const DEFAULTS = {
   ...Object.fromEntries(Object.entries(CHOICES).map(([name, [first]]) => [name, first])),
-  conditions: {},
-  inputs: {},
-});
+  ...{ y: "particle_contact_area_ratio", by: "particle_diameter", map_y: "particle_diameter" },
+  figure: figures.find((name) => name === "fig11") ?? figures[0],
+};
+const fresh = () => ({ ...DEFAULTS, conditions: {}, inputs: {} });
 export const state = fresh();
 const listeners = [];
 export const onChange = (listener) => listeners.push(listener);
@@ -57,15 +55,13 @@ export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...START, ...state.conditions });
 
-export const axisNamed = (name) => axes.find((axis) => axis.name === name);
+const axisNamed = (name) => axes.find((axis) => axis.name === name);
 export const toUnit = (name, value) => value / axisNamed(name).scale;
 export const fromUnit = (name, value) => Number((value * axisNamed(name).scale).toPrecision(12));
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const [name, [first]] of Object.entries(CHOICES)) {
-    if (state[name] !== first) given.set(name, state[name]);
-  }
+  for (const name of Object.keys(CHOICES)) if (state[name] !== DEFAULTS[name]) given.set(name, state[name]);
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }

@@ -1,10 +1,9 @@
 // The paper's statements with their verdicts under the inputs and conditions of the page.
 
 import { change, conditionAxes, content, state } from "./state.js";
-import { NEWTONS, currentEngine, inSlices } from "./engine.js";
+import { currentEngine, engineOf, inSlices } from "./engine.js";
 import { evidenceOf, judge, replacedConditions } from "./judge.js";
 import { verdicts } from "./figures.js";
-import { modelOf } from "./model.js";
 import { spaced, valueText, wordOf } from "./names.js";
 import { escaped, readable } from "./text.js";
 
@@ -46,7 +45,7 @@ export function judgeAll(done) {
   judged = key;
   finished = false;
   function* steps(changes) {
-    const evidence = evidenceOf(currentEngine().model, NEWTONS);
+    const evidence = evidenceOf(currentEngine());
     const isDefault = key === JSON.stringify([{}, {}]);
     for (const claim of d3.sort(content.claims, (each) => !isHere(each))) {
       verdicts.set(claim.id, isDefault ? original.get(claim.id) : judge(claim, evidence, changes));
@@ -60,7 +59,7 @@ export function judgeAll(done) {
 
 // Verdicts on all statements under any inputs, by their ids.
 export function judgedUnder(inputs) {
-  const evidence = evidenceOf(modelOf(inputs), NEWTONS);
+  const evidence = evidenceOf(engineOf(inputs));
   return Object.fromEntries(content.claims.map((claim) => [claim.id, judge(claim, evidence)]));
 }
 
