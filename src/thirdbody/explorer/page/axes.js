@@ -2,7 +2,7 @@
 
 import { axes, currentPoint, state } from "./state.js";
 import { currentEngine, placesAlong } from "./engine.js";
-import { DASHED, axisFor, shade } from "./chart.js";
+import { axisFor, levelStyle } from "./chart.js";
 import { specOf, starsOf, yName } from "./figures.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionText, conditionWord } from "./names.js";
@@ -24,12 +24,12 @@ export function axesView() {
   const along = axes.some(({ name }) => name === x) ? x : "load";
   const others = LEVELS[by].filter((level) => Math.abs(level - point[by]) > 1e-9 * point[by]);
   const levels = by === along ? [point[by]] : d3.sort([...others, point[by]]);
-  const lines = levels.map((level, rank) => {
+  const lines = levels.map((level) => {
     const at = { ...point, [by]: level };
     return {
       label: by === along ? conditionText(point, [along]) : conditionWord(by, level),
       ...(along === "load" ? curveOverLoad(x, y, at, engine) : curveAlong(x, y, at, engine)),
-      ...styleOf(level, rank, levels.length, level === point[by]),
+      ...(level === point[by] ? { color: "var(--mine)", mine: true } : levelStyle(level, levels)),
     };
   });
   const measured = measuredPoints(x, y, lines, engine);
@@ -49,12 +49,6 @@ export function axesView() {
   const notes = shared.map(({ name }) => conditionWord(name, point[name]));
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
   return { specs: [spec], key, notes, heading: spec.title };
-}
-
-function styleOf(level, rank, count, mine) {
-  if (mine) return { color: "var(--mine)", mine };
-  if (level === 0) return { color: "var(--ink)", dash: DASHED };
-  return { color: shade(rank / Math.max(count - 1, 1)), marker: rank };
 }
 
 function curveOverLoad(x, y, { load, ...condition }, engine) {

@@ -23,9 +23,16 @@ const MOVES = {
   ...{ Home: [0, -Infinity], End: [0, Infinity] },
 };
 
-export const isDark = () => document.documentElement.dataset.theme === "dark";
-// colours of an ordered parameter, which differ in lightness too
-export const shade = (part) => d3.interpolateViridis(isDark() ? 0.28 + 0.72 * part : 0.86 * part);
+const isDark = () => document.documentElement.dataset.theme === "dark";
+
+// Colour, which differs in lightness too, and marker of a curve at one of several levels of a condition.
+export function levelStyle(level, levels) {
+  if (level === 0) return { color: "var(--ink)", dash: DASHED };
+  const rank = levels.indexOf(level);
+  const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
+  return { color: d3.interpolateViridis(isDark() ? 0.28 + 0.72 * part : 0.86 * part), marker: rank };
+}
+
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
 

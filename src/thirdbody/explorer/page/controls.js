@@ -2,7 +2,7 @@
 
 import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
 import { fromUnit, inputNamed, isAllowed, setCondition, setInputs, toUnit } from "./state.js";
-import { inputWords, letterOf, spaced, unitOf, wordOf } from "./names.js";
+import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant } from "./text.js";
 
 const STEPS = 1000; // of a slider
@@ -77,9 +77,8 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
 const rangeText = (ends, factor = 1) => ends.map((end) => readable(end / factor)).join(" to ");
 
 function conditionControl({ name, range: [low, high] }) {
-  const log = name === "load" || name === "particle_density";
   // a little beyond the paper's range
-  const ends = log ? [low / 4, 4 * high] : [0.3 * low, 1.3 * high];
+  const ends = VARIABLES[name].log ? [low / 4, 4 * high] : [0.3 * low, 1.3 * high];
   const dry = name === "viscosity" ? ", 0 is dry" : "";
   const note = `the paper: ${rangeText([low, high])} ${unitOf(name)}${dry}`;
   return rangeControl({
@@ -88,7 +87,7 @@ function conditionControl({ name, range: [low, high] }) {
     hint: `${wordOf(name)} in ${note}`,
     note,
     unit: unitOf(name),
-    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain(ends),
+    scale: scaleFor(name).domain(ends),
     digits: 3,
     value: () => toUnit(name, currentPoint()[name]),
     changed: () => name in state.conditions,

@@ -2,6 +2,7 @@
 
 import { modelOf, remembered } from "./model.js";
 import { curveOf, turningPointOf } from "./curves.js";
+import { scaleFor } from "./names.js";
 import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
@@ -40,14 +41,11 @@ export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
 export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
 
-// A value along an axis, at a part from 0 to 1 of the way between two ends [SI; the load in newtons].
-export function placeAlong(name, [low, high], part) {
-  const log = name === "load" || name === "particle_density";
-  return log ? low * (high / low) ** part : low + (high - low) * part;
+// Values along an axis between two ends [SI; the load in newtons].
+export function placesAlong(name, ends, count) {
+  const scale = scaleFor(name).domain(ends).range([0, count - 1]);
+  return d3.range(count).map((place) => scale.invert(place));
 }
-
-export const placesAlong = (name, ends, count) =>
-  d3.range(count).map((i) => placeAlong(name, ends, i / (count - 1)));
 
 // Run the steps of a generator in slices, between which the page answers, as long as they are wanted.
 export function inSlices(steps, isWanted) {

@@ -3,7 +3,7 @@
 import { conditionAxes, content, state } from "./state.js";
 import { OVER_TWO_BODY, currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { DASHED, DIAMOND, axisFor, shade } from "./chart.js";
+import { DASHED, DIAMOND, axisFor, levelStyle } from "./chart.js";
 import { curvesOf, referencesOf } from "./judge.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
@@ -77,12 +77,8 @@ function styleOf(parameter, condition, mine, comparesMedia) {
   if (mine) return { color: "var(--mine)" };
   const dry = condition.viscosity === 0;
   if (isTwoBody(condition)) return { color: "var(--two-body)", dash: dry ? DOTTED : null };
-  const level = levelOf(parameter.name, condition);
-  if (level === 0) return { color: "var(--ink)", dash: DASHED };
-  const rank = parameter.levels.indexOf(level);
-  const { length } = parameter.levels;
-  const color = shade(length > 1 ? rank / (length - 1) : 0.3);
-  return comparesMedia && dry ? { color, dash: DASHED } : { color, marker: rank };
+  const style = levelStyle(levelOf(parameter.name, condition), parameter.levels);
+  return comparesMedia && dry ? { color: style.color, dash: DASHED } : style;
 }
 
 function labelOf({ name }, condition) {
@@ -148,27 +144,24 @@ function curveSpec(panel, curves, engine, { claim, changed, paper }) {
   const marked = printed.flatMap(({ at, ends }) => [at, ...ends]);
   const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
   const { load } = state.conditions;
+  const ofPaper = curves.filter(({ mine }) => !mine);
+  const sigmas = distinct(ofPaper.map(({ condition }) => condition.roughness));
+  const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
   return specOf({
     letter: panel.letter,
-    title: VARIABLES[y].words + sharedRoughness(curves),
+    title: VARIABLES[y].words + (sigmas.length > 1 ? "" : `, ${conditionWord("roughness", sigmas[0])}`),
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
     y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...markedY]),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     lines,
     ghosts,
-    ranges: asDrawn && !changed ? rangesOf(panel, curves) : [],
+    ranges: asDrawn && !changed ? ranges.filter(({ points }) => points) : [],
     printed,
     stars: turns ? starsOf(x, y, curves, engine) : [],
     locus: panel.locus,
     measured,
     here: x === "load" && load ? load / engine.newtonsPerLoad : undefined,
   });
-}
-
-// the roughness of all curves of a panel, where they have one in common
-function sharedRoughness(curves) {
-  const [sigma, ...others] = distinct(curves.filter(({ mine }) => !mine).map(({ condition }) => condition.roughness));
-  return others.length ? "" : `, σ = ${valueText("roughness", sigma)}`;
 }
 
 function printedMarks(panel, claim, curves) {
@@ -185,11 +178,6 @@ function printedMarks(panel, claim, curves) {
     };
   });
 }
-
-const rangesOf = (panel, curves) =>
-  curves
-    .filter(({ mine, places: [place] }) => !mine && panel.ranges[place])
-    .map(({ places: [place], color, faded }) => ({ points: panel.ranges[place], color, faded }));
 
 // The turning points of curves.
 export const starsOf = (x, y, curves, engine) =>

@@ -248,21 +248,19 @@ function gaps(claim, evidence) {
 
 // Loads at which two curves part or cross.
 const BETWEEN_CURVES = {
-  total_contact_area_reversal_load: reversalLoads,
+  // load above which the areas increase from curve to curve
+  total_contact_area_reversal_load(claim, evidence) {
+    const [loads, areas] = table(claim, evidence, claim.curves, "total_contact_area");
+    const falling = d3.reverse(loads);
+    const rises = d3.pairs(areas.map(log), (below, above) => d3.reverse(difference(above, below)));
+    return [most(rises.map((gap) => firstFall(falling, gap)))];
+  },
   bend_load: bendLoads,
   bend_load_over_mixed_load(claim, evidence) {
     const mixed = mixedLoads(claim, evidence);
     return bendLoads(claim, evidence).map((load, i) => load / mixed[i]);
   },
 };
-
-// Load above which the areas increase from curve to curve.
-function reversalLoads(claim, evidence) {
-  const [loads, areas] = table(claim, evidence, claim.curves, "total_contact_area");
-  const falling = d3.reverse(loads);
-  const rises = d3.pairs(areas.map(log), (below, above) => d3.reverse(difference(above, below)));
-  return [most(rises.map((gap) => firstFall(falling, gap)))];
-}
 
 // Loads at which the slope of the area has fallen below that of the reference.
 function bendLoads(claim, evidence) {

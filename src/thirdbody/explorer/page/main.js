@@ -53,9 +53,7 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
 
 const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
 
-const hideTooltip = () => {
-  $("tooltip").hidden = true;
-};
+const hideTooltip = () => $("tooltip").setAttribute("hidden", "");
 
 // --- drawing ---
 

@@ -1,13 +1,13 @@
 // The map of modes and regimes over two conditions, with the line of the turning points.
 
 import { currentPoint, state } from "./state.js";
-import { currentEngine, inSlices, placeAlong } from "./engine.js";
+import { currentEngine, inSlices } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { boundary, turningPointBetween } from "./curves.js";
 import { specOf } from "./figures.js";
 import { LIMITS, remembered } from "./model.js";
 import { CROSS } from "./chart.js";
-import { MODE_TEXT, wordOf } from "./names.js";
+import { MODE_TEXT, VARIABLES, ofCondition, scaleFor, wordOf } from "./names.js";
 
 const SIZE = 64; // places along each axis, counted from 0; between them, fractions are conditions too
 const STEPS = 7; // of the search for a border between two places
@@ -37,11 +37,11 @@ export function mapView(done) {
 
 function* mapSteps(done) {
   const [engine, point, x, y] = [currentEngine(), currentPoint(), state.map_x, state.map_y];
-  const ends = Object.fromEntries([x, y].map((name) => [name, shownRange(name, point)]));
-  const valueAt = (name, place) => placeAlong(name, ends[name], Math.min(Math.max(place / (SIZE - 1), 0), 1));
-  const pointAt = ([i, j]) => ({ ...point, [x]: valueAt(x, i), [y]: valueAt(y, j) });
+  const scaleOver = (name) => scaleFor(name).domain(shownRange(name, point)).range([0, SIZE - 1]).clamp(true);
+  const [xScale, yScale] = [scaleOver(x), scaleOver(y)];
+  const pointAt = ([i, j]) => ({ ...point, [x]: xScale.invert(i), [y]: yScale.invert(j) });
   const stateAt = (place) => engine.state(pointAt(place));
-  const cornerAt = ([i, j, onBorder]) => ({ x: valueAt(x, i), y: valueAt(y, j), onBorder });
+  const cornerAt = ([i, j, onBorder]) => ({ x: xScale.invert(i), y: yScale.invert(j), onBorder });
   const turningLoad = remembered((condition) => {
     const found = turningPointBetween(engine.contact(condition), ...engine.loads);
     return found?.normal_load ?? NaN;
@@ -68,17 +68,15 @@ function* mapSteps(done) {
     yield;
   }
   const turns = ringsAround(above, 0).map((ring) => ring.map(cornerAt));
-  const axisOver = (name) => ({
-    name: name === "load" ? "normal_load" : name,
-    log: name === "load" || name === "particle_density",
-    domain: ends[name],
-  });
+  const axisOver = (name, scale) => ({ name: ofCondition(name), log: VARIABLES[name].log, domain: scale.domain() });
+  const count = (mode) => cells.filter((cell) => cell.mode === mode).length;
+  const parts = MODE_TEXT.map((text, mode) => `${text} in ${Math.round((100 * count(mode)) / cells.length)} % of the map`);
   const points = CELLS.map((cell, k) => ({ ...cornerAt(cell), state: cells[k] }));
   const spec = specOf({
     title: `Contact mode and lubrication regime over ${wordOf(x).toLowerCase()} and ${wordOf(y).toLowerCase()}`,
-    description: described(cells, x, y),
-    x: axisOver(x),
-    y: axisOver(y),
+    description: `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.join(", ")}.`,
+    x: axisOver(x, xScale),
+    y: axisOver(y, yScale),
     areas: layers.slice(0, AREAS.length),
     borders: [...layers.slice(AREAS.length), { kind: "turning", dash: "none", rings: turns }],
     stars: [{ x: point[x], y: point[y], color: "var(--ink)", symbol: CROSS }],
@@ -116,9 +114,3 @@ export const MAP_KEY = [
   { text: `mixed to full film, L_s = ${LIMITS.full_film}`, color: "var(--accent)", dash: FULL_FILM_DASH },
   { text: "turning points of the contact area", color: "var(--fails)" },
 ];
-
-function described(cells, x, y) {
-  const count = (mode) => cells.filter((cell) => cell.mode === mode).length;
-  const parts = MODE_TEXT.map((text, mode) => `${text} in ${Math.round((100 * count(mode)) / cells.length)} % of the map`);
-  return `Over ${wordOf(x)} and ${wordOf(y)}: ${parts.join(", ")}.`;
-}

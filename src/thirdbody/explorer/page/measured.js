@@ -1,7 +1,7 @@
 // Measured values from a CSV file, which are drawn over the curves.
 
-import { conditionAxes } from "./state.js";
-import { VARIABLES } from "./names.js";
+import { conditionAxes, content } from "./state.js";
+import { VARIABLES, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
 const LENGTH = { nm: 1e-9, um: 1e-6, "µm": 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
@@ -18,11 +18,7 @@ const COLUMNS = [
   ["separation", "separation", LENGTH],
   ["film thickness", "separation", LENGTH],
   ["film thickness", "film_thickness", NUMBER],
-  ["total contact area", "total_contact_area", NUMBER],
-  ["particle contact area ratio", "particle_contact_area_ratio", NUMBER],
-  ["surface contact area ratio", "surface_contact_area_ratio", NUMBER],
-  ["solid load fraction", "solid_load_fraction", NUMBER],
-  ["fluid load fraction", "fluid_load_fraction", NUMBER],
+  ...content.quantities.filter((name) => /area|fraction/.test(name)).map((name) => [spaced(name), name, NUMBER]),
 ];
 
 let rows = []; // values in SI by the names of variables
@@ -58,9 +54,7 @@ export function readMeasured(file, text) {
   }
 }
 
-export const forgetMeasured = () => {
-  rows = [];
-};
+export const forgetMeasured = () => (rows = []);
 
 // Points of the table that a panel can show, in the colour of the curve at their conditions.
 export function measuredPoints(x, y, curves, { newtonsPerLoad }) {

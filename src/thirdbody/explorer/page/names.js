@@ -31,6 +31,8 @@ export const VARIABLES = {
 };
 export const plainSymbol = (symbol) => symbol.replace("_", "");
 
+export const scaleFor = (name) => (VARIABLES[name].log ? d3.scaleLog() : d3.scaleLinear());
+
 export function numberText(name, value) {
   const { factor = 1, unit = "" } = VARIABLES[name];
   if (unit === "10⁻⁴") return readable(value);
@@ -39,7 +41,7 @@ export function numberText(name, value) {
 
 // --- conditions: the load is that in newtons ---
 
-const ofCondition = (name) => (name === "load" ? "normal_load" : name);
+export const ofCondition = (name) => (name === "load" ? "normal_load" : name);
 export const wordOf = (name) => VARIABLES[ofCondition(name)].words;
 export const letterOf = (name) => VARIABLES[ofCondition(name)].symbol;
 export const unitOf = (name) => VARIABLES[ofCondition(name)].unit;
