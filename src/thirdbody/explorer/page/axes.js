@@ -5,7 +5,7 @@ import { currentEngine, placesAlong } from "./engine.js";
 import { axisFor, levelStyle } from "./chart.js";
 import { specOf, starsOf, yName } from "./figures.js";
 import { measuredPoints } from "./measured.js";
-import { VARIABLES, conditionText, conditionWord } from "./names.js";
+import { VARIABLES, conditionWord, conditionWords } from "./names.js";
 
 const COUNT = 120; // points on a curve
 const LEVELS = {
@@ -24,14 +24,11 @@ export function axesView() {
   const along = axes.some(({ name }) => name === x) ? x : "load";
   const others = LEVELS[by].filter((level) => Math.abs(level - point[by]) > 1e-9 * point[by]);
   const levels = by === along ? [point[by]] : d3.sort([...others, point[by]]);
-  const lines = levels.map((level) => {
-    const at = { ...point, [by]: level };
-    return {
-      label: by === along ? conditionText(point, [along]) : conditionWord(by, level),
-      ...(along === "load" ? curveOverLoad(x, y, at, engine) : curveAlong(x, y, at, engine)),
-      ...(level === point[by] ? { color: "var(--mine)", mine: true } : levelStyle(level, levels)),
-    };
-  });
+  const lines = levels.map((level) => ({
+    label: by === along ? conditionWords(point, "load", along).join(", ") : conditionWord(by, level),
+    ...curveAlong(along, x, y, { ...point, [by]: level }, engine),
+    ...(level === point[by] ? { color: "var(--mine)", mine: true } : levelStyle(level, levels)),
+  }));
   const measured = measuredPoints(x, y, lines, engine);
   const points = [...lines.flatMap((line) => line.points), ...measured];
   const turns = along === "load" && y === "particle_contact_area_ratio";
@@ -45,24 +42,21 @@ export function axesView() {
     stars: turns ? starsOf(x, y, lines, engine) : [],
     here: x === "load" ? point.load / engine.newtonsPerLoad : point[x],
   });
-  const shared = axes.filter(({ name }) => name !== along && name !== by);
-  const notes = shared.map(({ name }) => conditionWord(name, point[name]));
   const key = lines.map((line) => ({ ...line, text: line.mine ? `${line.label} (yours)` : line.label }));
-  return { specs: [spec], key, notes, heading: spec.title };
+  return { specs: [spec], key, notes: conditionWords(point, along, by), heading: spec.title };
 }
 
-function curveOverLoad(x, y, { load, ...condition }, engine) {
-  const { states, turningPoint } = engine.curve(condition);
-  return { condition, turningPoint, points: states.map((found) => engine.pointOf(x, y, found, condition)) };
-}
-
-function curveAlong(x, y, point, engine) {
-  const places = placesAlong(x, shownRange(x, point), COUNT);
-  const points = places.map((place) => {
+// The points of a curve over the load, or along a condition.
+function curveAlong(along, x, y, point, engine) {
+  const { load, ...condition } = point;
+  if (along === "load") {
+    const { states, turningPoint } = engine.curve(condition);
+    return { condition, turningPoint, points: states.map((found) => engine.pointOf(x, y, found, condition)) };
+  }
+  const points = placesAlong(x, shownRange(x, point), COUNT).map((place) => {
     const at = { ...point, [x]: place };
     return engine.pointOf(x, y, engine.state(at), at);
   });
-  const { load, ...condition } = point;
   return { condition, points };
 }
 

@@ -23,20 +23,17 @@ const MOVES = {
   ...{ Home: [0, -Infinity], End: [0, Infinity] },
 };
 
-const isDark = () => document.documentElement.dataset.theme === "dark";
-
 // Colour, which differs in lightness too, and marker of a curve at one of several levels of a condition.
 export function levelStyle(level, levels) {
   if (level === 0) return { color: "var(--ink)", dash: DASHED };
   const rank = levels.indexOf(level);
   const part = levels.length > 1 ? rank / (levels.length - 1) : 0.3;
-  return { color: d3.interpolateViridis(isDark() ? 0.28 + 0.72 * part : 0.86 * part), marker: rank };
+  const isDark = document.documentElement.dataset.theme === "dark";
+  return { color: d3.interpolateViridis(isDark ? 0.28 + 0.72 * part : 0.86 * part), marker: rank };
 }
 
 export const widthIn = (element) => Math.max(element.clientWidth, 220);
 const held = (value, low, high) => Math.min(Math.max(value, low), high);
-
-// --- axes ---
 
 // An axis for a variable: logarithmic or not, as asked for or as usual, with its ends around values.
 export function axisFor(name, scale, values) {
@@ -45,17 +42,14 @@ export function axisFor(name, scale, values) {
 }
 
 function domainOf({ fraction }, log, values) {
-  const [low, high] = d3.extent(values.filter((value) => canShow({ log }, value)));
-  if (low === undefined) return log ? [0.1, 1] : [0, 1];
+  const [low = 0.1, high = 1] = d3.extent(values.filter((value) => canShow({ log }, value)));
   if (log) {
     const lowest = Math.max(low, high * 1e-12);
     const margin = Math.max((high / lowest) ** 0.02, 1.02);
     return [lowest / margin, high * margin];
   }
-  if (fraction) {
-    const top = high > 0 && high < 0.5 ? 1.08 * high : 1;
-    return [-0.04 * top, 1.06 * top];
-  }
+  const top = high > 0 && high < 0.5 ? 1.08 * high : 1;
+  if (fraction) return [-0.04 * top, 1.06 * top];
   const margin = 0.04 * (high - low || Math.abs(high) || 1);
   return [low - margin, high + margin];
 }
@@ -83,7 +77,7 @@ function drawAxis(group, axis, name, at, length, titleAt) {
   const scale = axis.scale();
   const { factor } = VARIABLES[name];
   const inPowers = scale.base && !factor && name !== "normal_load";
-  const label = (value) => (inPowers ? powerText(value) : readable(value * (factor ?? 1)));
+  const label = inPowers ? powerText : (value) => readable(value * (factor ?? 1));
   axis.ticks(scale.base ? 10 : Math.min(length / 55, 6)).tickSizeOuter(0);
   axis.tickFormat(scale.base ? scale.tickFormat(3, label) : label);
   const title = group.append("text").attr("class", "label").attr("text-anchor", "middle");
@@ -105,8 +99,6 @@ function titleMarkup(name) {
   const rest = above + (unit ? ` (${unit})` : "");
   return `<tspan font-style="italic">${letter}</tspan>${low}<tspan${below && ' dy="-0.3em"'}>${rest}</tspan>`;
 }
-
-// --- a panel ---
 
 // A chart in an element. `update` draws a spec in a place of the given width.
 export function chartIn(parent, { onRead, onLeave }) {
@@ -162,15 +154,11 @@ export function chartIn(parent, { onRead, onLeave }) {
   }
 
   svg.on("pointermove", (event) => {
-    const [x, y] = d3.pointer(event, svg.node());
-    const far = ({ row, point }) => {
-      const at = rows[row].points[point];
-      return Math.hypot(scales.x(at.x) - x, scales.y(at.y) - y);
-    };
-    const places = rows.flatMap(({ points }, row) => points.map((_, point) => ({ row, point })));
-    const nearest = d3.least(places, far);
-    if (!nearest || far(nearest) > NEAR) return leave();
-    place = nearest;
+    const places = rows.flatMap(({ points }, row) => points.map(({ x, y }, point) => ({ row, point, x, y })));
+    const tree = d3.quadtree(places, ({ x }) => scales.x(x), ({ y }) => scales.y(y));
+    const found = tree.find(...d3.pointer(event, svg.node()), NEAR);
+    if (!found) return leave();
+    place = found;
     return read(event);
   });
   svg.on("pointerleave", leave).on("blur", leave);

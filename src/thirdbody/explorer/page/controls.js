@@ -1,7 +1,7 @@
 // Sliders, fields and choices of all conditions and inputs.
 
 import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
-import { fromUnit, inputNamed, isAllowed, setCondition, setInputs, toUnit } from "./state.js";
+import { conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
 import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant } from "./text.js";
 
@@ -39,19 +39,21 @@ function group(form, title, controls, open = true) {
 }
 
 // A control with a button that goes back to the default, where it has been changed.
-function controlOf({ id, label, hint, changed, back }, markup) {
+function controlOf({ id, label, hint, changed, choose }, markup) {
   const control = d3.create("div").attr("class", "control").attr("title", hint);
   control.html(`<label for="${id}">${label}</label>${markup}`);
-  control.select(".back").attr("aria-label", `default of ${control.select("label").text()}`).on("click", back);
+  const back = control.select(".back").on("click", () => choose(undefined));
+  back.attr("aria-label", `default of ${control.select("label").text()}`);
   updates.push(() => control.classed("changed", changed()));
   return control;
 }
 
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
-// steps, and `note` gives the range. `set` returns whether a value is allowed.
-function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
+// steps, and `note` gives the range. `read` gives what a value is in SI, undefined if it is not allowed.
+function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
+  const label = `${words} <i>${symbol}</i>${unit && ` [${unit}]`}`;
   const control = controlOf(
-    given,
+    { label, ...given },
     `<input type="text" inputmode="decimal" id="${given.id}">${BACK}
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
     <small class="note">${note}</small>`,
@@ -59,10 +61,11 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
   const [field, slider] = control.selectAll("input").nodes();
   scale.range([0, STEPS]).clamp(true);
   slider.setAttribute("aria-label", `${control.select("label").text()}, slider`);
-  slider.addEventListener("input", () => set(Number(scale.invert(slider.value).toPrecision(digits))));
+  slider.addEventListener("input", () => given.choose(read(Number(scale.invert(slider.value).toPrecision(digits)))));
   field.addEventListener("change", () => {
-    field.setCustomValidity(set(numberIn(field.value)) ? "" : given.hint);
-    field.reportValidity();
+    const found = read(numberIn(field.value));
+    field.setCustomValidity(found === undefined ? given.hint : "");
+    if (field.reportValidity()) given.choose(found);
   });
   updates.push(() => {
     slider.value = Math.round(scale(value()));
@@ -83,19 +86,17 @@ function conditionControl({ name, range: [low, high] }) {
   const note = `the paper: ${rangeText([low, high])} ${unitOf(name)}${dry}`;
   return rangeControl({
     id: `condition-${name}`,
-    label: `${wordOf(name)} <i>${letterOf(name)}</i> [${unitOf(name)}]`,
+    words: wordOf(name),
+    symbol: letterOf(name),
+    unit: unitOf(name),
     hint: `${wordOf(name)} in ${note}`,
     note,
-    unit: unitOf(name),
     scale: scaleFor(name).domain(ends),
     digits: 3,
     value: () => toUnit(name, currentPoint()[name]),
     changed: () => name in state.conditions,
-    set(value) {
-      if (isAllowed(name, value)) setCondition(name, fromUnit(name, value));
-      return isAllowed(name, value);
-    },
-    back: () => setCondition(name, undefined),
+    read: (value) => conditionFrom(name, value),
+    choose: (value) => setCondition(name, value),
   });
 }
 
@@ -103,29 +104,25 @@ function conditionControl({ name, range: [low, high] }) {
 const inputControl = (name) => ({
   id: `input-${name}`,
   changed: () => name in state.inputs,
-  back: () => setInputs({ [name]: undefined }),
+  choose: (value) => setInputs({ [name]: value }),
 });
 
 function numberControl(name) {
   const { bounds, scale, symbol, unit, source, least, most } = content.inputs[name];
   const [text, factor] = SHOWN_IN[unit] ?? [unit, 1];
-  const original = defaultInputs[name];
-  const near = original > 0 ? [Math.max(original / 4, least), Math.min(original * 4, most)] : [0, Math.min(1, most)];
-  const log = scale === "logarithmic" || (!bounds && original > 0);
+  const near = [Math.max(defaultInputs[name] / 4, least), Math.min(defaultInputs[name] * 4, most)];
+  const log = scale === "logarithmic" || !bounds;
   return rangeControl({
     ...inputControl(name),
-    label: `${inputWords(name)} <i>${symbol}</i>${text ? ` [${text}]` : ""}`,
+    words: inputWords(name),
+    symbol,
+    unit: text,
     hint: `${inputWords(name)} (${source}): ${rangeText([least, most], factor)} ${text}`,
     note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
-    unit: text,
     scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,
     value: () => currentInputs()[name] / factor,
-    set(value) {
-      const found = inputNamed(name, (value * factor).toPrecision(12));
-      if (found !== undefined) setInputs({ [name]: found });
-      return found !== undefined;
-    },
+    read: (value) => inputNamed(name, (value * factor).toPrecision(12)),
   });
 }
 
@@ -136,9 +133,9 @@ function ensembleText(name, factor) {
 }
 
 // A list of words to choose from.
-function choiceControl({ options, value, set, ...given }) {
+function choiceControl({ options, value, ...given }) {
   const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`).classed("wide", true);
-  const select = control.select("select").on("change", (event) => set(event.target.value));
+  const select = control.select("select").on("change", (event) => given.choose(event.target.value));
   select.node().append(...options.map(([word, text]) => new Option(text, word)));
   updates.push(() => select.property("value", value()));
   return control.node();
@@ -152,7 +149,7 @@ function wordControl(name) {
     hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
     options: allowed.map((word) => [word, OFFSETS[word] ?? spaced(word)]),
     value: () => currentInputs()[name],
-    set: (word) => setInputs({ [name]: inputNamed(name, word) }),
+    choose: (word) => setInputs({ [name]: word && inputNamed(name, word) }),
   });
 }
 
@@ -168,10 +165,9 @@ function presetControl() {
     options: [["", "your own"], ...Object.keys(interpretations).map((name) => [name, spaced(name)])],
     value: chosen,
     changed: () => chosen() !== interpretation && Object.keys(state.inputs).length > 0,
-    set(name) {
+    choose(name) {
       change({ inputs: {} });
       setInputs(interpretations[name] ?? {});
     },
-    back: () => change({ inputs: {} }),
   });
 }

@@ -73,11 +73,11 @@ function figureCurves(figure, parameter) {
 }
 
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
-function styleOf(parameter, condition, mine, comparesMedia) {
-  if (mine) return { color: "var(--mine)" };
+function styleOf({ name, levels }, condition, mine, comparesMedia) {
   const dry = condition.viscosity === 0;
+  if (mine) return { color: "var(--mine)" };
   if (isTwoBody(condition)) return { color: "var(--two-body)", dash: dry ? DOTTED : null };
-  const style = levelStyle(levelOf(parameter.name, condition), parameter.levels);
+  const style = levelStyle(levelOf(name, condition), levels);
   return comparesMedia && dry ? { color: style.color, dash: DASHED } : style;
 }
 

@@ -32,8 +32,6 @@ const difference = (a, b) => a.map((value, i) => value - b[i]);
 
 const NOT_REACHED = new Error("no load of the curve is within the bounds of the statement");
 
-// --- evidence: curves, turning points and windows, each found when first asked for ---
-
 // Variables along a curve, as arrays.
 class Course {
   constructor(states) {
@@ -68,7 +66,7 @@ class Course {
   }
 }
 
-// What statements are judged on.
+// What statements are judged on: curves, turning points and windows, each found when first asked for.
 export function evidenceOf({ model, contact, loads, newtonsPerLoad }) {
   const states = remembered((condition) => curveOf(contact(condition), ...loads, LOADS));
   return {
@@ -82,8 +80,6 @@ export function evidenceOf({ model, contact, loads, newtonsPerLoad }) {
     window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...loads)),
   };
 }
-
-// --- judging ---
 
 // Conditions of the curves of a statement [SI]. `changes` replace what it gives once for all curves.
 // A condition of 0, dry or two-body contact, is not replaced.
@@ -144,8 +140,7 @@ function isWithinTheLoads(claim, evidence) {
   return fromPublished(claim, loads.map((load) => Math.min(load, end))) > 1;
 }
 
-// --- one check for each kind of statement: distance in tolerances, and the numbers compared ---
-
+// For each kind of statement a check, which gives the distance in tolerances and the numbers compared
 const CHECKS = {
   value(claim, evidence) {
     const numbers = scalars(claim, evidence);
@@ -208,8 +203,6 @@ function fromPublished(claim, values) {
   });
   return most(distances);
 }
-
-// --- measuring ---
 
 // The quantity of a statement as one number for each curve.
 function scalars(claim, evidence) {
@@ -348,8 +341,6 @@ function firstFall(loads, values) {
   return loads[right - 1] * Math.exp(advance * step);
 }
 
-// --- by how much a course of values misses what its name says ---
-
 // The least, or the most, of the values up to each.
 function running(pick, values) {
   let found = values[0];
@@ -373,6 +364,7 @@ function peakHeight(values) {
 
 const peakMiss = (values, step) => 2 * step - peakHeight(values);
 
+// By how much a course of values misses what its name says.
 const COURSES = {
   increasing: riseMiss,
   decreasing: (values, step) => riseMiss(negated(values), step),

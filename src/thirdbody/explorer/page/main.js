@@ -1,6 +1,6 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
-import { CHOICES, axes, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
+import { CHOICES, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
 import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
 import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
@@ -13,7 +13,7 @@ import { showPoint } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
-import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
+import { conditionWords, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
@@ -27,8 +27,6 @@ const CAPTIONS = {
 };
 let charts = [];
 let csv = null; // gives the numbers that are shown, if there are any
-
-// --- values under the pointer ---
 
 function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const tooltip = $("tooltip");
@@ -54,8 +52,6 @@ function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
 const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
 
 const hideTooltip = () => $("tooltip").setAttribute("hidden", "");
-
-// --- drawing ---
 
 function drawCharts(specs) {
   const parent = $("charts");
@@ -93,9 +89,7 @@ const VIEWS = {
       $("charts").dataset.done = toFragment();
       showToolbar();
     });
-    const point = currentPoint();
-    const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
-    const notes = others.map(({ name }) => conditionWord(name, point[name]));
+    const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
     return { heading: "Map of modes and regimes", notes, key: MAP_KEY };
   },
   section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
@@ -151,8 +145,6 @@ function ask() {
   asked ||= requestAnimationFrame(render);
 }
 
-// --- tabs and toolbar ---
-
 const tabs = [...$("tabs").children];
 tabs.forEach((tab, i) => {
   tab.addEventListener("click", () => change({ view: tab.dataset.view }));
@@ -202,8 +194,6 @@ function showToolbar() {
   $("save-svg").disabled = !$("charts").querySelector("svg");
 }
 
-// --- measured values ---
-
 async function addMeasured([file]) {
   if (!file) return;
   $("measured-text").textContent = readMeasured(file.name, await file.text());
@@ -224,8 +214,6 @@ addEventListener("drop", (event) => {
   addMeasured(event.dataTransfer.files);
 });
 
-// --- theme, print, address, width ---
-
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 function setTheme() {
   const wish = $("theme").value;
@@ -244,12 +232,7 @@ $("reset").addEventListener("click", reset);
 addEventListener("hashchange", () => {
   if (location.hash.slice(1) !== toFragment()) fromFragment(location.hash);
 });
-let width = innerWidth;
-addEventListener("resize", () => {
-  if (innerWidth === width) return;
-  width = innerWidth;
-  ask();
-});
+addEventListener("resize", ask);
 
 // a page that was saved as it stood has them already
 for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();

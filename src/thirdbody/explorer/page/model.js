@@ -15,19 +15,16 @@ const NEAREST = -8; // t of surfaces that cut across each other's mean planes
 const LOWEST = -9; // alpha below which sizes add nothing to a moment in float64
 const SUMMIT_STEP = 1 / 32; // of tables in t, for errors below 1e-9
 const SIZE_STEP = 1 / 256; // of tables in alpha
-const MOST_TABLES = 200; // surfaces whose tables are kept
 const ROOT_TOLERANCE = 1e-13; // of d
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
 const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
 
-// of the way between two places, closest together near both
+// parts of the way between two places, closest together near both
 const PARTS = d3.range(1, 97).map((n) => d3.easeSinInOut(d3.easeSinInOut(n / 96)));
 
 export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
 export const NO_SUMMITS = "no_summits"; // the library refuses such inputs
-
-// --- tables ---
 
 // A function that keeps its results, up to `most` of them.
 export function remembered(find, most = 600) {
@@ -59,22 +56,19 @@ function tabulated(exact, { step, first, last }) {
   };
 }
 
-// --- the summits of a rough surface ---
-
 // McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R).
-const SUMMIT_PLACES = new Map([
-  [true, (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length]],
-  ["as_rough", (sigma, length) => [sigma, 0.045944 * length]],
-  [false, (sigma) => [sigma, 0]],
-]);
+const SUMMIT_PLACES = {
+  true: (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length],
+  as_rough: (sigma, length) => [sigma, 0.045944 * length],
+  false: (sigma) => [sigma, 0],
+};
 
 function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;
   const parameter = inputs.summit_parameter * scale ** inputs.summit_parameter_exponent;
   const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
   const density = parameter / (radius * roughness);
-  const place = SUMMIT_PLACES.get(inputs.summit_offset);
-  const [deviation, offset] = place(roughness, 1 / (density * radius));
+  const [deviation, offset] = SUMMIT_PLACES[inputs.summit_offset](roughness, 1 / (density * radius));
   return { roughness, density, radius, deviation, offset };
 }
 
@@ -107,28 +101,26 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
   function exact(t) {
     const root = Math.sqrt(2 * NEGLIGIBLE);
     const reach = t > 0 ? (2 * NEGLIGIBLE) / (t + Math.hypot(t, root)) : root - t;
-    let [loads, areas, fartherLoads, fartherAreas, start] = [0, 0, 0, 0, 0];
-    for (const end of [w1, w2, Infinity].map((edge) => Math.sqrt(Math.min(edge, reach)))) {
-      for (let i = 0; i < NODES.length && end > start; i++) {
-        const r = start + (end - start) * NODES[i][0]; // w = r^2 makes the power of 3/2 smooth
+    let [loads, areas, fartherLoads, fartherAreas] = [0, 0, 0, 0];
+    const edges = [0, w1, w2, Infinity].map((edge) => Math.sqrt(Math.min(edge, reach)));
+    for (const [start, end] of d3.pairs(edges)) {
+      for (const [node, weight] of end > start ? NODES : []) {
+        const r = start + (end - start) * node; // w = r^2 makes the power of 3/2 smooth
         const w = r * r;
         const phi = Math.exp(-w * (t + 0.5 * w) - 0.5 * Math.min(t, 0) ** 2);
         const itsArea = area(w);
-        const measure = phi * 2 * r * NODES[i][1] * (end - start);
+        const measure = phi * 2 * r * weight * (end - start);
         loads += load(w, itsArea) * measure;
         areas += itsArea * measure;
         fartherLoads += load(w, itsArea) * measure * w;
         fartherAreas += itsArea * measure * w;
       }
-      start = end;
     }
     const log = (sum) => Math.log(density * sum) - 0.5 * Math.max(t, 0) ** 2;
     return [log(loads), -t - fartherLoads / loads, log(areas), -t - fartherAreas / areas];
   }
   return tabulated(exact, { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST });
-}, MOST_TABLES);
-
-// --- third particles ---
+}, 200);
 
 // phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
 const SIZES = {
@@ -170,8 +162,6 @@ function elasticFactor(inputs) {
   const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
   return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
 }
-
-// --- film ---
 
 // Eq. 7: H_c = smooth film and what roughness adds, each as logarithm over ln W (Eq. 8).
 function filmOf(inputs, viscosity, roughness) {
@@ -224,8 +214,6 @@ const FILM_LOADS = {
     inW: (load) => load,
   },
 };
-
-// --- all together ---
 
 // The model under some inputs; what conditions have in common is computed once.
 export function modelOf(inputs) {
@@ -315,19 +303,16 @@ export function modelOf(inputs) {
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
-        const thick = found.film_thickness > THICKEST;
-        if (thick || !film.isMeaningful(lnW)) return "outside_film_formula";
+        if (found.film_thickness > THICKEST || !film.isMeaningful(lnW)) return "outside_film_formula";
       }
       return count > 1 ? "several_separations" : "converged";
     }
-
-    const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
 
     // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
     // It is searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
       if (!(surface.deviation > 0)) return nothing(load, NO_SUMMITS);
-      let low = film ? filmAlone(load) : 0;
+      let low = film ? inputs.ball_radius * film.thickness(Math.log(load * wRatio)) : 0;
       const held = film && inputs.film_load === "total" && solids(low).load < load;
       const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
       if (!film && excess(0) < 0) {

@@ -1,6 +1,6 @@
 // What conditions and variables are called, their units as shown, and their usual scales.
 
-import { conditionAxes, content } from "./state.js";
+import { axes, content } from "./state.js";
 import { LIMITS, NO_SUMMITS } from "./model.js";
 import { readable } from "./text.js";
 
@@ -39,8 +39,7 @@ export function numberText(name, value) {
   return `${readable(value * factor)} ${unit}`.trim();
 }
 
-// --- conditions: the load is that in newtons ---
-
+// The variable of a condition: the load of a point is that in newtons.
 export const ofCondition = (name) => (name === "load" ? "normal_load" : name);
 export const wordOf = (name) => VARIABLES[ofCondition(name)].words;
 export const letterOf = (name) => VARIABLES[ofCondition(name)].symbol;
@@ -54,20 +53,13 @@ export const valueText = (name, value) =>
 export const conditionWord = (name, value) =>
   name === "viscosity" && value === 0 ? "dry" : `${letterOf(name)} = ${valueText(name, value)}`;
 
-export const conditionText = (condition, without = []) =>
-  conditionAxes
-    .filter(({ name }) => !without.includes(name))
-    .map(({ name }) => conditionWord(name, condition[name]))
-    .join(", ");
-
-// --- words ---
+// those of a point, without some
+export const conditionWords = (point, ...without) =>
+  axes.filter(({ name }) => !without.includes(name)).map(({ name }) => conditionWord(name, point[name]));
 
 export const spaced = (word) => word.replaceAll("_", " ");
 export const MODE_TEXT = ["two-body", "surface-surface", "hybrid", "particle-surface"];
 export const REGIME_TEXT = ["boundary", "mixed", "full film"];
-const MEANINGS = {
-  ...content.statuses,
-  [NO_SUMMITS]: "the summit parameter leaves no variance to the summits of this surface",
-};
+const MEANINGS = { ...content.statuses, [NO_SUMMITS]: "the summit parameter leaves no variance to the summits" };
 export const statusText = (status) => (status === "converged" ? "" : `${spaced(status)}: ${MEANINGS[status]}`);
 export const inputWords = (name) => spaced(name[0].toUpperCase() + name.slice(1));

@@ -1,17 +1,14 @@
 // The state at the chosen conditions, and where the contact mode changes from there.
 
-import { axes, currentPoint, state } from "./state.js";
+import { axes, content, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText, valueText } from "./names.js";
-import { conditionWord, numberText, plainSymbol, wordOf } from "./names.js";
+import { conditionWord, conditionWords, numberText, plainSymbol, wordOf } from "./names.js";
 import { escaped } from "./text.js";
 
-const VALUES = [
-  ...["particle_contact_area_ratio", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"],
-  ...["separation", "film_thickness"],
-];
+const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
 
 export function showPoint(parent) {
@@ -35,10 +32,9 @@ export function showPoint(parent) {
     ["Lubrication", REGIME_TEXT[found.regime]],
     ["Status", statusText(found.status)],
   ].filter(([name, text]) => name === "" || text);
-  const conditions = axes.map(({ name }) => conditionWord(name, point[name])).join(", ");
   const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
   parent.innerHTML =
-    table(`At ${conditions}`, [...words, ...rows]) +
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...rows]) +
     table("Contact mode as one condition changes", waiting) +
     `<p>${escaped(sizesText(engine, point))}</p>`;
   const cells = parent.querySelectorAll("table:nth-child(2) td");

@@ -3,7 +3,7 @@
 import { currentInputs, currentPoint } from "./state.js";
 import { currentEngine } from "./engine.js";
 import { widthIn } from "./chart.js";
-import { MODE_TEXT, REGIME_TEXT, conditionText, valueText } from "./names.js";
+import { MODE_TEXT, REGIME_TEXT, conditionWords, valueText } from "./names.js";
 
 const SEED = 0.20240507; // the day on which the paper appeared
 const POINTS = 700;
@@ -107,7 +107,7 @@ export function drawSection(parent) {
   const carrying = particles.filter((particle) => particle.carries).length;
   const contacts = touches.filter((isTouching, i) => isTouching && !touches[i - 1]).length;
   const words =
-    `${conditionText(point)} under ${valueText("load", point.load)}: ${MODE_TEXT[found.mode]} mode, ` +
+    `${conditionWords(point, "load").join(", ")} under ${valueText("load", point.load)}: ${MODE_TEXT[found.mode]} mode, ` +
     `${REGIME_TEXT[found.regime]} lubrication, separation ${valueText("separation", found.separation)}; this cut meets ` +
     `${contacts} contact${contacts === 1 ? "" : "s"} of summits, and ${carrying} of ${particles.length} particles carry load.`;
   const between = (from, to) => d3.area((_, i) => x(i), (_, i) => y(from(i)), (_, i) => y(to(i))).digits(1)(lower);

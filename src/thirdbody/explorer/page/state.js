@@ -13,7 +13,6 @@ const START = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness
 // What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
-const SCALES = ["auto", "log", "linear"];
 export const CHOICES = {
   view: ["figures", "axes", "map", "section"],
   figure: figures,
@@ -22,8 +21,8 @@ export const CHOICES = {
   by: names,
   map_x: names,
   map_y: names,
-  x_scale: SCALES,
-  y_scale: SCALES,
+  x_scale: ["auto", "log", "linear"],
+  y_scale: ["auto", "log", "linear"],
   area: ["own", "over_two_body"],
   claim: ["", ...content.claims.map(({ id }) => id)],
   show: ["here", "all", "fails", "changed"],
@@ -57,7 +56,6 @@ export const currentPoint = () => ({ ...START, ...state.conditions });
 
 const axisNamed = (name) => axes.find((axis) => axis.name === name);
 export const toUnit = (name, value) => value / axisNamed(name).scale;
-export const fromUnit = (name, value) => Number((value * axisNamed(name).scale).toPrecision(12));
 
 export function toFragment() {
   const given = new URLSearchParams();
@@ -75,17 +73,17 @@ export function fromFragment(text) {
   const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12 is not a space
   for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
-    const number = numberIn(word);
     if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
-    if (axis && isAllowed(axis.name, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
+    if (axis) found.conditions[axis.name] = conditionFrom(axis.name, numberIn(word));
     if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
-  change({ ...found, inputs: chosen(found.inputs) });
+  change({ ...found, conditions: chosen(found.conditions), inputs: chosen(found.inputs) });
 }
 
-export function isAllowed(name, value) {
-  const positive = name === "load" || name === "roughness";
-  return Number.isFinite(value) && (positive ? value > 0 : value >= 0);
+// A condition in SI, the load in newtons, from a value in its unit; undefined if it is not allowed.
+export function conditionFrom(name, value) {
+  const isPositive = name === "load" || name === "roughness" ? value > 0 : value >= 0;
+  return isPositive && value < Infinity ? Number((value * axisNamed(name).scale).toPrecision(12)) : undefined;
 }
 
 // The value of an input that a word stands for; undefined if it is not allowed.
