@@ -202,7 +202,7 @@ function marksOf(spec, { x: toX, y: toY }) {
     const width = curve.chosen ? 2.8 : curve.mine ? 2.6 : 1.6;
     const dash = curve.dash ? `stroke-dasharray="${curve.dash}"` : "";
     const look = `stroke="${curve.color}" stroke-width="${width}" ${dash}`;
-    return `<path ${classOf("line", curve)} data-label="${escaped(curve.label)}" d="${path(curve.points)}" ${look}/>`;
+    return `<path ${classOf("line", curve)} data-label="${escaped(curve.label)}" d="${path(curve.points) ?? ""}" ${look}/>`;
   });
   const markers = markersOf(spec.lines).filter(isShown).map(shape("marker"));
   const isDoubtful = (point) => isShown(point) && point.state && point.state.status !== "converged";

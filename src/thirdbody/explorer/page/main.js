@@ -229,9 +229,7 @@ addEventListener("beforeprint", () => {
 });
 addEventListener("afterprint", setTheme);
 $("reset").addEventListener("click", reset);
-addEventListener("hashchange", () => {
-  if (location.hash.slice(1) !== toFragment()) fromFragment(location.hash);
-});
+addEventListener("hashchange", () => fromFragment(location.hash));
 addEventListener("resize", ask);
 
 // a page that was saved as it stood has them already
