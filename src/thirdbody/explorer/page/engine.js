@@ -35,7 +35,7 @@ export const engineOf = remembered((inputs) => {
   // the state at all five conditions, the load in newtons
   const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
   return { model, newtonsPerLoad, loads, contact, curve, pointOf, state };
-}, 100);
+}, 40); // sets of inputs: those of the ensemble, and the last that were chosen
 
 export const defaultEngine = () => engineOf(defaultInputs);
 export const currentEngine = () => engineOf(currentInputs());
