@@ -76,14 +76,11 @@ def page_content(
 
 
 def _axis(axis, ends):
-    is_load = axis.name == "load"
     return {
         "name": axis.name,
-        "sign": axis.sign,
+        "key": "load_N" if axis.name == "load" else axis.key,
         "scale": axis.scale,
         "range": [float(end) for end in ends],
-        "key": "load_N" if is_load else axis.key,
-        "unit": "N" if is_load else axis.unit,
     }
 
 

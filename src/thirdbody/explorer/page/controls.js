@@ -1,8 +1,8 @@
 // Sliders, fields and choices of all conditions and inputs.
 
 import { axes, change, content, currentInputs, currentPoint, defaultInputs, state } from "./state.js";
-import { fromUnit, inputNamed, isAllowed, setCondition, setInputs, toUnit } from "./state.js";
-import { inputWords, letterOf, spaced, unitOf, wordOf } from "./names.js";
+import { conditionFrom, inputNamed, setCondition, setInputs, toUnit } from "./state.js";
+import { VARIABLES, inputWords, letterOf, scaleFor, spaced, unitOf, wordOf } from "./names.js";
 import { numberIn, readable, significant } from "./text.js";
 
 const STEPS = 1000; // of a slider
@@ -17,73 +17,55 @@ export const updateControls = () => updates.forEach((update) => update());
 
 export function makeControls(form) {
   form.addEventListener("submit", (event) => event.preventDefault());
-  const conditions = group(form, "Conditions");
-  conditions.append(...axes.map(conditionControl), newtonsNote());
-  const named = Object.entries(content.inputs);
-  const words = named.filter(([, { allowed }]) => allowed).map(([name]) => wordControl(name));
-  group(form, "Interpretation of the paper").append(presetControl(), ...words);
-  const numbers = d3.group(
-    named.filter(([, { allowed }]) => !allowed),
-    ([, { source, bounds }]) => PRINTED.includes(source) && !bounds,
-  );
-  const controls = (isPrinted) => (numbers.get(isPrinted) ?? []).map(([name]) => numberControl(name));
-  group(form, "Inputs that the paper does not print").append(...controls(false));
-  group(form, "Materials, film and ball", false).append(...controls(true));
+  const names = d3.group(Object.keys(content.inputs), kindOf);
+  const controls = (kind, control) => (names.get(kind) ?? []).map(control);
+  group(form, "Conditions", axes.map(conditionControl));
+  group(form, "Interpretation of the paper", [presetControl(), ...controls("word", wordControl)]);
+  group(form, "Inputs that the paper does not print", controls("unknown", numberControl));
+  group(form, "Materials, film and ball", controls("printed", numberControl), false);
   updateControls();
 }
 
-function group(form, title, open = true) {
-  const details = Object.assign(document.createElement("details"), { open });
-  details.innerHTML = `<summary>${title}</summary><div></div>`;
-  form.append(details);
-  return details.querySelector("div");
+function kindOf(name) {
+  const { allowed, bounds, source } = content.inputs[name];
+  if (allowed) return "word";
+  return PRINTED.includes(source) && !bounds ? "printed" : "unknown";
 }
 
-// What newtons are: the paper leaves it open.
-export function newtonsText() {
-  const area = readable(currentInputs().apparent_area * 1e6, 3);
-  return (
-    `In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; ` +
-    `it is ${area} mm² here, one of the inputs.`
-  );
-}
-
-function newtonsNote() {
-  const note = Object.assign(document.createElement("p"), { className: "note" });
-  updates.push(() => {
-    note.textContent = newtonsText();
-  });
-  return note;
+function group(form, title, controls, open = true) {
+  const details = d3.select(form).append("details").property("open", open);
+  details.append("summary").text(title);
+  details.node().append(...controls);
 }
 
 // A control with a button that goes back to the default, where it has been changed.
-function controlOf({ id, label, hint, changed, back }, markup) {
-  const control = Object.assign(document.createElement("div"), { className: "control", title: hint });
-  control.innerHTML = `<label for="${id}">${label}</label>${markup}`;
-  const button = control.querySelector(".back");
-  button.setAttribute("aria-label", `default of ${control.querySelector("label").textContent}`);
-  button.addEventListener("click", back);
-  updates.push(() => control.classList.toggle("changed", changed()));
+function controlOf({ id, label, hint, changed, choose }, markup) {
+  const control = d3.create("div").attr("class", "control").attr("title", hint);
+  control.html(`<label for="${id}">${label}</label>${markup}`);
+  const back = control.select(".back").on("click", () => choose(undefined));
+  back.attr("aria-label", `default of ${control.select("label").text()}`);
+  updates.push(() => control.classed("changed", changed()));
   return control;
 }
 
 // A slider with a field beside it. Values are in the unit of the field; `scale` maps them to the slider's
-// steps, and `note` gives the range. `set` returns whether a value is allowed.
-function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
+// steps, and `note` gives the range. `read` gives what a value is in SI, undefined if it is not allowed.
+function rangeControl({ words, symbol, unit, scale, digits, note, value, read, ...given }) {
+  const label = `${words} <i>${symbol}</i>${unit && ` [${unit}]`}`;
   const control = controlOf(
-    given,
+    { label, ...given },
     `<input type="text" inputmode="decimal" id="${given.id}">${BACK}
     <div class="slider"><input type="range" min="0" max="${STEPS}"></div>
     <small class="note">${note}</small>`,
   );
-  const [field, slider] = ["[type=text]", "[type=range]"].map((each) => control.querySelector(each));
+  const [field, slider] = control.selectAll("input").nodes();
   scale.range([0, STEPS]).clamp(true);
-  slider.setAttribute("aria-label", `${control.querySelector("label").textContent}, slider`);
-  slider.addEventListener("input", () => set(rounded(scale.invert(slider.value), digits)));
+  slider.setAttribute("aria-label", `${control.select("label").text()}, slider`);
+  slider.addEventListener("input", () => given.choose(read(Number(scale.invert(slider.value).toPrecision(digits)))));
   field.addEventListener("change", () => {
-    const allowed = set(numberIn(field.value));
-    field.setCustomValidity(allowed ? "" : given.hint);
-    if (!allowed) field.reportValidity();
+    const found = read(numberIn(field.value));
+    field.setCustomValidity(found === undefined ? given.hint : "");
+    if (field.reportValidity()) given.choose(found);
   });
   updates.push(() => {
     slider.value = Math.round(scale(value()));
@@ -92,104 +74,90 @@ function rangeControl({ scale, digits, note, unit, value, set, ...given }) {
     field.value = significant(value(), 5);
     field.setCustomValidity("");
   });
-  return control;
+  return control.node();
 }
 
-const rounded = (value, digits) => Number(value.toPrecision(digits));
-const rangeText = (ends) => ends.map((end) => readable(end)).join(" to ");
+const rangeText = (ends, factor = 1) => ends.map((end) => readable(end / factor)).join(" to ");
 
-function conditionControl(axis) {
-  const { name, range } = axis;
-  const [low, high] = range;
-  const log = name === "load" || name === "particle_density";
+function conditionControl({ name, range: [low, high] }) {
   // a little beyond the paper's range
-  const first = name === "roughness" ? 0.3 * low : 0;
+  const ends = VARIABLES[name].log ? [low / 4, 4 * high] : [0.3 * low, 1.3 * high];
   const dry = name === "viscosity" ? ", 0 is dry" : "";
-  const note = `the paper: ${rangeText(range)} ${unitOf(name)}${dry}`;
+  const note = `the paper: ${rangeText([low, high])} ${unitOf(name)}${dry}`;
   return rangeControl({
     id: `condition-${name}`,
-    label: `${wordOf(name)} <i>${letterOf(name)}</i> [${unitOf(name)}]`,
+    words: wordOf(name),
+    symbol: letterOf(name),
+    unit: unitOf(name),
     hint: `${wordOf(name)} in ${note}`,
     note,
-    unit: unitOf(name),
-    scale: log ? d3.scaleLog().domain([low / 4, 4 * high]) : d3.scaleLinear().domain([first, 1.3 * high]),
+    scale: scaleFor(name).domain(ends),
     digits: 3,
     value: () => toUnit(name, currentPoint()[name]),
     changed: () => name in state.conditions,
-    set(value) {
-      if (isAllowed(axis, value)) setCondition(name, fromUnit(name, value));
-      return isAllowed(axis, value);
-    },
-    back: () => setCondition(name, undefined),
+    read: (value) => conditionFrom(name, value),
+    choose: (value) => setCondition(name, value),
   });
 }
+
+// What controls of all inputs have in common.
+const inputControl = (name) => ({
+  id: `input-${name}`,
+  changed: () => name in state.inputs,
+  choose: (value) => setInputs({ [name]: value }),
+});
 
 function numberControl(name) {
   const { bounds, scale, symbol, unit, source, least, most } = content.inputs[name];
   const [text, factor] = SHOWN_IN[unit] ?? [unit, 1];
-  const original = defaultInputs[name];
-  const near = original > 0 ? [Math.max(original / 4, least), Math.min(original * 4, most)] : [0, Math.min(1, most)];
-  const log = scale === "logarithmic" || (!bounds && original > 0);
-  const ends = (bounds ?? near).map((end) => end / factor);
-  const shownRange = (values) => rangeText(values.map((value) => value / factor));
+  const near = [Math.max(defaultInputs[name] / 4, least), Math.min(defaultInputs[name] * 4, most)];
+  const log = scale === "logarithmic" || !bounds;
   return rangeControl({
-    id: `input-${name}`,
-    label: `${inputWords(name)} <i>${symbol}</i>${text ? ` [${text}]` : ""}`,
-    hint: `${inputWords(name)} (${source}): ${shownRange([least, most])} ${text}`,
-    note: bounds ? `searched ${shownRange(bounds)}; ${ensembleText(name, shownRange)}` : source,
+    ...inputControl(name),
+    words: inputWords(name),
+    symbol,
     unit: text,
-    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain(ends),
+    hint: `${inputWords(name)} (${source}): ${rangeText([least, most], factor)} ${text}`,
+    note: bounds ? `searched ${rangeText(bounds, factor)}; ${ensembleText(name, factor)}` : source,
+    scale: (log ? d3.scaleLog() : d3.scaleLinear()).domain((bounds ?? near).map((end) => end / factor)),
     digits: 4,
     value: () => currentInputs()[name] / factor,
-    changed: () => name in state.inputs,
-    set(value) {
-      const found = inputNamed(name, String(rounded(value * factor, 12)));
-      if (found !== undefined) setInputs({ [name]: found });
-      return found !== undefined;
-    },
-    back: () => setInputs({ [name]: undefined }),
+    read: (value) => inputNamed(name, (value * factor).toPrecision(12)),
   });
 }
 
 // Which values the members of the ensemble have.
-function ensembleText(name, shownRange) {
+function ensembleText(name, factor) {
   const [low, high] = d3.extent([defaultInputs, ...content.ensemble], (member) => member[name]);
-  return low === high ? "one value in the ensemble" : `ensemble ${shownRange([low, high])}`;
+  return low === high ? "one value in the ensemble" : `ensemble ${rangeText([low, high], factor)}`;
 }
 
 // A list of words to choose from.
-function choiceControl({ options, value, set, ...given }) {
-  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`);
-  control.classList.add("wide");
-  const select = control.querySelector("select");
-  select.append(...options.map(([word, text]) => new Option(text, word)));
-  select.addEventListener("change", () => set(select.value));
-  updates.push(() => {
-    select.value = value();
-  });
-  return control;
+function choiceControl({ options, value, ...given }) {
+  const control = controlOf(given, `<select id="${given.id}"></select>${BACK}`).classed("wide", true);
+  const select = control.select("select").on("change", (event) => given.choose(event.target.value));
+  select.node().append(...options.map(([word, text]) => new Option(text, word)));
+  updates.push(() => select.property("value", value()));
+  return control.node();
 }
 
 function wordControl(name) {
   const { allowed, source } = content.inputs[name];
   return choiceControl({
-    id: `input-${name}`,
+    ...inputControl(name),
     label: inputWords(name),
     hint: `${inputWords(name)} (${source}): one interpretation of the paper`,
-    options: allowed.map((word) => [String(word), OFFSETS[word] ?? spaced(word)]),
-    value: () => String(currentInputs()[name]),
-    changed: () => name in state.inputs,
-    set: (word) => setInputs({ [name]: inputNamed(name, word) }),
-    back: () => setInputs({ [name]: undefined }),
+    options: allowed.map((word) => [word, OFFSETS[word] ?? spaced(word)]),
+    value: () => currentInputs()[name],
+    choose: (word) => setInputs({ [name]: word && inputNamed(name, word) }),
   });
 }
 
 // All inputs of a calibrated interpretation at once.
 function presetControl() {
   const { interpretations, interpretation } = content;
-  const isChosen = (name) =>
-    Object.entries(interpretations[name]).every(([input, value]) => currentInputs()[input] === value);
-  const chosen = () => Object.keys(interpretations).find(isChosen) ?? "";
+  const isChosen = ([, inputs]) => Object.entries(inputs).every(([name, value]) => currentInputs()[name] === value);
+  const chosen = () => Object.entries(interpretations).find(isChosen)?.[0] ?? "";
   return choiceControl({
     id: "interpretation",
     label: "Calibrated inputs",
@@ -197,10 +165,9 @@ function presetControl() {
     options: [["", "your own"], ...Object.keys(interpretations).map((name) => [name, spaced(name)])],
     value: chosen,
     changed: () => chosen() !== interpretation && Object.keys(state.inputs).length > 0,
-    set(name) {
+    choose(name) {
       change({ inputs: {} });
       setInputs(interpretations[name] ?? {});
     },
-    back: () => change({ inputs: {} }),
   });
 }

@@ -16,41 +16,37 @@ export function curveOf(contact, low, high, count = 80) {
   return states;
 }
 
-const ratioAt = (contact, d) => {
-  const { particles, summits } = contact.solids(d);
-  return particles / (particles + summits);
-};
-
-// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, or null.
+// The state at the most prominent interior maximum of A_sa,t*, with its `prominence`, if there is one.
 // A_sa,t* depends on the separation alone: `separations` fall.
 export function highestMaximum(contact, separations) {
-  if (contact.twoBody) return null;
-  const ratios = separations.map((d) => ratioAt(contact, d));
-  let best = null;
-  for (let i = 1; i < ratios.length - 1; i++) {
-    if (!(ratios[i] > ratios[i - 1] && ratios[i] >= ratios[i + 1])) continue;
-    const d = maximum((x) => ratioAt(contact, x), separations[i + 1], separations[i - 1]);
+  if (contact.twoBody) return undefined;
+  const ratioAt = (d) => {
+    const { particles, summits } = contact.solids(d);
+    return particles / (particles + summits);
+  };
+  const ratios = separations.map(ratioAt);
+  const isPeak = (i) => ratios[i] > ratios[i - 1] && ratios[i] >= ratios[i + 1];
+  const peaks = d3.range(1, ratios.length - 1).filter(isPeak).map((i) => {
+    const d = maximum(ratioAt, separations[i + 1], separations[i - 1]);
     const lowest = Math.max(Math.min(...ratios.slice(0, i)), Math.min(...ratios.slice(i + 1)));
-    const prominence = ratioAt(contact, d) - lowest;
-    if (!best || prominence > best.prominence) best = { d, prominence };
-  }
+    return { d, prominence: ratioAt(d) - lowest };
+  });
+  const best = d3.greatest(peaks, ({ prominence }) => prominence);
   return best && { ...contact.at(best.d, contact.loadAt(best.d)), prominence: best.prominence };
 }
 
-// The same between two loads F_t*.
-function highestMaximumBetween(contact, low, high) {
-  const [far, near] = [low, high].map((load) => contact.solve(load).separation);
-  if (Number.isNaN(near)) return null;
-  const step = (near - far) / (SEPARATIONS - 1);
-  return highestMaximum(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+// The turning point of the contact area: a maximum that stands out enough.
+export function turningPointOf(contact, separations) {
+  const found = highestMaximum(contact, separations);
+  return found?.prominence >= PROMINENCE ? found : undefined;
 }
 
-// The turning point of the contact area, or null: a maximum that stands out enough.
-const prominent = (found) => (found && found.prominence >= PROMINENCE ? found : null);
-export const turningPointOf = (contact, states) =>
-  prominent(highestMaximum(contact, states.map(({ separation }) => separation)));
-export const turningPointBetween = (contact, low, high) =>
-  prominent(highestMaximumBetween(contact, low, high));
+// The same between two loads F_t*.
+export function turningPointBetween(contact, low, high) {
+  const [far, near] = [low, high].map((load) => contact.solve(load).separation);
+  const step = (near - far) / (SEPARATIONS - 1);
+  return turningPointOf(contact, d3.range(SEPARATIONS).map((i) => far + step * i));
+}
 
 // Where a function with one maximum has it, by thirds.
 function maximum(f, low, high) {
@@ -67,19 +63,15 @@ export function turningWindow(model, roughness, density, low, high) {
   const turns = (ratio) => {
     const condition = { viscosity: 0, roughness, particle_density: density };
     const contact = model.contact({ ...condition, particle_diameter: ratio * roughness });
-    return turningPointBetween(contact, low, high) !== null;
+    return turningPointBetween(contact, low, high) !== undefined;
   };
-  const found = RATIOS.map(turns);
-  let [start, stop] = [-1, -2]; // the longest row of ratios at which curves turn
-  for (let first = 0; first < RATIOS.length; first++) {
-    let last = first;
-    while (found[first] && found[last + 1]) last++;
-    if (found[first] && last - first > stop - start) [start, stop] = [first, last];
-    first = last;
-  }
-  if (start < 0) return [NaN, NaN];
+  const inside = d3.range(RATIOS.length).filter((i) => turns(RATIOS[i]));
+  if (!inside.length) return [NaN, NaN];
+  const rows = d3.groups(inside, (i, rank) => i - rank); // of ratios that follow one another
+  const [, longest] = d3.greatest(rows, ([, row]) => row.length);
+  const [first, last] = d3.extent(longest);
   const end = (inner, outer) => boundary(turns, RATIOS[inner], RATIOS[outer] ?? RATIOS[inner], 14);
-  return [end(start, start - 1), end(stop, stop + 1)];
+  return [end(first, first - 1), end(last, last + 1)];
 }
 
 // Between a place that satisfies a condition and one that does not: where that changes.

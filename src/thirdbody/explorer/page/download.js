@@ -11,9 +11,7 @@ export function save(name, type, text) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], { type }));
   link.download = name;
-  document.body.append(link);
   link.click();
-  link.remove();
   setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }
 
@@ -44,27 +42,27 @@ export function csvOfMap({ x, y, rows }) {
 }
 
 // A copy of a drawing at a place, which keeps its look without the style of the page.
-function copyOf(svg, attributes) {
-  const copy = d3.select(svg.cloneNode(true));
+function copyOf(svg, x, y) {
+  const copy = svg.cloneNode(true);
   const originals = [svg, ...svg.querySelectorAll("*")];
-  [copy.node(), ...copy.node().querySelectorAll("*")].forEach((element, i) => {
+  [copy, ...copy.querySelectorAll("*")].forEach((element, i) => {
     const style = getComputedStyle(originals[i]);
     for (const property of INLINED) element.style.setProperty(property, style.getPropertyValue(property));
   });
-  for (const [name, value] of Object.entries(attributes)) copy.attr(name, value);
-  return copy.node();
+  return d3.select(copy).attr("x", x).attr("y", y).node();
 }
 
 // All drawings in one, two side by side, with the entries of their key below.
 export function svgOf(figures, entries) {
   const style = getComputedStyle(document.documentElement);
-  const sizes = figures.map((figure) => figure.querySelector("svg").viewBox.baseVal);
-  const columns = figures.length > 1 ? 2 : 1;
-  const [cellWidth, cellHeight] = [d3.max(sizes, ({ width }) => width), d3.max(sizes, ({ height }) => height) + GAP];
+  const drawings = figures.map((figure) => figure.querySelector("svg"));
+  const columns = Math.min(figures.length, 2);
+  const cellWidth = d3.max(drawings, ({ viewBox }) => viewBox.baseVal.width);
+  const cellHeight = d3.max(drawings, ({ viewBox }) => viewBox.baseVal.height) + GAP;
   const width = columns * cellWidth;
-  const drawn = Math.ceil(figures.length / columns) * cellHeight;
   const inRow = Math.max(Math.floor(width / ENTRY), 1);
-  const height = drawn + GAP * (Math.ceil(entries.length / inRow) + 0.5);
+  const keyTop = Math.ceil(figures.length / columns) * cellHeight + GAP / 2;
+  const height = keyTop + GAP * Math.ceil(entries.length / inRow);
   const svg = d3.create("svg:svg").attr("viewBox", `0 0 ${width} ${height}`).attr("width", width).attr("height", height);
   svg.append("rect").attr("width", "100%").attr("height", "100%").attr("fill", style.getPropertyValue("--paper"));
   svg.attr("font-family", "sans-serif").attr("font-size", 13);
@@ -72,15 +70,14 @@ export function svgOf(figures, entries) {
   const write = (x, y, text) => svg.append("text").attr("x", x).attr("y", y).attr("fill", color).text(text);
   figures.forEach((figure, i) => {
     const [x, y] = [(i % columns) * cellWidth, Math.floor(i / columns) * cellHeight];
-    const parts = [...figure.querySelector("figcaption").childNodes].map((node) => node.textContent);
-    write(x + 10, y + 16, parts.filter(Boolean).join("  "));
-    const place = { x, y: y + GAP, width: sizes[i].width, height: sizes[i].height };
-    svg.append(() => copyOf(figure.querySelector("svg"), place));
+    const title = [...figure.querySelector("figcaption").childNodes].map((node) => node.textContent);
+    write(x + 10, y + 16, title.join("  ").trim());
+    svg.append(() => copyOf(drawings[i], x, y + GAP));
   });
   entries.forEach((entry, i) => {
-    const [x, y] = [10 + (i % inRow) * ENTRY, drawn + GAP * (Math.floor(i / inRow) + 0.5)];
-    svg.append(() => copyOf(entry.querySelector("svg"), { x, y }));
-    write(x + 38, y + 11, entry.textContent.trim());
+    const [x, y] = [10 + (i % inRow) * ENTRY, keyTop + GAP * Math.floor(i / inRow)];
+    svg.append(() => copyOf(entry.querySelector("svg"), x, y));
+    write(x + 38, y + 11, entry.textContent);
   });
   return new XMLSerializer().serializeToString(svg.node());
 }

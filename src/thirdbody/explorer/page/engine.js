@@ -2,55 +2,50 @@
 
 import { modelOf, remembered } from "./model.js";
 import { curveOf, turningPointOf } from "./curves.js";
+import { scaleFor } from "./names.js";
 import { axes, content, currentInputs, defaultInputs } from "./state.js";
 
 const SLICE = 12; // milliseconds
-const NEWTONS = axes[0].range;
-export const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
+const DRY_TWO_BODY = { viscosity: 0, particle_diameter: 0, particle_density: 0 };
+export const OVER_TWO_BODY = "total_contact_area_over_two_body";
 
-export function engineOf(inputs) {
+export const engineOf = remembered((inputs) => {
   const model = modelOf(inputs);
   const { newtonsPerLoad } = model;
-  const loads = NEWTONS.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
+  const loads = axes[0].range.map((force) => force / newtonsPerLoad); // first and last F_t* of curves
   const contact = remembered(model.contact);
   const curve = remembered((condition) => {
     const states = curveOf(contact(condition), ...loads);
-    return { condition, states, turningPoint: turningPointOf(contact(condition), states) };
+    const separations = states.map(({ separation }) => separation);
+    return { condition, states, turningPoint: turningPointOf(contact(condition), separations) };
   });
-  return {
-    model,
-    newtonsPerLoad,
-    loads,
-    contact,
-    curve,
-    // the state at all five conditions, the load in newtons
-    state: ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad),
-    // A_t* of dry contact without particles on the same surface, at the loads of a curve
-    twoBodyArea: (condition) =>
-      curve({ ...condition, ...DRY_TWO_BODY }).states.map((each) => each.total_contact_area),
+  // A_t* of dry contact without particles on the same surface
+  const twoBodyArea = remembered(
+    ({ roughness, load }) => contact({ ...DRY_TWO_BODY, roughness }).solve(load).total_contact_area,
+    5000,
+  );
+  const valueOf = (name, found, condition) => {
+    if (name !== OVER_TWO_BODY) return condition[name] ?? found[name];
+    return found.total_contact_area / twoBodyArea({ roughness: condition.roughness, load: found.load });
   };
-}
+  // two variables of a state at a condition
+  const pointOf = (x, y, found, condition) => {
+    return { x: valueOf(x, found, condition), y: valueOf(y, found, condition), state: found };
+  };
+  // the state at all five conditions, the load in newtons
+  const state = ({ load, ...condition }) => contact(condition).solve(load / newtonsPerLoad);
+  return { model, newtonsPerLoad, loads, contact, curve, pointOf, state };
+}, 40); // sets of inputs: those of the ensemble, and the last that were chosen
 
-const engineFor = remembered(engineOf, 20);
-export const defaultEngine = engineOf(defaultInputs);
-export const currentEngine = () => {
-  const inputs = currentInputs();
-  return JSON.stringify(inputs) === JSON.stringify(defaultInputs) ? defaultEngine : engineFor(inputs);
-};
-let members = null;
-export function ensembleEngines() {
-  members ??= content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
-  return members;
-}
+export const defaultEngine = () => engineOf(defaultInputs);
+export const currentEngine = () => engineOf(currentInputs());
+export const ensembleEngines = () => content.ensemble.map((member) => engineOf({ ...defaultInputs, ...member }));
 
-// A value along an axis, at a part from 0 to 1 of the way between two ends [SI; the load in newtons].
-export function placeAlong(name, [low, high], part) {
-  const log = name === "load" || name === "particle_density";
-  return log ? low * (high / low) ** part : low + (high - low) * part;
+// Values along an axis between two ends [SI; the load in newtons].
+export function placesAlong(name, ends, count) {
+  const scale = scaleFor(name).domain(ends).range([0, count - 1]);
+  return d3.range(count).map((place) => scale.invert(place));
 }
-
-export const placesAlong = (name, ends, count) =>
-  d3.range(count).map((i) => placeAlong(name, ends, i / (count - 1)));
 
 // Run the steps of a generator in slices, between which the page answers, as long as they are wanted.
 export function inSlices(steps, isWanted) {

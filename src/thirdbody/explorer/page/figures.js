@@ -1,98 +1,84 @@
 // The figures of the paper as specs of charts, with what the user chose in place of their conditions.
 
 import { conditionAxes, content, state } from "./state.js";
-import { currentEngine, defaultEngine, DRY_TWO_BODY } from "./engine.js";
+import { OVER_TWO_BODY, currentEngine, defaultEngine } from "./engine.js";
 import { turningPointBetween, turningWindow } from "./curves.js";
-import { DIAMOND, axisFor, ink, isDark, mineColour, shade } from "./chart.js";
+import { DASHED, DIAMOND, axisFor, levelStyle } from "./chart.js";
 import { curvesOf, referencesOf } from "./judge.js";
 import { measuredPoints } from "./measured.js";
 import { VARIABLES, conditionWord, valueText, wordOf } from "./names.js";
 import { readable } from "./text.js";
 
 const WINDOW_HEIGHT = 0.5; // at which the ends of a window are drawn
-const GHOST_STEP = 3; // of the points of a thin line, one is drawn
-const OVER_TWO_BODY = "total_contact_area_over_two_body";
-const DASHED = "5 3";
 const DOTTED = "1.5 2.5";
 
 // verdicts as they were last judged, by the ids of statements
 export const verdicts = new Map(content.claims.map(({ id, verdict, measured }) => [id, { verdict, measured }]));
 
 // a spec of a chart; what is not given is empty
-export const specOf = (given) => ({
-  ...{ letter: "", newtonsPerLoad: null, lines: [], ghosts: [], ranges: [], printed: [] },
-  ...{ stars: [], measured: [], locus: false, areas: [], borders: [] },
-  ...given,
-});
+const EMPTY = { letter: "", lines: [], ghosts: [], ranges: [], printed: [], stars: [], measured: [], areas: [], borders: [] };
+export const specOf = (given) => ({ ...EMPTY, ...given });
 
 const isTwoBody = (condition) => condition.particle_diameter * condition.particle_density === 0;
 const ratioOf = (condition) => Number((condition.particle_diameter / condition.roughness).toPrecision(6));
+const levelOf = (name, condition) => (name === "diameter_ratio" ? ratioOf(condition) : condition[name]);
 const distinct = (values) => d3.sort(new Set(values));
 const isSame = (a, b) =>
   conditionAxes.every(({ name }) => Math.abs(a[name] - b[name]) <= 1e-9 * Math.abs(b[name]));
 
+// The values of a condition on the curves of a figure that have particles and, if it is one, oil.
+function levelsOf(figure, name) {
+  const bodies = figure.curves.filter((condition) => !isTwoBody(condition));
+  return distinct(bodies.map((condition) => levelOf(name, condition))).filter((level) => level > 0);
+}
+
 // The condition that distinguishes the curves of a figure, and its levels.
 function parameterOf(figure) {
-  const bodies = figure.curves.filter((condition) => !isTwoBody(condition));
-  const levels = (pick) => distinct(bodies.map(pick)).filter((level) => level > 0);
-  const found = conditionAxes.map(({ name }) => ({ name, levels: levels((each) => each[name]) }));
-  const best = d3.greatest(found, ({ levels: { length } }) => length);
-  const ratios = levels(ratioOf);
-  return best.name === "particle_diameter" && ratios.length < best.levels.length
-    ? { name: "diameter_ratio", levels: ratios }
-    : best;
+  const names = ["diameter_ratio", ...conditionAxes.map(({ name }) => name)];
+  const [ratios, ...found] = names.map((name) => ({ name, levels: levelsOf(figure, name) }));
+  const best = d3.greatest(found, ({ levels }) => levels.length);
+  return best.name === "particle_diameter" && ratios.levels.length < best.levels.length ? ratios : best;
 }
 
 // A figure's curves at the chosen conditions, with notes on what was chosen. A condition that all
 // curves have in common is replaced; the one that distinguishes them gets additional curves.
 function figureCurves(figure, parameter) {
-  const bodies = figure.curves.filter((condition) => !isTwoBody(condition));
   const notes = [];
   let changed = Object.keys(state.inputs).length > 0;
   let curves = figure.curves.map((condition, place) => ({ condition, places: [place], mine: false }));
-  for (const { name } of conditionAxes.filter((axis) => axis.name in state.conditions)) {
-    const value = state.conditions[name];
-    const [level, ...others] = distinct(bodies.map((each) => each[name])).filter((each) => each > 0);
-    if (name === parameter.name) {
-      notes.push(`added: curves at ${conditionWord(name, value)}`);
-    } else if (others.length) {
+  for (const [name, value] of Object.entries(state.conditions)) {
+    const [level, ...others] = levelsOf(figure, name);
+    if (name === "load" || name === parameter.name) continue;
+    if (others.length) {
       notes.push(`${wordOf(name).toLowerCase()} stays: the figure compares several`);
-    } else {
-      const isKept = (condition) =>
-        (isTwoBody(condition) && name.startsWith("particle")) || (level && condition[name] !== level);
-      const replaced = (condition) => (isKept(condition) ? condition : { ...condition, [name]: value });
-      curves = curves.map((curve) => ({ ...curve, condition: replaced(curve.condition) }));
-      notes.push(`drawn at ${conditionWord(name, value)}`);
-      changed = true;
+      continue;
     }
+    const isKept = (condition) =>
+      (isTwoBody(condition) && name.startsWith("particle")) || (level && condition[name] !== level);
+    const replaced = (condition) => (isKept(condition) ? condition : { ...condition, [name]: value });
+    curves = curves.map((curve) => ({ ...curve, condition: replaced(curve.condition) }));
+    notes.push(`drawn at ${conditionWord(name, value)}`);
+    changed = true;
   }
   if (parameter.name in state.conditions) {
-    const moved = curves
-      .filter(({ condition }) => !isTwoBody(condition))
-      .map(({ condition, places }) => {
-        const value = state.conditions[parameter.name];
-        return { condition: { ...condition, [parameter.name]: value }, places };
-      });
-    const groups = d3.group(moved, ({ condition }) => JSON.stringify(condition));
-    for (const group of groups.values()) {
-      const places = group.flatMap((curve) => curve.places);
-      curves.push({ condition: group[0].condition, places, mine: true });
+    const value = state.conditions[parameter.name];
+    const bodies = curves.filter(({ condition }) => !isTwoBody(condition));
+    const moved = bodies.map((curve) => ({ ...curve, condition: { ...curve.condition, [parameter.name]: value } }));
+    for (const group of d3.group(moved, ({ condition }) => JSON.stringify(condition)).values()) {
+      curves.push({ condition: group[0].condition, places: group.flatMap(({ places }) => places), mine: true });
     }
+    notes.push(`added: curves at ${conditionWord(parameter.name, value)}`);
   }
   return { curves, notes, changed };
 }
 
 // Colour, dashes and marker of a curve, as in the figures of the workflow.
-function styleOf(parameter, condition, mine, comparesMedia) {
-  if (mine) return { color: mineColour() };
+function styleOf({ name, levels }, condition, mine, comparesMedia) {
   const dry = condition.viscosity === 0;
-  if (isTwoBody(condition)) return { color: isDark() ? "#98a2ad" : "#6d7681", dash: dry ? DOTTED : null };
-  const level = parameter.name === "diameter_ratio" ? ratioOf(condition) : condition[parameter.name];
-  if (level === 0) return { color: ink(), dash: DASHED };
-  const rank = parameter.levels.indexOf(level);
-  const { length } = parameter.levels;
-  const color = shade(length > 1 ? rank / (length - 1) : 0.3);
-  return comparesMedia && dry ? { color, dash: DASHED } : { color, marker: rank };
+  if (mine) return { color: "var(--mine)" };
+  if (isTwoBody(condition)) return { color: "var(--two-body)", dash: dry ? DOTTED : null };
+  const style = levelStyle(levelOf(name, condition), levels);
+  return comparesMedia && dry ? { color: style.color, dash: DASHED } : style;
 }
 
 function labelOf({ name }, condition) {
@@ -101,18 +87,6 @@ function labelOf({ name }, condition) {
   if (name === "viscosity") return conditionWord(name, condition.viscosity);
   const level = name === "diameter_ratio" ? `xₐ/σ = ${readable(ratioOf(condition), 3)}` : conditionWord(name, condition[name]);
   return `${level}, ${medium}`;
-}
-
-// Points of a curve: two variables, and the state that they belong to.
-export function pointsOf(xName, yName, curve, engine) {
-  const [x, y] = [xName, yName].map((name) => {
-    if (name === OVER_TWO_BODY) {
-      const reference = engine.twoBodyArea(curve.condition);
-      return curve.states.map((each, i) => each.total_contact_area / reference[i]);
-    }
-    return curve.states.map((each) => curve.condition[name] ?? each[name]);
-  });
-  return curve.states.map((each, i) => ({ x: x[i], y: y[i], state: each }));
 }
 
 // Whether the chosen statement refers to a curve.
@@ -144,13 +118,12 @@ export function figureView() {
     label: labelOf(parameter, curve.condition),
   }));
   // dry curves are drawn above lubricated ones, which show in the gaps of their dashes
-  const layer = ({ dash, mine, chosen }) => (dash ? 1 : 0) + (mine ? 2 : 0) + (chosen ? 4 : 0);
-  const layered = d3.sort(drawn, layer);
+  const layered = d3.sort(drawn, ({ dash, mine, chosen }) => (dash ? 1 : 0) + (mine ? 2 : 0) + (chosen ? 4 : 0));
   const windows = figure.panels.filter(({ x }) => x === "diameter_ratio");
   const specs = figure.panels.map((panel) => {
     if (windows.includes(panel)) return windowSpec(figure, panel, engine, windows.indexOf(panel), claim);
-    const mine = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
-    return curveSpec(panel, mine, engine, { claim, changed, paper: figure.curves });
+    const shown = layered.filter(({ places }) => places.some((place) => panel.curves.includes(place)));
+    return curveSpec(panel, shown, engine, { claim, changed, paper: figure.curves });
   });
   if (changed) notes.push("thin grey: the paper's conditions with the calibrated inputs");
   const key = keyEntries(drawn, parameter, comparesMedia);
@@ -159,10 +132,10 @@ export function figureView() {
 
 function curveSpec(panel, curves, engine, { claim, changed, paper }) {
   const [x, y] = [panel.x, yName(panel.y)];
-  const lines = curves.map((curve) => ({ ...curve, points: pointsOf(x, y, curve, engine) }));
-  const ghosts = changed
-    ? panel.curves.map((place) => thinned(pointsOf(x, y, defaultEngine.curve(paper[place]), defaultEngine)))
-    : [];
+  const pointsOf = ({ states, condition }, from) => states.map((found) => from.pointOf(x, y, found, condition));
+  const lines = curves.map((curve) => ({ ...curve, points: pointsOf(curve, engine) }));
+  const before = changed ? panel.curves.map((place) => defaultEngine().curve(paper[place])) : [];
+  const ghosts = before.map((curve) => pointsOf(curve, defaultEngine()));
   const asDrawn = y === panel.y;
   const printed = asDrawn ? printedMarks(panel, claim, curves) : [];
   const turns = panel.y === "particle_contact_area_ratio" || (panel.turning_points && asDrawn);
@@ -171,29 +144,24 @@ function curveSpec(panel, curves, engine, { claim, changed, paper }) {
   const marked = printed.flatMap(({ at, ends }) => [at, ...ends]);
   const markedY = VARIABLES[y].fraction ? [] : marked.map((at) => at[1]);
   const { load } = state.conditions;
+  const ofPaper = curves.filter(({ mine }) => !mine);
+  const sigmas = distinct(ofPaper.map(({ condition }) => condition.roughness));
+  const ranges = ofPaper.map(({ places: [place], ...look }) => ({ ...look, points: panel.ranges[place] }));
   return specOf({
     letter: panel.letter,
-    title: VARIABLES[y].words + sharedRoughness(curves),
+    title: VARIABLES[y].words + (sigmas.length > 1 ? "" : `, ${conditionWord("roughness", sigmas[0])}`),
     x: axisFor(x, state.x_scale, [...points.map((point) => point.x), ...marked.map((at) => at[0])]),
     y: axisFor(y, state.y_scale, [...points.map((point) => point.y), ...markedY]),
     newtonsPerLoad: x === "load" ? engine.newtonsPerLoad : null,
     lines,
     ghosts,
-    ranges: asDrawn && !changed ? rangesOf(panel, curves) : [],
+    ranges: asDrawn && !changed ? ranges.filter(({ points }) => points) : [],
     printed,
-    stars: turns ? starsOf(curves, x, y, engine) : [],
+    stars: turns ? starsOf(x, y, curves, engine) : [],
     locus: panel.locus,
     measured,
     here: x === "load" && load ? load / engine.newtonsPerLoad : undefined,
   });
-}
-
-const thinned = (points) => points.filter((_, i) => i % GHOST_STEP === 0 || i === points.length - 1);
-
-// the roughness of all curves of a panel, where they have one in common
-function sharedRoughness(curves) {
-  const [sigma, ...others] = distinct(curves.filter(({ mine }) => !mine).map(({ condition }) => condition.roughness));
-  return others.length ? "" : `, σ = ${valueText("roughness", sigma)}`;
 }
 
 function printedMarks(panel, claim, curves) {
@@ -205,26 +173,17 @@ function printedMarks(panel, claim, curves) {
       ...mark,
       chosen,
       faded: Boolean(claim) && !chosen,
-      color: chosen ? mineColour() : (curve?.color ?? ink()),
+      color: chosen ? "var(--mine)" : (curve?.color ?? "var(--ink)"),
       text: `${stated.statement} (${verdicts.get(mark.id).verdict})`,
     };
   });
 }
 
-const rangesOf = (panel, curves) =>
+// The turning points of curves.
+export const starsOf = (x, y, curves, engine) =>
   curves
-    .filter(({ mine, places: [place] }) => !mine && panel.ranges[place])
-    .map(({ places: [place], color, faded }) => ({ points: panel.ranges[place], color, faded }));
-
-function starsOf(curves, x, y, engine) {
-  const turning = curves.filter(({ turningPoint }) => turningPoint);
-  return turning.map(({ turningPoint, color, condition, faded }) => {
-    const found = { x: turningPoint[x], y: turningPoint[y], color, faded };
-    if (y !== OVER_TWO_BODY) return found;
-    const reference = engine.state({ ...condition, ...DRY_TWO_BODY, load: turningPoint.normal_load });
-    return { ...found, y: turningPoint.total_contact_area / reference.total_contact_area };
-  });
-}
+    .filter(({ turningPoint }) => turningPoint)
+    .map(({ turningPoint, condition, color, faded }) => ({ ...engine.pointOf(x, y, turningPoint, condition), color, faded }));
 
 // Where turning points occur over x_a/sigma, on one of the surfaces that the figure compares.
 function windowSpec(figure, panel, engine, surface, claim) {
@@ -232,21 +191,22 @@ function windowSpec(figure, panel, engine, surface, claim) {
   const { viscosity = 0, particle_density = 1e11, roughness: chosen } = state.conditions;
   const roughness = chosen !== undefined && sigmas.length === 1 ? chosen : sigmas[surface];
   const label = `σ = ${valueText("roughness", roughness)}`;
+  const color = "var(--ink)";
   const points = d3.range(0.3, 2.0001, 0.05).map((ratio) => {
     const condition = { viscosity, roughness, particle_density, particle_diameter: ratio * roughness };
     const found = turningPointBetween(engine.model.contact(condition), ...engine.loads);
     return { x: ratio, y: found?.particle_contact_area_ratio ?? NaN, state: found };
   });
   const ends = viscosity === 0 ? turningWindow(engine.model, roughness, particle_density, ...engine.loads) : [];
-  const diamonds = ends.map((x) => ({ x, y: WINDOW_HEIGHT, symbol: DIAMOND, color: mineColour() }));
+  const diamonds = ends.map((x) => ({ x, y: WINDOW_HEIGHT, symbol: DIAMOND, color: "var(--mine)" }));
   return specOf({
     letter: panel.letter,
     title: `${VARIABLES[panel.y].words}, ${label}`,
     x: { name: panel.x, log: false, domain: [0.3, 2] },
     y: { name: panel.y, log: false, domain: [-0.04, 1.06] },
-    lines: [{ label, color: ink(), points }],
+    lines: [{ label, color, points }],
     printed: printedMarks(panel, claim, []),
-    stars: [...points.map(({ x, y }) => ({ x, y, color: ink() })), ...diamonds],
+    stars: [...points.map(({ x, y }) => ({ x, y, color })), ...diamonds],
   });
 }
 
@@ -259,12 +219,12 @@ function keyEntries(drawn, parameter, comparesMedia) {
     const text = isTwoBody(curve.condition) ? curve.label : curve.label.split(", ")[0];
     return { ...curve, text: curve.mine ? `${text} (yours)` : text };
   });
-  const entries = [...d3.rollup(named, ([first]) => first, ({ text }) => text).values()];
+  const entries = [...d3.group(named, ({ text }) => text).values()].map(([first]) => first);
   if (!byDashes) return entries;
   const oil = drawn.find(({ condition }) => condition.viscosity > 0).condition.viscosity;
   return [
     ...entries,
-    { text: valueText("viscosity", oil), color: ink() },
-    { text: "dry", color: ink(), dash: DASHED },
+    { text: valueText("viscosity", oil), color: "var(--ink)" },
+    { text: "dry", color: "var(--ink)", dash: DASHED },
   ];
 }

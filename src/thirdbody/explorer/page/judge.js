@@ -24,17 +24,13 @@ const TURNING_POINT = {
   turning_point_solid_load_fraction: (point) => point.solid_load_fraction,
   turning_point_solid_load: (point) => point.solid_load_fraction * point.load,
 };
-const NO_TURNING_POINT = { load: NaN, particle_contact_area_ratio: NaN, solid_load_fraction: NaN };
 const log = (values) => values.map((value) => Math.log(Math.max(value, TINY)));
 const negated = (values) => values.map((value) => -value);
 const most = (values) => Math.max(...values); // NaN if one is
 const least = (values) => Math.min(...values);
 const difference = (a, b) => a.map((value, i) => value - b[i]);
-const last = (values) => values[values.length - 1];
 
 const NOT_REACHED = new Error("no load of the curve is within the bounds of the statement");
-
-// --- evidence: curves, turning points and windows, each found when first asked for ---
 
 // Variables along a curve, as arrays.
 class Course {
@@ -43,8 +39,13 @@ class Course {
     this.solid_load = this.load.map((load, i) => load * this.solid_load_fraction[i]);
   }
 
+  // between the neighbours of each point, whose steps are equal
   get total_contact_area_slope() {
-    return gradient(log(this.total_contact_area), this.load.map(Math.log));
+    const [x, y] = [this.load.map(Math.log), log(this.total_contact_area)];
+    return y.map((_, i) => {
+      const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
+      return (y[after] - y[before]) / (x[after] - x[before]);
+    });
   }
 
   // The variable `name` where the variable `against` has the values x, NaN beyond the curve.
@@ -65,31 +66,20 @@ class Course {
   }
 }
 
-// Slopes between the neighbours of each point, whose steps are equal.
-function gradient(y, x) {
-  return y.map((_, i) => {
-    const [before, after] = [Math.max(i - 1, 0), Math.min(i + 1, y.length - 1)];
-    return (y[after] - y[before]) / (x[after] - x[before]);
-  });
-}
-
-// What statements are judged on, between two normal loads [N].
-export function evidenceOf(model, newtons) {
-  const ends = newtons.map((force) => force / model.newtonsPerLoad);
-  const states = remembered((condition) => curveOf(model.contact(condition), ...ends, LOADS));
+// What statements are judged on: curves, turning points and windows, each found when first asked for.
+export function evidenceOf({ model, contact, loads, newtonsPerLoad }) {
+  const states = remembered((condition) => curveOf(contact(condition), ...loads, LOADS));
   return {
-    model,
+    newtonsPerLoad,
     curve: remembered((condition) => new Course(states(condition))),
     turningPoint: remembered((condition) => {
       const separations = states(condition).map(({ separation }) => separation);
-      const found = highestMaximum(model.contact(condition), separations);
-      return found && found.prominence > 0 ? found : { ...NO_TURNING_POINT, prominence: 0 };
+      const found = highestMaximum(contact(condition), separations);
+      return found?.prominence > 0 ? found : { prominence: 0 };
     }),
-    window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...ends)),
+    window: remembered((roughness) => turningWindow(model, roughness, WINDOW_DENSITY, ...loads)),
   };
 }
-
-// --- judging ---
 
 // Conditions of the curves of a statement [SI]. `changes` replace what it gives once for all curves.
 // A condition of 0, dry or two-body contact, is not replaced.
@@ -138,7 +128,7 @@ function measure(claim, evidence) {
 // A load beyond the last one is known to be larger, and no more.
 function isWithinTheLoads(claim, evidence) {
   if (claim.quantity !== "load" && !(claim.quantity in BETWEEN_CURVES)) return true;
-  const end = last(evidence.curve(claim.curves[0]).load);
+  const end = evidence.curve(claim.curves[0]).load.at(-1);
   if (claim.quantity === "bend_load_over_mixed_load") {
     return most([...bendLoads(claim, evidence), ...mixedLoads(claim, evidence)]) < end;
   }
@@ -150,8 +140,7 @@ function isWithinTheLoads(claim, evidence) {
   return fromPublished(claim, loads.map((load) => Math.min(load, end))) > 1;
 }
 
-// --- one check for each kind of statement: distance in tolerances, and the numbers compared ---
-
+// For each kind of statement a check, which gives the distance in tolerances and the numbers compared
 const CHECKS = {
   value(claim, evidence) {
     const numbers = scalars(claim, evidence);
@@ -215,8 +204,6 @@ function fromPublished(claim, values) {
   return most(distances);
 }
 
-// --- measuring ---
-
 // The quantity of a statement as one number for each curve.
 function scalars(claim, evidence) {
   const { quantity } = claim;
@@ -254,21 +241,19 @@ function gaps(claim, evidence) {
 
 // Loads at which two curves part or cross.
 const BETWEEN_CURVES = {
-  total_contact_area_reversal_load: reversalLoads,
+  // load above which the areas increase from curve to curve
+  total_contact_area_reversal_load(claim, evidence) {
+    const [loads, areas] = table(claim, evidence, claim.curves, "total_contact_area");
+    const falling = d3.reverse(loads);
+    const rises = d3.pairs(areas.map(log), (below, above) => d3.reverse(difference(above, below)));
+    return [most(rises.map((gap) => firstFall(falling, gap)))];
+  },
   bend_load: bendLoads,
   bend_load_over_mixed_load(claim, evidence) {
     const mixed = mixedLoads(claim, evidence);
     return bendLoads(claim, evidence).map((load, i) => load / mixed[i]);
   },
 };
-
-// Load above which the areas increase from curve to curve.
-function reversalLoads(claim, evidence) {
-  const [loads, areas] = table(claim, evidence, claim.curves, "total_contact_area");
-  const falling = d3.reverse(loads);
-  const rises = d3.pairs(areas.map(log), (below, above) => d3.reverse(difference(above, below)));
-  return [most(rises.map((gap) => firstFall(falling, gap)))];
-}
 
 // Loads at which the slope of the area has fallen below that of the reference.
 function bendLoads(claim, evidence) {
@@ -306,21 +291,21 @@ function departureSharpness(claim, evidence) {
 function table(claim, evidence, group, quantity = claim.quantity) {
   const curves = group.map(evidence.curve);
   const bounded = claim.references.length ? curves.slice(1) : curves;
-  let x = loadsOf(claim, curves, bounded, evidence.model);
+  let x = loadsOf(claim, curves, bounded, evidence);
   if (claim.against !== "load") {
     const spans = curves.map((curve) => d3.extent(curve[claim.against]));
     const [low, high] = [most(spans.map((span) => span[0])), least(spans.map((span) => span[1]))];
-    const asked = last(curves).at(claim.against, x);
+    const asked = curves.at(-1).at(claim.against, x);
     x = asked.map((value) => Math.min(Math.max(value, low), high));
   }
   return [x, curves.map((curve) => curve.at(quantity, x, claim.against))];
 }
 
 // The loads that a statement refers to: the one that it names, or all within its bounds.
-function loadsOf(claim, curves, bounded, model) {
+function loadsOf(claim, curves, bounded, { newtonsPerLoad }) {
   const { load, load_min = 0, load_max_N = Infinity, load_max, ...others } = claim.limits;
   if (load !== undefined) return [load];
-  const grid = last(curves);
+  const grid = curves.at(-1);
   const limits = Object.entries(others).map(([key, limit]) => {
     const [, name, end] = key.match(/^(.*?)(_min|_max)?$/);
     return { name, end, limit };
@@ -331,8 +316,8 @@ function loadsOf(claim, curves, bounded, model) {
     return [firstFall(grid.load, excess)];
   }
   const low = most([load_min, ...curves.map((curve) => curve.load[0])]);
-  const heaviest = load_max ?? load_max_N / model.newtonsPerLoad;
-  const high = least([heaviest, ...curves.map((curve) => last(curve.load))]);
+  const heaviest = load_max ?? load_max_N / newtonsPerLoad;
+  const high = least([heaviest, ...curves.map((curve) => curve.load.at(-1))]);
   if (!(low < high)) throw NOT_REACHED;
   const loads = [low, ...grid.load.filter((each) => each > low && each < high), high];
   if (!limits.length) return loads;
@@ -356,31 +341,30 @@ function firstFall(loads, values) {
   return loads[right - 1] * Math.exp(advance * step);
 }
 
-// --- by how much a course of values misses what its name says ---
-
-const runningLeast = (values) => {
-  let low = Infinity;
+// The least, or the most, of the values up to each.
+function running(pick, values) {
+  let found = values[0];
   return values.map((value) => {
-    low = Math.min(low, value);
-    return low;
+    found = pick(found, value);
+    return found;
   });
-};
-const runningMost = (values) => negated(runningLeast(negated(values)));
+}
 
 function riseMiss(values, step) {
-  const relapse = most(difference(runningMost(values), values));
-  return most([relapse, 2 * step - (last(values) - values[0])]);
+  const relapse = most(difference(running(Math.max, values), values));
+  return most([relapse, 2 * step - (values.at(-1) - values[0])]);
 }
 
 // Height of the most prominent maximum above the lowest values on its two sides.
 function peakHeight(values) {
-  const left = difference(values, runningLeast(values));
-  const right = difference(values, d3.reverse(runningLeast(d3.reverse(values))));
-  return most(left.map((value, i) => Math.min(value, right[i])));
+  const left = running(Math.min, values);
+  const right = d3.reverse(running(Math.min, d3.reverse(values)));
+  return most(values.map((value, i) => value - Math.max(left[i], right[i])));
 }
 
 const peakMiss = (values, step) => 2 * step - peakHeight(values);
 
+// By how much a course of values misses what its name says.
 const COURSES = {
   increasing: riseMiss,
   decreasing: (values, step) => riseMiss(negated(values), step),

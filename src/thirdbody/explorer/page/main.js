@@ -1,39 +1,34 @@
 // The page: tabs, what is drawn, and what changes with the state.
 
-import { axes, change, content, currentPoint, defaultInputs, fromFragment, onChange, reset, state, toFragment } from "./state.js";
-import { makeControls, newtonsText, updateControls } from "./controls.js";
+import { CHOICES, change, content, currentInputs, currentPoint, defaultInputs } from "./state.js";
+import { fromFragment, onChange, reset, state, toFragment } from "./state.js";
+import { makeControls, updateControls } from "./controls.js";
 import { figureView } from "./figures.js";
 import { axesView } from "./axes.js";
-import { mapKey, mapView } from "./map.js";
-import { drawSection, sectionKey } from "./section.js";
-import { MARKERS, chartIn, sizeIn } from "./chart.js";
+import { MAP_KEY, mapView } from "./map.js";
+import { SECTION_KEY, drawSection } from "./section.js";
+import { chartIn, markerShape, widthIn } from "./chart.js";
 import { forgetMeasured, readMeasured } from "./measured.js";
 import { showPoint } from "./point.js";
 import { judgeAll, judgedUnder, makeStatements, showStatements } from "./statements.js";
 import { csvOf, csvOfMap, save, svgOf } from "./download.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText } from "./names.js";
-import { conditionWord, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
-import { modelOf } from "./model.js";
+import { conditionWords, letterOf, numberText, plainSymbol, wordOf } from "./names.js";
 import { engineOf } from "./engine.js";
 import { escaped, readable } from "./text.js";
 
 const $ = (id) => document.getElementById(id);
 const CAPTIONS = {
   axes: "The heavy curve is at your conditions; move the sliders, or choose other variables above.",
-  map:
-    "Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes. " +
-    "Heavy line: turning points of the contact area. The cross is at your conditions.",
-  section:
-    "Surfaces and particles are drawn at random, always the same, from the distributions that the model assumes, " +
-    "at the separation that it finds.",
+  map: `Colours: contact mode, by the limits 0.05 and 0.95 of A_sa,t*. Blue lines: limits of lubrication regimes.
+    Heavy line: turning points of the contact area. The cross is at your conditions.`,
+  section: `Surfaces and particles are drawn at random, always the same, from the distributions that the model
+    assumes, at the separation that it finds.`,
 };
-const statements = { filter: $("filter"), list: $("claims"), tally: $("tally") };
 let charts = [];
-let shown = null; // what can be downloaded
+let csv = null; // gives the numbers that are shown, if there are any
 
-// --- values under the pointer ---
-
-function showTooltip({ spec: { x, y, rows }, line, point, at, event }) {
+function showTooltip({ spec: { x, y, rows }, label, point, at, event }) {
   const tooltip = $("tooltip");
   const { state: found } = point;
   const isSolved = found?.mode >= 0;
@@ -45,36 +40,27 @@ function showTooltip({ spec: { x, y, rows }, line, point, at, event }) {
     isSolved ? `${MODE_TEXT[found.mode]}, ${REGIME_TEXT[found.regime]} lubrication` : "",
     found ? statusText(found.status) : "",
   ].filter(Boolean);
-  tooltip.innerHTML = `<b>${escaped(line.label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
+  tooltip.innerHTML = `<b>${escaped(label)}</b>${texts.map((text) => `<div>${escaped(text)}</div>`).join("")}`;
   tooltip.hidden = false;
   const { offsetWidth: width, offsetHeight: height } = tooltip;
   const left = at[0] + 16 + width > innerWidth ? at[0] - width - 16 : at[0] + 16;
   tooltip.style.left = `${Math.max(left, 4)}px`;
   tooltip.style.top = `${Math.max(Math.min(at[1] + 12, innerHeight - height - 4), 4)}px`;
-  if (event.type === "keydown") $("live").textContent = [line.label, ...texts].join(", ");
+  if (event.type === "keydown") $("live").textContent = [label, ...texts].join(", ");
 }
 
 const valueText = (name, value) => `${plainSymbol(VARIABLES[name].symbol)} = ${numberText(name, value)}`;
 
-const hideTooltip = () => {
-  $("tooltip").hidden = true;
-};
+const hideTooltip = () => $("tooltip").setAttribute("hidden", "");
 
-// --- drawing ---
-
-function drawCharts(view, name) {
-  const { specs, key } = view;
+function drawCharts(specs) {
   const parent = $("charts");
-  if (charts.length !== specs.length || parent.dataset.kind !== state.view) {
+  if (charts.length !== specs.length) {
     parent.replaceChildren();
-    parent.dataset.kind = state.view;
     charts = specs.map(() => chartIn(parent, { onRead: showTooltip, onLeave: hideTooltip }));
   }
-  const sizes = charts.map(({ figure }) => sizeIn(figure)); // before any of them changes
-  specs.forEach((spec, i) => charts[i].update(spec, sizes[i]));
-  shown = { csv: () => csvOf(specs), name };
-  showKey(key);
-  return view;
+  const widths = charts.map(({ figure }) => widthIn(figure)); // before any of them changes
+  specs.forEach((spec, i) => charts[i].update(spec, widths[i]));
 }
 
 // The key: an entry has a text and a colour with dashes and marker, or a fill.
@@ -82,7 +68,7 @@ function showKey(entries) {
   const html = entries.map(({ text, color, fill, dash, marker }) => {
     const line = color ? `<path d="M0,7H30" stroke="${color}" stroke-width="2.2" stroke-dasharray="${dash ?? "none"}"/>` : "";
     const box = fill ? `<rect x="4" y="1" width="22" height="12" fill="${fill}" stroke="var(--soft)"/>` : "";
-    const shape = marker === undefined ? "" : d3.symbol(MARKERS[marker % MARKERS.length], 40)();
+    const shape = marker === undefined ? "" : markerShape(marker, 40);
     const mark = `<path d="${shape}" fill="${color}" transform="translate(15,7)"/>`;
     const drawing = `<svg width="30" height="14" aria-hidden="true">${line}${box}${mark}</svg>`;
     return `<span class="entry">${drawing}<span>${escaped(text)}</span></span>`;
@@ -90,89 +76,85 @@ function showKey(entries) {
   $("key").innerHTML = html.join("");
 }
 
-// Each draws a view, and returns its heading, notes and, if it has its own, its caption.
+// Each gives the heading, notes and key of a view, and the specs of its charts, or draws it.
 const VIEWS = {
-  figures: () => drawCharts(figureView(), state.figure),
-  axes: () => drawCharts(axesView(), "thirdbody"),
+  figures: figureView,
+  axes: axesView,
   map() {
-    if ($("charts").dataset.kind !== "map") {
-      $("charts").replaceChildren("Solving all points of the map …");
-      $("key").replaceChildren();
-      charts = [];
-      shown = null;
-    }
-    $("charts").dataset.kind = "map";
+    if (!charts.length) $("charts").replaceChildren("Solving all points of the map …");
     mapView((spec) => {
       if (state.view !== "map") return;
-      drawCharts({ specs: [spec], key: mapKey() }, "map");
-      shown.csv = () => csvOfMap(spec);
+      drawCharts([spec]);
+      csv = () => csvOfMap(spec);
       $("charts").dataset.done = toFragment();
       showToolbar();
     });
-    const point = currentPoint();
-    const others = axes.filter(({ name }) => name !== state.map_x && name !== state.map_y);
-    const notes = others.map(({ name }) => conditionWord(name, point[name]));
-    return { heading: "Map of modes and regimes", notes };
+    const notes = conditionWords(currentPoint(), state.map_x, state.map_y);
+    return { heading: "Map of modes and regimes", notes, key: MAP_KEY };
   },
-  section() {
-    $("charts").dataset.kind = "section";
-    const notes = [drawSection($("charts"))];
-    showKey(sectionKey());
-    shown = { csv: null, name: "section" };
-    return { heading: "The interface at your conditions", notes };
-  },
+  section: () => ({ heading: "The interface at your conditions", notes: [drawSection($("charts"))], key: SECTION_KEY }),
 };
 
-let asked = false;
-let addressing = 0;
+// What newtons are: the paper leaves it open.
+const newtonsText = () =>
+  "In newtons Fₜ = Fₜ* Aₙ E_ss. The paper does not print Aₙ, the apparent area of the contact; " +
+  `it is ${readable(currentInputs().apparent_area * 1e6, 3)} mm² here, one of the inputs.`;
+
 function draw() {
   hideTooltip();
-  const { heading, notes, specs = [], caption = CAPTIONS[state.view] } = VIEWS[state.view]();
-  const hasNewtons = state.view === "map" || specs.some(({ newtonsPerLoad }) => newtonsPerLoad);
+  if ($("charts").dataset.kind !== state.view) {
+    $("charts").dataset.kind = state.view;
+    $("charts").replaceChildren();
+    charts = [];
+    csv = null;
+  }
+  const { heading, notes, key, specs, caption = CAPTIONS[state.view] } = VIEWS[state.view]();
+  if (specs) {
+    drawCharts(specs);
+    csv = () => csvOf(specs);
+  }
+  showKey(key);
+  const hasNewtons = state.view === "map" || specs?.some(({ newtonsPerLoad }) => newtonsPerLoad);
   $("heading").textContent = heading;
   $("notes").textContent = notes.join("; ");
   $("caption").textContent = hasNewtons ? `${caption} ${newtonsText()}` : caption;
 }
 
+let asked = 0;
+let addressing = 0;
 function render() {
-  asked = false;
+  asked = 0;
   draw();
   updateControls();
   showToolbar();
   showTabs();
   showPoint($("point"));
-  showStatements(statements);
+  showStatements();
   judgeAll(() => {
-    showStatements(statements);
+    showStatements();
     $("claims").dataset.judged = toFragment();
     if (state.view === "figures" && state.claim) draw();
   });
   clearTimeout(addressing);
-  addressing = setTimeout(showAddress, 100); // browsers limit how often it changes
-}
-
-function showAddress() {
-  const fragment = toFragment();
-  if (location.hash.slice(1) !== fragment) history.replaceState(null, "", `#${fragment}`);
+  // browsers limit how often the address changes
+  addressing = setTimeout(() => history.replaceState(null, "", `#${toFragment()}`), 100);
 }
 
 function ask() {
   $("claims").dataset.judged = "not yet";
-  if (asked) return;
-  asked = true;
-  requestAnimationFrame(render);
+  asked ||= requestAnimationFrame(render);
 }
 
-// --- tabs and toolbar ---
-
 const tabs = [...$("tabs").children];
-$("tabs").addEventListener("click", ({ target }) => target.dataset.view && change({ view: target.dataset.view }));
-$("tabs").addEventListener("keydown", (event) => {
-  const move = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
-  if (!move) return;
-  const tab = tabs[(tabs.indexOf(event.target) + move + tabs.length) % tabs.length];
-  change({ view: tab.dataset.view });
-  tab.focus();
+tabs.forEach((tab, i) => {
+  tab.addEventListener("click", () => change({ view: tab.dataset.view }));
+  tab.addEventListener("keydown", ({ key }) => {
+    const move = { ArrowLeft: -1, ArrowRight: 1 }[key];
+    if (!move) return;
+    const next = tabs.at((i + move) % tabs.length);
+    next.focus();
+    next.click();
+  });
 });
 
 function showTabs() {
@@ -184,22 +166,22 @@ function showTabs() {
   $("view").setAttribute("aria-labelledby", `tab-${state.view}`);
 }
 
-function fillToolbar() {
-  const quantities = content.quantities.map((name) => [`${VARIABLES[name].words} ${plainSymbol(VARIABLES[name].symbol)}`, name]);
-  const conditions = axes.map(({ name }) => [`${wordOf(name)} ${letterOf(name)}`, name]);
-  const figures = content.figures.map(({ name, title }) => [title.split(". ")[0], name]);
-  const options = { figure: figures, y: quantities, x: [...conditions, ...quantities] };
-  for (const id of ["by", "map_x", "map_y"]) options[id] = conditions;
-  for (const [id, texts] of Object.entries(options)) $(id).replaceChildren(...texts.map((each) => new Option(...each)));
+const FIGURES = Object.fromEntries(content.figures.map(({ name, title }) => [name, title.split(". ")[0]]));
+const SCALES = { auto: "as usual", log: "logarithmic", linear: "linear" };
+const TEXTS = { ...FIGURES, ...SCALES, own: "as it is", over_two_body: "over dry two-body" };
+for (const select of $("toolbar").querySelectorAll("select")) {
+  const text = (value) => TEXTS[value] ?? `${wordOf(value)} ${plainSymbol(letterOf(value))}`;
+  select.replaceChildren(...CHOICES[select.id].map((value) => new Option(text(value), value)));
 }
 
 $("toolbar").addEventListener("change", ({ target: { id, value } }) =>
   change(id === "figure" ? { figure: value, claim: "" } : { [id]: value }),
 );
-$("save-csv").addEventListener("click", () => save(`${shown.name}.csv`, "text/csv", shown.csv()));
+const shownName = () => (state.view === "figures" ? state.figure : state.view);
+$("save-csv").addEventListener("click", () => save(`${shownName()}.csv`, "text/csv", csv()));
 $("save-svg").addEventListener("click", () => {
-  const parts = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
-  save(`${shown.name}.svg`, "image/svg+xml", svgOf(...parts.map((found) => [...found])));
+  const [figures, entries] = [$("charts").querySelectorAll("figure"), $("key").querySelectorAll(".entry")];
+  save(`${shownName()}.svg`, "image/svg+xml", svgOf([...figures], [...entries]));
 });
 
 function showToolbar() {
@@ -208,11 +190,9 @@ function showToolbar() {
     const select = label.querySelector("select");
     select.value = state[select.id];
   }
-  $("save-csv").disabled = !shown?.csv;
-  $("save-svg").disabled = !shown;
+  $("save-csv").disabled = !csv;
+  $("save-svg").disabled = !$("charts").querySelector("svg");
 }
-
-// --- measured values ---
 
 async function addMeasured([file]) {
   if (!file) return;
@@ -234,8 +214,6 @@ addEventListener("drop", (event) => {
   addMeasured(event.dataTransfer.files);
 });
 
-// --- theme, link, print ---
-
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 function setTheme() {
   const wish = $("theme").value;
@@ -250,43 +228,23 @@ addEventListener("beforeprint", () => {
   draw();
 });
 addEventListener("afterprint", setTheme);
-$("copy-link").addEventListener("click", async () => {
-  const link = `${location.href.split("#")[0]}#${toFragment()}`;
-  try {
-    await navigator.clipboard.writeText(link);
-    $("live").textContent = $("copy-link").textContent = "Link copied";
-  } catch {
-    prompt("The link that restores this page:", link); // where the clipboard is not allowed
-  }
-  setTimeout(() => {
-    $("copy-link").textContent = "Copy link";
-  }, 1500);
-});
 $("reset").addEventListener("click", reset);
-addEventListener("hashchange", () => {
-  if (location.hash.slice(1) !== toFragment()) fromFragment(location.hash);
-});
-let width = innerWidth;
-addEventListener("resize", () => {
-  if (innerWidth === width) return;
-  width = innerWidth;
-  ask();
-});
+addEventListener("hashchange", () => fromFragment(location.hash));
+addEventListener("resize", ask);
 
 // a page that was saved as it stood has them already
 for (const id of ["controls", "filter", "charts"]) $(id).replaceChildren();
 $("measured").hidden = true;
 if (innerWidth <= 780) document.querySelectorAll("aside .pane").forEach((pane) => (pane.open = false));
 setTheme();
-fillToolbar();
 makeControls($("controls"));
-makeStatements(statements);
+makeStatements();
 onChange(ask);
 fromFragment(location.hash);
 // To compute with the page in the console or in a test: inputs and conditions in SI, load F_t*.
 globalThis.thirdbody = {
   inputs: defaultInputs,
-  solve: (inputs, condition, load) => modelOf(inputs).contact(condition).solve(load),
-  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint,
+  solve: (inputs, condition, load) => engineOf(inputs).contact(condition).solve(load),
+  turningPoint: (inputs, condition) => engineOf(inputs).curve(condition).turningPoint ?? null,
   judge: judgedUnder,
 };

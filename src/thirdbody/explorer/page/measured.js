@@ -1,13 +1,12 @@
 // Measured values from a CSV file, which are drawn over the curves.
 
-import { conditionAxes } from "./state.js";
-import { ink } from "./chart.js";
-import { VARIABLES } from "./names.js";
+import { conditionAxes, content } from "./state.js";
+import { VARIABLES, spaced } from "./names.js";
 import { numberIn } from "./text.js";
 
 const LENGTH = { nm: 1e-9, um: 1e-6, "µm": 1e-6, "μm": 1e-6, mm: 1e-3, m: 1 };
 const NUMBER = { "": 1, 1: 1, "%": 0.01 };
-// Units of the columns that are read, in SI. The same heading can stand for two variables.
+// Headings, variables, and units in SI. The same heading can stand for two variables.
 const COLUMNS = [
   ["load", "normal_load", { N: 1, mN: 1e-3, kN: 1e3 }],
   ["load", "load", { 1: 1 }],
@@ -19,24 +18,19 @@ const COLUMNS = [
   ["separation", "separation", LENGTH],
   ["film thickness", "separation", LENGTH],
   ["film thickness", "film_thickness", NUMBER],
-  ...["total_contact_area", "particle_contact_area_ratio", "surface_contact_area_ratio"].map(fractionColumn),
-  ...["solid_load_fraction", "fluid_load_fraction"].map(fractionColumn),
+  ...content.quantities.filter((name) => /area|fraction/.test(name)).map((name) => [spaced(name), name, NUMBER]),
 ];
-
-function fractionColumn(name) {
-  return [name.replaceAll("_", " "), name, NUMBER];
-}
 
 let rows = []; // values in SI by the names of variables
 
-// The variable of a heading such as "load [N]" and the size of its unit; null if no heading is called so.
+// The variable of a heading such as "load [N]" and the size of its unit; undefined if no heading is called so.
 function columnOf(heading) {
-  const [, words, unit = ""] = heading.match(/^(.*?)(?:\s*[[(](.*)[\])])?$/);
+  const [, words, unit = ""] = heading.match(/^(.*?)(?:\s*[[(]\s*(.*?)\s*[)\]])?\s*$/);
   const name = words.trim().toLowerCase().replaceAll("_", " ").replace(/^normal /, "");
   const known = COLUMNS.filter(([each]) => each === name);
-  const column = known.find(([, , units]) => Object.hasOwn(units, unit.trim()));
-  if (!known.length) return null;
-  if (column) return { name: column[1], size: column[2][unit.trim()] };
+  const column = known.find(([, , units]) => Object.hasOwn(units, unit));
+  if (column) return { name: column[1], size: column[2][unit] };
+  if (!known.length) return undefined;
   const allowed = known.flatMap(([, , units]) => Object.keys(units)).filter(Boolean);
   throw new Error(`“${heading}”: the unit is one of ${allowed.join(", ")}`);
 }
@@ -47,26 +41,20 @@ export function readMeasured(file, text) {
   const separator = [";", "\t"].find((each) => first.includes(each)) ?? ",";
   const [headings, ...lines] = d3.dsvFormat(separator).parseRows(text.replace(/^\uFEFF/, "").trim());
   try {
-    const columns = headings.map((heading) => columnOf(heading.trim()));
-    const found = lines.map((cells) =>
-      Object.fromEntries(
-        columns.flatMap((column, i) => (column ? [[column.name, numberIn(cells[i] ?? "") * column.size]] : [])),
-      ),
-    );
-    const ignored = headings.filter((_, i) => !columns[i]);
-    const used = columns.filter(Boolean).map(({ name }) => VARIABLES[name].words.toLowerCase());
+    const columns = headings.map((heading, place) => ({ heading, place, ...columnOf(heading.trim()) }));
+    const [used, ignored] = [columns.filter(({ name }) => name), columns.filter(({ name }) => !name)];
     if (used.length < 2) throw new Error("needs two columns such as “load [N]” and “solid load fraction [%]”");
-    rows = found;
-    const rest = ignored.length ? `; not read: ${ignored.join(", ")}` : "";
-    return `${file}: ${rows.length} rows of ${used.join(", ")}${rest}`;
+    const valueIn = (cells) => ({ name, place, size }) => [name, numberIn(cells[place] ?? "") * size];
+    rows = lines.map((cells) => Object.fromEntries(used.map(valueIn(cells))));
+    const words = used.map(({ name }) => VARIABLES[name].words.toLowerCase());
+    const rest = ignored.length ? `; not read: ${ignored.map(({ heading }) => heading).join(", ")}` : "";
+    return `${file}: ${rows.length} rows of ${words.join(", ")}${rest}`;
   } catch (error) {
     return `${file}: ${error.message}`;
   }
 }
 
-export const forgetMeasured = () => {
-  rows = [];
-};
+export const forgetMeasured = () => (rows = []);
 
 // Points of the table that a panel can show, in the colour of the curve at their conditions.
 export function measuredPoints(x, y, curves, { newtonsPerLoad }) {
@@ -77,6 +65,6 @@ export function measuredPoints(x, y, curves, { newtonsPerLoad }) {
     .filter((row) => Number.isFinite(row[x]) && Number.isFinite(row[y]))
     .map((row) => {
       const curve = curves.find(({ condition }) => isAt(row, condition));
-      return { x: row[x], y: row[y], color: curve?.color ?? ink() };
+      return { x: row[x], y: row[y], color: curve?.color ?? "var(--ink)" };
     });
 }

@@ -15,17 +15,16 @@ const NEAREST = -8; // t of surfaces that cut across each other's mean planes
 const LOWEST = -9; // alpha below which sizes add nothing to a moment in float64
 const SUMMIT_STEP = 1 / 32; // of tables in t, for errors below 1e-9
 const SIZE_STEP = 1 / 256; // of tables in alpha
-const MOST_TABLES = 200; // surfaces whose tables are kept
-const EPSILON = 2 ** -52;
 const ROOT_TOLERANCE = 1e-13; // of d
 const ROUNDED = 1e-8; // of a load, between that of a film and that in the film's formula
 const THICKEST = 0.01; // H_c of what is still a film between two bodies
 const FILM_COUNTS = 1e-3; // L_f below which the film does not matter
 
+// parts of the way between two places, closest together near both
+const PARTS = d3.range(1, 97).map((n) => d3.easeSinInOut(d3.easeSinInOut(n / 96)));
+
 export const LIMITS = { boundary: 0.9, full_film: 0.03, particle: 0.95, surface: 0.05 };
 export const NO_SUMMITS = "no_summits"; // the library refuses such inputs
-
-// --- tables ---
 
 // A function that keeps its results, up to `most` of them.
 export function remembered(find, most = 600) {
@@ -41,44 +40,35 @@ export function remembered(find, most = 600) {
 }
 
 // Smooth functions by cubic pieces between nodes from `first` to `last`, each computed when first needed.
-// `exact(x, node)` fills in value and slope of each function; the result gives the value of the `which`th.
-function tabulated(exact, { step, first, last, functions }) {
-  const width = 2 * functions;
-  const nodes = new Float64Array(width * (Math.ceil((last - first) / step) + 2)).fill(NaN);
-  const known = (index) => {
-    const node = nodes.subarray(width * index, width * (index + 1));
-    exact(first + index * step, node);
-  };
+// `exact(x)` gives value and slope of each function; the result gives the value of the one at place `which`.
+function tabulated(exact, { step, first, last }) {
+  const nodes = Array(Math.ceil((last - first) / step) + 2);
+  const node = (index) => (nodes[index] ??= exact(first + index * step));
   return (x, which = 0) => {
     const place = (x - first) / step;
     const index = Math.floor(place);
-    const low = width * index + 2 * which;
-    const high = low + width;
-    if (Number.isNaN(nodes[low])) known(index);
-    if (Number.isNaN(nodes[high])) known(index + 1);
+    const [low, high] = [node(index), node(index + 1)];
+    const [value, slope] = [low[which], step * low[which + 1]];
+    const rise = high[which] - value;
     const u = place - index;
-    const rise = nodes[high] - nodes[low];
-    const bend = (step * nodes[low + 1] - rise) * (1 - u) + (rise - step * nodes[high + 1]) * u;
-    return nodes[low] + u * (rise + (1 - u) * bend);
+    const bend = (slope - rise) * (1 - u) + (rise - step * high[which + 1]) * u;
+    return value + u * (rise + (1 - u) * bend);
   };
 }
 
-// --- the summits of a rough surface ---
-
 // McCool (1986): height of the summits' plane, and loss of their variance, over 1/(eta_s R).
-const SUMMIT_PLACES = new Map([
-  [true, (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length]],
-  ["as_rough", (sigma, length) => [sigma, 0.045944 * length]],
-  [false, (sigma) => [sigma, 0]],
-]);
+const SUMMIT_PLACES = {
+  true: (sigma, length) => [Math.sqrt(sigma ** 2 - 3.717e-4 * length ** 2), 0.045944 * length],
+  as_rough: (sigma, length) => [sigma, 0.045944 * length],
+  false: (sigma) => [sigma, 0],
+};
 
 function surfaceOf(inputs, roughness) {
   const scale = roughness / inputs.reference_roughness;
   const parameter = inputs.summit_parameter * scale ** inputs.summit_parameter_exponent;
   const radius = inputs.summit_radius * scale ** inputs.summit_radius_exponent;
   const density = parameter / (radius * roughness);
-  const place = SUMMIT_PLACES.get(inputs.summit_offset);
-  const [deviation, offset] = place(roughness, 1 / (density * radius));
+  const [deviation, offset] = SUMMIT_PLACES[inputs.summit_offset](roughness, 1 / (density * radius));
   return { roughness, density, radius, deviation, offset };
 }
 
@@ -108,90 +98,70 @@ const summitTable = remembered(({ hardness, radius, k, w1, w2, density }) => {
     return itsArea * hardness * (1 - (1 - k) * (Math.log(w2 / w) / Math.log(w2 / w1)));
   };
 
-  function exact(t, node) {
+  function exact(t) {
     const root = Math.sqrt(2 * NEGLIGIBLE);
     const reach = t > 0 ? (2 * NEGLIGIBLE) / (t + Math.hypot(t, root)) : root - t;
-    let [loads, areas, fartherLoads, fartherAreas, start] = [0, 0, 0, 0, 0];
-    for (const end of [w1, w2, Infinity].map((edge) => Math.sqrt(Math.min(edge, reach)))) {
-      for (let i = 0; i < NODES.length && end > start; i++) {
-        const r = start + (end - start) * NODES[i][0]; // w = r^2 makes the power of 3/2 smooth
+    let [loads, areas, fartherLoads, fartherAreas] = [0, 0, 0, 0];
+    const edges = [0, w1, w2, Infinity].map((edge) => Math.sqrt(Math.min(edge, reach)));
+    for (const [start, end] of d3.pairs(edges)) {
+      for (const [node, weight] of end > start ? NODES : []) {
+        const r = start + (end - start) * node; // w = r^2 makes the power of 3/2 smooth
         const w = r * r;
         const phi = Math.exp(-w * (t + 0.5 * w) - 0.5 * Math.min(t, 0) ** 2);
         const itsArea = area(w);
-        const measure = phi * 2 * r * NODES[i][1] * (end - start);
+        const measure = phi * 2 * r * weight * (end - start);
         loads += load(w, itsArea) * measure;
         areas += itsArea * measure;
         fartherLoads += load(w, itsArea) * measure * w;
         fartherAreas += itsArea * measure * w;
       }
-      start = end;
     }
     const log = (sum) => Math.log(density * sum) - 0.5 * Math.max(t, 0) ** 2;
-    node.set([log(loads), -t - fartherLoads / loads, log(areas), -t - fartherAreas / areas]);
+    return [log(loads), -t - fartherLoads / loads, log(areas), -t - fartherAreas / areas];
   }
-  return tabulated(exact, { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST, functions: 2 });
-}, MOST_TABLES);
-
-// --- third particles ---
+  return tabulated(exact, { step: SUMMIT_STEP, first: NEAREST, last: FARTHEST });
+}, 200);
 
 // phi_a of Eq. 6: m and S [m], and x^2/x_a^2 of particles of alpha = (x - m)/S, from the least alpha on.
 const SIZES = {
   uncentred: (inputs) => sizesAbout(0, inputs),
   centred: (inputs) => sizesAbout(inputs.mean_ratio, inputs),
-  gap_convolved: (inputs) => ({
-    place: (x, sigma) => [
-      inputs.mean_ratio * x,
-      Math.hypot(inputs.spread_ratio * x, inputs.gap_ratio * sigma),
-    ],
-    square: () => 1 + inputs.spread_ratio ** 2,
-    least: -Infinity,
+  gap_convolved: ({ mean_ratio: mean, spread_ratio: spread, gap_ratio: gap }) => ({
+    place: (x, sigma) => [mean * x, Math.hypot(spread * x, gap * sigma)],
+    square: () => 1 + spread ** 2,
+    least: LOWEST,
   }),
 };
 
 const sizesAbout = (mean, { spread_ratio: spread }) => ({
   place: (x) => [mean * x, spread * x],
   square: (alpha) => (mean + spread * alpha) ** 2,
-  least: -mean / spread,
+  least: Math.max(-mean / spread, LOWEST),
 });
 
+const normal = (alpha) => Math.exp(-0.5 * alpha ** 2) / Math.sqrt(2 * Math.PI);
+const integral = (f, low, high) => (high - low) * d3.sum(NODES, ([node, weight]) => weight * f(low + (high - low) * node));
+
 // I(x, X_max)/x_a^2 over alpha: the integral of x^2 phi_a in Eqs. 4 and 5.
-function momentTable(inputs, sizes) {
-  const most = inputs.truncation;
-  const least = Math.max(sizes.least, LOWEST);
-  const density = (alpha) =>
-    (sizes.square(alpha) * Math.exp(-0.5 * alpha * alpha)) / Math.sqrt(2 * Math.PI);
-  const integral = (alpha) => {
-    let sum = 0;
-    for (const [node, weight] of NODES) sum += weight * density(alpha + (most - alpha) * node);
-    return (most - alpha) * sum;
-  };
+function momentTable({ truncation: most }, { square, least }) {
+  const density = (alpha) => square(alpha) * normal(alpha);
+  const moment = (alpha) => integral(density, alpha, most);
   // counted from the largest size, where it vanishes and needs its digits
-  const exact = (below, node) => node.set([integral(most - below), density(most - below)]);
-  const span = { step: SIZE_STEP, first: 0, last: most - least, functions: 1 };
-  const table = tabulated(exact, span);
-  const all = integral(least);
+  const exact = (below) => [moment(most - below), density(most - below)];
+  const table = tabulated(exact, { step: SIZE_STEP, first: 0, last: most - least });
+  const all = moment(least);
   return (alpha) => (alpha >= most ? 0 : alpha <= least ? all : table(most - alpha));
 }
 
 // Mean of alpha over all particles, whose sizes are m + alpha x_a spread_ratio.
-function meanOf(inputs, sizes) {
-  const [low, high] = [Math.max(sizes.least, LOWEST), inputs.truncation];
-  const density = (alpha) => Math.exp(-0.5 * alpha ** 2);
-  const count = (high - low) * d3.sum(NODES, ([node, weight]) => weight * density(low + (high - low) * node));
-  return (density(low) - density(high)) / count;
-}
-
-// Which sizes count how much in the brackets of Eqs. 4 and 5: those above d and above d + side h_e.
-const ELASTIC_SIDE = { printed: -1, physical: 1 };
+const meanOf = ({ truncation: most }, { least }) => (normal(least) - normal(most)) / integral(normal, least, most);
 
 // of Eqs. 4 and 5
-const elasticFactor = (inputs) =>
-  2.25 *
-  Math.PI ** 2 *
-  ((inputs.hardness_surface_1 / inputs.elastic_modulus_particle) ** 2 +
-    (inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces) ** 2);
-
-// --- film ---
+function elasticFactor(inputs) {
+  const lower = inputs.hardness_surface_1 / inputs.elastic_modulus_particle;
+  const upper = inputs.hardness_surface_2 / inputs.elastic_modulus_surfaces;
+  return 2.25 * Math.PI ** 2 * (lower ** 2 + upper ** 2);
+}
 
 // Eq. 7: H_c = smooth film and what roughness adds, each as logarithm over ln W (Eq. 8).
 function filmOf(inputs, viscosity, roughness) {
@@ -201,17 +171,11 @@ function filmOf(inputs, viscosity, roughness) {
   const a = -0.045 * kappa ** 0.18;
   const b = a - 0.133;
   const rise = 0.663 * kappa ** 0.025;
-  const smooth =
-    Math.log(3.672 * (1 - 0.573 * Math.exp(-0.74 * kappa))) +
-    rise * lnU +
-    0.502 * kappa ** 0.064 * lnG; // Eq. 7, all but W of the smooth film
-  const rough =
-    smooth +
-    Math.log(0.025 * kappa ** 0.081) +
-    1.248 * Math.log(roughness / inputs.ball_radius) +
-    0.119 * Math.log(inputs.hardness_parameter) -
-    0.884 * lnU -
-    0.977 * lnG; // Eq. 7, all but W of the roughness term
+  // all but W of the smooth film, and of what roughness adds
+  const shape = Math.log(3.672 * (1 - 0.573 * Math.exp(-0.74 * kappa)));
+  const smooth = shape + rise * lnU + 0.502 * kappa ** 0.064 * lnG;
+  const asperities = 1.248 * Math.log(roughness / inputs.ball_radius) + 0.119 * Math.log(inputs.hardness_parameter);
+  const rough = smooth + Math.log(0.025 * kappa ** 0.081) + asperities - 0.884 * lnU - 0.977 * lnG;
   const thickness = (lnW) => Math.exp(smooth + a * lnW) + Math.exp(rough + b * lnW);
   const softer = Math.min(inputs.hardness_surface_1, inputs.hardness_surface_2);
   const pressed = (softer * inputs.apparent_area) / inputs.elastic_modulus_surfaces;
@@ -230,8 +194,7 @@ function filmOf(inputs, viscosity, roughness) {
     },
     // whether H_c rises with viscosity, as that of any oil does: dH_c/dU > 0; and the softer surface is as
     // hard as the mean pressure of the load
-    isMeaningful: (lnW) =>
-      lnW > (Math.log(rise / (0.884 - rise)) + smooth - rough) / -0.133 && lnW <= greatest,
+    isMeaningful: (lnW) => lnW > (Math.log(rise / (0.884 - rise)) + smooth - rough) / -0.133 && lnW <= greatest,
   };
 }
 
@@ -242,18 +205,15 @@ const FILM_LOADS = {
   fluid: {
     total: (solid, film) => solid + film,
     fractions: (solid, film) => [solid / (solid + film), film / (solid + film)],
-    inW: (load, filmFraction) => load * filmFraction,
+    inW: (load, fraction) => load * fraction,
   },
   total: {
     total: (solid, film) => Math.max(solid, film),
     // a film that is thinner than that of the load carries nothing
-    fractions: (solid, film, load) =>
-      film > (1 - ROUNDED) * load ? [solid / load, 1 - solid / load] : [1, 0],
+    fractions: (solid, film, load) => (film > (1 - ROUNDED) * load ? [solid / load, 1 - solid / load] : [1, 0]),
     inW: (load) => load,
   },
 };
-
-// --- all together ---
 
 // The model under some inputs; what conditions have in common is computed once.
 export function modelOf(inputs) {
@@ -261,17 +221,16 @@ export function modelOf(inputs) {
   const moment = momentTable(inputs, sizes);
   const meanSize = meanOf(inputs, sizes);
   const factor = elasticFactor(inputs);
-  const side = ELASTIC_SIDE[inputs.elastic_limits];
+  // how much sizes above d and above d + side h_e count in the brackets of Eqs. 4 and 5
+  const side = inputs.elastic_limits === "printed" ? -1 : 1;
   const [above, beyond] = side < 0 ? [1 - factor, factor] : [factor, 1 - factor];
   const contacting = inputs.coverage_limits === "contacting";
   const wRatio = inputs.apparent_area / inputs.ball_radius ** 2; // W/F*
   const hardness = inputs.hardness_surface_1 + inputs.hardness_surface_2;
   const pressure = inputs.hardness_surface_1 / inputs.elastic_modulus_surfaces; // F_sa/A_sa
-  const onlyOne = !(above >= 0 && above <= 1)
-    ? 0
-    : contacting
-      ? (above * inputs.hardness_surface_2) / inputs.elastic_modulus_surfaces
-      : Infinity; // F_t* up to which no more than one separation balances it
+  // F_t* up to which no more than one separation balances it
+  const carried = contacting ? (above * inputs.hardness_surface_2) / inputs.elastic_modulus_surfaces : Infinity;
+  const onlyOne = above >= 0 && above <= 1 ? carried : 0;
   const filmLoad = FILM_LOADS[inputs.film_load];
 
   // The interface of a condition: `at` gives the state at a separation d, `solve` finds d for a load.
@@ -291,7 +250,7 @@ export function modelOf(inputs) {
     function solids(d) {
       const t = (d - surface.offset) / surface.deviation;
       const summitLoad = t < FARTHEST ? Math.exp(summits(t, 0)) : 0;
-      const summitArea = t < FARTHEST ? Math.exp(summits(t, 1)) : 0;
+      const summitArea = t < FARTHEST ? Math.exp(summits(t, 2)) : 0;
       if (twoBody) return { load: summitLoad, particles: 0, summits: summitArea, bare: 1 };
       const alpha = (d - plane) / spread;
       const here = moment(alpha); // I(d, X_max)
@@ -340,27 +299,24 @@ export function modelOf(inputs) {
     }
 
     function statusOf(found, solid, count) {
-      if (solid.bare <= EPSILON) return "coverage_exceeded";
+      if (solid.bare <= Number.EPSILON) return "coverage_exceeded";
       if (found.total_contact_area > 1) return "area_exceeded";
       if (film && found.fluid_load_fraction > FILM_COUNTS) {
         const lnW = Math.log(filmLoad.inW(found.load, found.fluid_load_fraction) * wRatio);
-        const thick = found.film_thickness > THICKEST;
-        if (thick || !film.isMeaningful(lnW)) return "outside_film_formula";
+        if (found.film_thickness > THICKEST || !film.isMeaningful(lnW)) return "outside_film_formula";
       }
       return count > 1 ? "several_separations" : "converged";
     }
-
-    const filmAlone = (load) => inputs.ball_radius * film.thickness(Math.log(load * wRatio));
 
     // The state under a load F_t*: of several separations the largest, which closing surfaces meet first.
     // It is searched for between `near` and `far` first, where these are given.
     function solve(load, far, near) {
       if (!(surface.deviation > 0)) return nothing(load, NO_SUMMITS);
-      let low = film ? filmAlone(load) : 0;
+      let low = film ? inputs.ball_radius * film.thickness(Math.log(load * wRatio)) : 0;
       const held = film && inputs.film_load === "total" && solids(low).load < load;
       const excess = (d) => Math.log((held ? solids(d).load : loadAt(d)) / load);
       if (!film && excess(0) < 0) {
-        return nothing(load, solids(0).bare <= EPSILON ? "coverage_exceeded" : "load_exceeded");
+        return nothing(load, solids(0).bare <= Number.EPSILON ? "coverage_exceeded" : "load_exceeded");
       }
       if (!twoBody && load > onlyOne) return solveSeveral(load, excess, low, held);
       if (held || excess(low) <= 0) return state(low, load); // the film carries all
@@ -377,26 +333,19 @@ export function modelOf(inputs) {
     function solveSeveral(load, excess, low, held) {
       let far = Math.max(low, reach, surface.offset) + 8 * surface.deviation;
       while (excess(far) > 0) far *= 1.25;
-      const edges = [inputs.truncation, sizes.least, -3, -1.5, 0, 1.5]
-        .flatMap((alpha) => [alpha, alpha - side * depth])
-        .map((alpha) => plane + alpha * spread)
-        .concat([-4, -2, 0, 2, 4, 8].map((t) => surface.offset + t * surface.deviation))
-        .map((d) => Math.min(Math.max(d, low), far))
-        .concat([low, far])
-        .sort((a, b) => a - b);
-      const places = edges.slice(1).flatMap((edge, i) =>
-        Array.from({ length: 96 }, (_, n) => {
-          const part = Math.sin((Math.PI * (n + 1)) / 192) ** 2;
-          return edges[i] + (edge - edges[i]) * part * part * (3 - 2 * part);
-        }),
-      );
-      const values = places.map(excess);
-      const found = held ? [low] : [];
-      for (let i = 1; i < places.length; i++) {
-        if (values[i - 1] > 0 !== values[i] > 0) found.push(rootOf(excess, places[i - 1], places[i]));
-      }
+      const alphas = [inputs.truncation, sizes.least, -3, -1.5, 0, 1.5].flatMap((alpha) => [alpha, alpha - side * depth]);
+      const edges = [
+        ...alphas.map((alpha) => plane + alpha * spread),
+        ...[-4, -2, 0, 2, 4, 8].map((t) => surface.offset + t * surface.deviation),
+      ].filter((d) => d > low && d < far);
+      const spans = d3.pairs(d3.sort([low, ...edges, far]));
+      const places = spans.flatMap(([start, end]) => PARTS.map((part) => start + (end - start) * part));
+      const signs = places.map((d) => excess(d) > 0);
+      const ends = d3.pairs(d3.range(places.length)).filter(([i, next]) => signs[i] !== signs[next]);
+      const roots = ends.map(([i, next]) => rootOf(excess, places[i], places[next]));
+      const found = held ? [low, ...roots] : roots;
       if (!found.length) return nothing(load, "load_exceeded");
-      return state(found[found.length - 1], load, found.length);
+      return state(found.at(-1), load, found.length);
     }
 
     const ownSizes = { mean: mean + meanSize * scatter, largest: mean + inputs.truncation * scatter }; // [m]
@@ -411,34 +360,24 @@ const nothing = (load, status) => ({ ...NO_VALUES, load, regime: -1, mode: -1, s
 
 // Where a function changes its sign between two places: Chandrupatla (1997), Adv. Eng. Softw. 28:145.
 function rootOf(f, low, high) {
-  let a = low;
-  let b = high;
-  let c = high;
-  let fa = f(a);
-  let fb = f(b);
+  let [a, b, c] = [low, high, high];
+  let [fa, fb] = [f(a), f(b)];
   let fc = fb;
   let part = 0.5;
   for (let step = 0; step < 200 && fa !== 0 && fb !== 0; step++) {
     const trial = a + part * (b - a);
     const value = f(trial);
-    const same = value > 0 === fa > 0;
-    c = same ? a : b;
-    fc = same ? fa : fb;
-    b = same ? b : a;
-    fb = same ? fb : fa;
-    a = trial;
-    fa = value;
+    const isSame = value > 0 === fa > 0;
+    [b, fb, c, fc] = isSame ? [b, fb, a, fa] : [a, fa, b, fb];
+    [a, fa] = [trial, value];
     const best = Math.abs(fa) < Math.abs(fb) ? a : b;
     const least = (ROOT_TOLERANCE * Math.abs(best)) / Math.abs(b - a);
     if (least > 0.5) return best;
     const place = (a - b) / (c - b);
     const level = (fa - fb) / (fc - fb);
     const bends = level * level < place && (1 - level) ** 2 < 1 - place;
-    part = bends
-      ? (fa / (fb - fa)) * (fc / (fb - fc)) +
-        ((c - a) / (b - a)) * (fa / (fc - fa)) * (fb / (fc - fb))
-      : 0.5;
-    part = Math.min(Math.max(part, least), 1 - least);
+    const ahead = (fa / (fb - fa)) * (fc / (fb - fc)) + ((c - a) / (b - a)) * (fa / (fc - fa)) * (fb / (fc - fb));
+    part = bends ? Math.min(Math.max(ahead, least), 1 - least) : 0.5;
   }
   return fa === 0 ? a : b;
 }

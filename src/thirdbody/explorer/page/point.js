@@ -1,17 +1,14 @@
 // The state at the chosen conditions, and where the contact mode changes from there.
 
-import { axes, currentPoint, state } from "./state.js";
+import { axes, content, currentPoint, state } from "./state.js";
 import { currentEngine, ensembleEngines, inSlices, placesAlong } from "./engine.js";
 import { shownRange } from "./axes.js";
 import { modeChanges } from "./curves.js";
 import { MODE_TEXT, REGIME_TEXT, VARIABLES, statusText, valueText } from "./names.js";
-import { conditionWord, numberText, plainSymbol, wordOf } from "./names.js";
+import { conditionWord, conditionWords, numberText, plainSymbol, wordOf } from "./names.js";
 import { escaped } from "./text.js";
 
-const VALUES = [
-  ...["particle_contact_area_ratio", "total_contact_area", "solid_load_fraction", "fluid_load_fraction"],
-  ...["separation", "film_thickness"],
-];
+const VALUES = content.quantities.filter((name) => name !== "surface_contact_area_ratio");
 let shownFor = "";
 
 export function showPoint(parent) {
@@ -29,15 +26,18 @@ export function showPoint(parent) {
     const range = low === undefined ? "" : `${numberText(name, low)} to ${numberText(name, high)}`;
     return [`${VARIABLES[name].words}, ${plainSymbol(VARIABLES[name].symbol)}`, numberText(name, found[name]), range];
   });
-  const words = found.mode < 0 ? [] : [["Contact mode", MODE_TEXT[found.mode]], ["Lubrication", REGIME_TEXT[found.regime]]];
-  if (found.status !== "converged") words.push(["Status", statusText(found.status)]);
-  const conditions = axes.map(({ name }) => conditionWord(name, point[name])).join(", ");
-  const heading = ["", "", isCalibrated ? "ensemble" : ""];
-  const values = table(`At ${conditions}`, [heading, ...words, ...rows]);
-  const changes = table("Contact mode as one condition changes", axes.map(({ name }) => [wordOf(name), "…"]));
-  const sizes = Object.assign(document.createElement("p"), { textContent: sizesText(engine, point) });
-  parent.replaceChildren(values, changes, sizes);
-  const cells = changes.querySelectorAll("td");
+  const words = [
+    ["", "", isCalibrated ? "ensemble" : ""],
+    ["Contact mode", MODE_TEXT[found.mode]],
+    ["Lubrication", REGIME_TEXT[found.regime]],
+    ["Status", statusText(found.status)],
+  ].filter(([name, text]) => name === "" || text);
+  const waiting = axes.map(({ name }) => [wordOf(name), "…"]);
+  parent.innerHTML =
+    table(`At ${conditionWords(point).join(", ")}`, [...words, ...rows]) +
+    table("Contact mode as one condition changes", waiting) +
+    `<p>${escaped(sizesText(engine, point))}</p>`;
+  const cells = parent.querySelectorAll("table:nth-child(2) td");
   // these may need other surfaces, which take a moment
   function* fill() {
     for (const [i, { name }] of axes.entries()) {
@@ -75,9 +75,7 @@ function changesText(name, point, engine) {
 }
 
 function table(title, rows) {
-  const made = document.createElement("table");
   const cells = (texts) => texts.map((text) => `<td>${escaped(text)}</td>`).join("");
   const lines = rows.map(([name, ...texts]) => `<tr><th scope="row">${escaped(name)}</th>${cells(texts)}</tr>`);
-  made.innerHTML = `<caption>${escaped(title)}</caption>${lines.join("")}`;
-  return made;
+  return `<table><caption>${escaped(title)}</caption>${lines.join("")}</table>`;
 }

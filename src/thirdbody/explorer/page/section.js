@@ -2,9 +2,8 @@
 
 import { currentInputs, currentPoint } from "./state.js";
 import { currentEngine } from "./engine.js";
-import { sizeIn } from "./chart.js";
-import { MODE_TEXT, REGIME_TEXT, conditionText, valueText } from "./names.js";
-import { readable } from "./text.js";
+import { widthIn } from "./chart.js";
+import { MODE_TEXT, REGIME_TEXT, conditionWords, valueText } from "./names.js";
 
 const SEED = 0.20240507; // the day on which the paper appeared
 const POINTS = 700;
@@ -13,7 +12,6 @@ const STEP = LENGTH / (POINTS - 1);
 const MOST = 60; // particles drawn
 const TOUCHING = 210; // the point at which summits touch, in modes where they do
 const MARGIN = 0.35e-6; // of the solids above and below the surfaces [m]
-const NO_SOLUTION = "No separation balances the load at these conditions.";
 
 // numbers drawn by chance, always the same
 const uniformOf = (place) => d3.randomLcg(SEED + place);
@@ -60,10 +58,10 @@ function sectionOf() {
   const sigma = point.roughness / Math.SQRT2; // both surfaces are equally rough
   const [low, high] = [profile(length, normal), profile(length, normal)];
   const d = found.separation;
-  const rise = riseAt(sigma * (low[TOUCHING] - high[TOUCHING]), d, point.roughness, length);
-  const touch = found.mode < 3 ? 1 : 0; // in particle-surface mode the cut meets no summits
-  const lower = low.map((value, i) => sigma * value + touch * rise(i));
-  const upper = high.map((value, i) => sigma * value + d - touch * rise(i));
+  const meets = found.mode < 3; // in particle-surface mode the cut meets no summits
+  const rise = meets ? riseAt(sigma * (low[TOUCHING] - high[TOUCHING]), d, point.roughness, length) : () => 0;
+  const lower = low.map((value, i) => sigma * value + rise(i));
+  const upper = high.map((value, i) => sigma * value + d - rise(i));
   const touches = lower.map((value, i) => value > upper[i]);
   touches.forEach((isTouching, i) => {
     if (isTouching) lower[i] = upper[i] = 0.5 * (lower[i] + upper[i]);
@@ -94,50 +92,46 @@ function settled(place, diameter, lower, upper, reach) {
 // Draw the cut; returns what it shows in words.
 export function drawSection(parent) {
   const { found, point, lower, upper, touches, particles } = sectionOf();
+  if (!lower) {
+    parent.replaceChildren();
+    return "No separation balances the load at these conditions.";
+  }
   const figure = d3.select(parent).html("").append("figure");
   figure.append("figcaption").text("The interface cut across, true to scale");
-  const { em, width } = sizeIn(parent);
   const svg = figure.append("svg").attr("class", "chart section").attr("xmlns", "http://www.w3.org/2000/svg").attr("role", "img");
-  if (!lower) {
-    svg.attr("viewBox", `0 0 ${width} 60`).append("text").attr("x", 10).attr("y", 30).text(NO_SOLUTION);
-    return NO_SOLUTION;
-  }
+  const width = widthIn(parent);
   const scale = width / LENGTH;
-  const top = d3.max(upper) + MARGIN;
-  const ground = (top - d3.min(lower) + MARGIN) * scale;
+  const [top, ground] = [d3.max(upper) + MARGIN, d3.min(lower) - MARGIN];
+  const depth = (top - ground) * scale;
   const [x, y] = [(i) => i * STEP * scale, (value) => (top - value) * scale];
   const carrying = particles.filter((particle) => particle.carries).length;
   const contacts = touches.filter((isTouching, i) => isTouching && !touches[i - 1]).length;
   const words =
-    `${conditionText(point)} under ${valueText("load", point.load)}: ${MODE_TEXT[found.mode]} mode, ` +
-    `${REGIME_TEXT[found.regime]} lubrication, separation ${readable(found.separation * 1e9)} nm; this cut meets ` +
+    `${conditionWords(point, "load").join(", ")} under ${valueText("load", point.load)}: ${MODE_TEXT[found.mode]} mode, ` +
+    `${REGIME_TEXT[found.regime]} lubrication, separation ${valueText("separation", found.separation)}; this cut meets ` +
     `${contacts} contact${contacts === 1 ? "" : "s"} of summits, and ${carrying} of ${particles.length} particles carry load.`;
-  svg.attr("viewBox", `0 0 ${width} ${ground + 34 * em}`).attr("aria-label", words);
-
-  const between = (from, to) => d3.area((_, i) => x(i), (_, i) => y(from[i]), (_, i) => y(to[i])).digits(1)(lower);
-  const [bed, roof] = [lower.map(() => top - ground / scale), upper.map(() => top)];
-  const layers = [
-    ["film", between(lower, upper), point.viscosity > 0 ? "var(--oil)" : "var(--paper)"],
-    ["lower", between(bed, lower), "var(--solid)"],
-    ["upper", between(upper, roof), "var(--solid)"],
-  ];
+  const between = (from, to) => d3.area((_, i) => x(i), (_, i) => y(from(i)), (_, i) => y(to(i))).digits(1)(lower);
+  const [low, high] = [(i) => lower[i], (i) => upper[i]];
   const balls = particles.map(({ place, radius, height, carries }) => {
     const fill = carries ? "var(--fails)" : "var(--paper)";
     return `<circle cx="${place * scale}" cy="${y(height)}" r="${radius * scale}" fill="${fill}" stroke="var(--ink)"/>`;
   });
-  const touching = d3.line((_, i) => x(i), (value) => y(value)).defined((_, i) => touches[i])(lower) ?? "";
+  const touching = d3.line((_, i) => x(i), y).defined((_, i) => touches[i])(lower) ?? "";
   const planes = [0, found.separation].map((level) => `<line x2="${width}" y1="${y(level)}" y2="${y(level)}"/>`);
-  svg.html(
-    `<title>${words}</title>` +
-      layers.map(([name, path, fill]) => `<path class="${name}" d="${path}" fill="${fill}"/>`).join("") +
-      `${balls.join("")}<path class="touch" d="${touching}"/>${planes.join("")}` +
-      `<g transform="translate(10,${ground + 14 * em})"><path d="M0,-4V4M0,0H${1e-6 * scale}M${1e-6 * scale},-4V4"/>` +
-      `<text x="${1e-6 * scale + 6}" dy="0.32em">1 µm both ways; dashed: mean planes</text></g>`,
-  );
+  const micron = 1e-6 * scale;
+  svg.attr("viewBox", `0 0 ${width} ${depth + 34}`).attr("width", width).attr("height", depth + 34).attr("aria-label", words);
+  svg.html(`<title>${words}</title>
+    <path d="${between(low, high)}" fill="${point.viscosity > 0 ? "var(--oil)" : "var(--paper)"}"/>
+    <path d="${between(() => ground, low)}${between(high, () => top)}" fill="var(--solid)"/>
+    ${balls.join("")}
+    <path class="touch" d="${touching}"/>
+    ${planes.join("")}
+    <g transform="translate(10,${depth + 14})"><path d="M0,-4V4M0,0H${micron}M${micron},-4V4"/>
+      <text x="${micron + 6}" dy="0.32em">1 µm both ways; dashed: mean planes</text></g>`);
   return words;
 }
 
-export const sectionKey = () => [
+export const SECTION_KEY = [
   { text: "surfaces", fill: "var(--solid)" },
   { text: "film", fill: "var(--oil)" },
   { text: "particle that carries load", fill: "var(--fails)" },

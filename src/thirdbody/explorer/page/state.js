@@ -5,43 +5,34 @@ import { numberIn, significant } from "./text.js";
 export const content = JSON.parse(document.getElementById("content").textContent);
 export const axes = content.axes; // load, then the four conditions of a curve
 export const conditionAxes = axes.slice(1);
-export const defaultInputs = Object.fromEntries(
-  Object.entries(content.inputs).map(([name, { value }]) => [name, value]),
-);
+export const defaultInputs = Object.fromEntries(Object.entries(content.inputs).map(([name, { value }]) => [name, value]));
 
 // conditions of the point that is shown where none are chosen; the load in newtons, else SI
-export const START = {
-  load: 10,
-  viscosity: 90e-6,
-  particle_diameter: 500e-9,
-  roughness: 300e-9,
-  particle_density: 1e11,
-};
+const START = { load: 10, viscosity: 90e-6, particle_diameter: 500e-9, roughness: 300e-9, particle_density: 1e11 };
 
-// What can be chosen; the first is the default.
+// What can be chosen, and its default
 const names = axes.map(({ name }) => name);
 const figures = content.figures.map(({ name }) => name);
-const SCALES = ["auto", "log", "linear"];
-const CHOICES = {
+export const CHOICES = {
   view: ["figures", "axes", "map", "section"],
-  figure: [...figures.filter((name) => name === "fig11"), ...figures],
+  figure: figures,
   x: [...names, ...content.quantities],
-  y: ["particle_contact_area_ratio", ...content.quantities],
-  by: ["particle_diameter", ...names],
+  y: content.quantities,
+  by: names,
   map_x: names,
-  map_y: ["particle_diameter", ...names],
-  x_scale: SCALES,
-  y_scale: SCALES,
+  map_y: names,
+  x_scale: ["auto", "log", "linear"],
+  y_scale: ["auto", "log", "linear"],
   area: ["own", "over_two_body"],
   claim: ["", ...content.claims.map(({ id }) => id)],
   show: ["here", "all", "fails", "changed"],
 };
-
-const fresh = () => ({
+const DEFAULTS = {
   ...Object.fromEntries(Object.entries(CHOICES).map(([name, [first]]) => [name, first])),
-  conditions: {},
-  inputs: {},
-});
+  ...{ y: "particle_contact_area_ratio", by: "particle_diameter", map_y: "particle_diameter" },
+  figure: figures.find((name) => name === "fig11") ?? figures[0],
+};
+const fresh = () => ({ ...DEFAULTS, conditions: {}, inputs: {} });
 export const state = fresh();
 const listeners = [];
 export const onChange = (listener) => listeners.push(listener);
@@ -52,30 +43,23 @@ export function change(what) {
   listeners.forEach((listener) => listener());
 }
 
-export function setCondition(name, value) {
-  const { [name]: _, ...others } = state.conditions;
-  change({ conditions: value === undefined ? others : { ...others, [name]: value } });
+// Values that are chosen and differ from the default.
+function chosen(values) {
+  const entries = Object.entries(values);
+  return Object.fromEntries(entries.filter(([name, value]) => value !== undefined && value !== defaultInputs[name]));
 }
-
-export function setInputs(values) {
-  const inputs = Object.entries({ ...state.inputs, ...values });
-  const differs = ([name, value]) => value !== undefined && value !== defaultInputs[name];
-  change({ inputs: Object.fromEntries(inputs.filter(differs)) });
-}
-
+export const setCondition = (name, value) => change({ conditions: chosen({ ...state.conditions, [name]: value }) });
+export const setInputs = (values) => change({ inputs: chosen({ ...state.inputs, ...values }) });
 export const reset = () => change(fresh());
 export const currentInputs = () => ({ ...defaultInputs, ...state.inputs });
 export const currentPoint = () => ({ ...START, ...state.conditions });
 
-export const axisNamed = (name) => axes.find((axis) => axis.name === name);
+const axisNamed = (name) => axes.find((axis) => axis.name === name);
 export const toUnit = (name, value) => value / axisNamed(name).scale;
-export const fromUnit = (name, value) => Number((value * axisNamed(name).scale).toPrecision(12));
 
 export function toFragment() {
   const given = new URLSearchParams();
-  for (const [name, [first]] of Object.entries(CHOICES)) {
-    if (state[name] !== first) given.set(name, state[name]);
-  }
+  for (const name of Object.keys(CHOICES)) if (state[name] !== DEFAULTS[name]) given.set(name, state[name]);
   for (const [name, value] of Object.entries(state.conditions)) {
     given.set(axisNamed(name).key, significant(toUnit(name, value), 12));
   }
@@ -89,21 +73,17 @@ export function fromFragment(text) {
   const plusKept = text.replace(/^#/, "").replaceAll("+", "%2B"); // that of 1e+12 is not a space
   for (const [name, word] of new URLSearchParams(plusKept)) {
     const axis = axes.find(({ key }) => key === name);
-    const number = numberIn(word);
-    if (Object.hasOwn(CHOICES, name)) {
-      if (CHOICES[name].includes(word)) found[name] = word;
-    } else if (axis && isAllowed(axis, number)) found.conditions[axis.name] = fromUnit(axis.name, number);
-    else if (Object.hasOwn(defaultInputs, name)) {
-      const value = inputNamed(name, word);
-      if (value !== undefined && value !== defaultInputs[name]) found.inputs[name] = value;
-    }
+    if (Object.hasOwn(CHOICES, name) && CHOICES[name].includes(word)) found[name] = word;
+    if (axis) found.conditions[axis.name] = conditionFrom(axis.name, numberIn(word));
+    if (Object.hasOwn(content.inputs, name)) found.inputs[name] = inputNamed(name, word);
   }
-  change(found);
+  change({ ...found, conditions: chosen(found.conditions), inputs: chosen(found.inputs) });
 }
 
-export function isAllowed({ name }, value) {
-  const positive = name === "load" || name === "roughness";
-  return Number.isFinite(value) && (positive ? value > 0 : value >= 0);
+// A condition in SI, the load in newtons, from a value in its unit; undefined if it is not allowed.
+export function conditionFrom(name, value) {
+  const isPositive = name === "load" || name === "roughness" ? value > 0 : value >= 0;
+  return isPositive && value < Infinity ? Number((value * axisNamed(name).scale).toPrecision(12)) : undefined;
 }
 
 // The value of an input that a word stands for; undefined if it is not allowed.

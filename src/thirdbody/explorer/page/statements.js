@@ -1,37 +1,40 @@
 // The paper's statements with their verdicts under the inputs and conditions of the page.
 
-import { axes, change, conditionAxes, content, state } from "./state.js";
-import { currentEngine, inSlices } from "./engine.js";
+import { change, conditionAxes, content, state } from "./state.js";
+import { currentEngine, engineOf, inSlices } from "./engine.js";
 import { evidenceOf, judge, replacedConditions } from "./judge.js";
 import { verdicts } from "./figures.js";
-import { modelOf } from "./model.js";
 import { spaced, valueText, wordOf } from "./names.js";
 import { escaped, readable } from "./text.js";
 
+const [filter, list, tally] = ["filter", "claims", "tally"].map((id) => document.getElementById(id));
 const PAUSE = 150; // milliseconds without a move, after which statements are judged
 const GLYPHS = { holds: "✓", fails: "✗" };
-const FILTERS = { here: "of this figure", all: "all", fails: "that fail", changed: "changed by your inputs" };
-const NEWTONS = axes[0].range;
 const original = new Map(verdicts);
-let running = 0;
-let judged = "";
+let judged = ""; // the inputs and conditions that verdicts are, or will be, for
 let finished = false;
 
-function figureOf({ part }) {
-  const found = part.match(/^Figure (\d+)$/);
-  return found ? `fig${found[1].padStart(2, "0")}` : "";
-}
+const figureOf = ({ part }) => part.replace(/^Figure (\d+)$/, (_, number) => `fig${number.padStart(2, "0")}`);
+const isHere = (claim) => state.view !== "figures" || figureOf(claim) === state.figure;
+const verdictOf = ({ id }) => verdicts.get(id).verdict;
+const verdictBefore = ({ id }) => original.get(id).verdict;
+const FILTERS = {
+  here: ["of this figure", isHere],
+  all: ["all", () => true],
+  fails: ["that fail", (claim) => verdictOf(claim) === "fails"],
+  changed: ["changed by your inputs", (claim) => verdictOf(claim) !== verdictBefore(claim)],
+};
 
-export function makeStatements({ filter, list }) {
-  for (const [word, text] of Object.entries(FILTERS)) filter.append(new Option(text, word));
+export function makeStatements() {
+  filter.append(...Object.entries(FILTERS).map(([word, [text]]) => new Option(text, word)));
   filter.addEventListener("change", () => change({ show: filter.value }));
   list.addEventListener("click", (event) => {
     const id = event.target.closest("button")?.dataset.claim;
     if (id === undefined) return;
-    if (state.claim === id) return change({ claim: "" });
     const figure = figureOf(content.claims.find((claim) => claim.id === id));
     const isDrawn = content.figures.some(({ name }) => name === figure);
-    change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
+    if (state.claim === id) change({ claim: "" });
+    else change({ claim: id, ...(isDrawn ? { view: "figures", figure } : {}) });
   });
 }
 
@@ -41,10 +44,8 @@ export function judgeAll(done) {
   if (key === judged) return finished ? done() : undefined;
   judged = key;
   finished = false;
-  const mine = ++running;
-  const changes = { ...state.conditions };
-  function* steps() {
-    const evidence = evidenceOf(currentEngine().model, NEWTONS);
+  function* steps(changes) {
+    const evidence = evidenceOf(currentEngine());
     const isDefault = key === JSON.stringify([{}, {}]);
     for (const claim of d3.sort(content.claims, (each) => !isHere(each))) {
       verdicts.set(claim.id, isDefault ? original.get(claim.id) : judge(claim, evidence, changes));
@@ -53,40 +54,29 @@ export function judgeAll(done) {
     finished = true;
     done();
   }
-  setTimeout(inSlices, PAUSE, steps(), () => mine === running);
+  return setTimeout(inSlices, PAUSE, steps(state.conditions), () => key === judged);
 }
 
 // Verdicts on all statements under any inputs, by their ids.
 export function judgedUnder(inputs) {
-  const evidence = evidenceOf(modelOf(inputs), NEWTONS);
+  const evidence = evidenceOf(engineOf(inputs));
   return Object.fromEntries(content.claims.map((claim) => [claim.id, judge(claim, evidence)]));
 }
 
-const isHere = (claim) => state.view !== "figures" || figureOf(claim) === state.figure;
-const verdictOf = ({ id }) => verdicts.get(id).verdict;
-const verdictBefore = ({ id }) => original.get(id).verdict;
-
-const SHOWN = {
-  here: isHere,
-  all: () => true,
-  fails: (claim) => verdictOf(claim) === "fails",
-  changed: (claim) => verdictOf(claim) !== verdictBefore(claim),
-};
-
-export function showStatements({ filter, list, tally }) {
+export function showStatements() {
   const { show, view, figure, claim } = state;
   const key = JSON.stringify([show, view, figure, claim, judged, [...verdicts.values()]]);
   if (key === list.dataset.shown) return;
   list.dataset.shown = key;
   filter.value = show;
-  const shown = content.claims.filter(SHOWN[show]);
-  const counts = (claims) => ["holds", "fails"].map((word) => claims.filter((each) => verdictOf(each) === word).length);
-  const [[holds, fails], [allHold, allFail]] = [counts(shown), counts(content.claims)];
+  const shown = content.claims.filter(FILTERS[show][1]);
+  const count = (claims, word) => claims.filter((each) => verdictOf(each) === word).length;
+  const counts = (claims) => `${count(claims, "holds")} hold, ${count(claims, "fails")} fail`;
   const chosen = conditionAxes.filter(({ name }) => name in state.conditions).map(({ name }) => wordOf(name).toLowerCase());
   const note = chosen.length ? ` Statements for one ${chosen.join(" or ")} are judged at yours.` : "";
-  const ofAll = `of all ${content.claims.length}: ${allHold} hold, ${allFail} fail`;
-  tally.textContent = `${shown.length} statements: ${holds} hold, ${fails} fail (${ofAll}).${note}`;
-  list.replaceChildren(...shown.map(item));
+  const ofAll = `of all ${content.claims.length}: ${counts(content.claims)}`;
+  tally.textContent = `${shown.length} statements: ${counts(shown)} (${ofAll}).${note}`;
+  list.innerHTML = shown.map(item).join("");
 }
 
 // The conditions that replace those of the paper, as text.
@@ -107,26 +97,23 @@ function verdictText(claim) {
 function item(claim) {
   const verdict = verdictOf(claim);
   const chosen = state.claim === claim.id;
-  const li = document.createElement("li");
-  const changed = verdict === verdictBefore(claim) ? "" : " changed";
+  const changed = verdict === verdictBefore(claim) ? "" : "changed";
   const place = `${claim.place.replace(", section 3.3", "")} — ${verdictText(claim)}`;
-  const kind = verdict.split(" ")[0] + changed;
-  li.innerHTML = `<button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${kind}">
+  return `<li><button type="button" data-claim="${claim.id}" aria-pressed="${chosen}" class="${verdict} ${changed}">
     <span class="glyph" aria-hidden="true">${GLYPHS[verdict] ?? "·"}</span>
-    <span>${escaped(claim.statement)} <span class="place">${escaped(place)}</span></span></button>`;
-  if (chosen) li.insertAdjacentHTML("beforeend", more(claim));
-  return li;
+    <span>${escaped(claim.statement)} <span class="place">${escaped(place)}</span></span></button>
+    ${chosen ? details(claim) : ""}</li>`;
 }
 
-function more(claim) {
+function details(claim) {
   const { measured, numbers, distance } = verdicts.get(claim.id);
   const tolerance = claim.relative ? `${readable(100 * claim.tolerance)} %` : readable(claim.tolerance);
   const conditions = replacedText(claim);
   const lines = [
-    measured ? `Computed: ${measured}` : "",
-    numbers?.length ? `Computed: ${numbers.map((value) => readable(value)).join(", ")}` : "",
-    Number.isFinite(distance) ? `Distance from the statement: ${readable(Math.max(distance, 0), 2)} tolerances` : "",
-    claim.published === null ? "" : `Printed: ${printedText([claim.published].flat())}`,
+    measured && `Computed: ${measured}`,
+    numbers?.length && `Computed: ${numbers.map((value) => readable(value)).join(", ")}`,
+    Number.isFinite(distance) && `Distance from the statement: ${readable(Math.max(distance, 0), 2)} tolerances`,
+    claim.published !== null && `Printed: ${printedText([claim.published].flat())}`,
     `Tolerance: ${tolerance}, ${claim.reason}`,
     conditions && `Judged at ${conditions}, not at the paper's conditions.`,
   ];

@@ -15,21 +15,15 @@ export function numberIn(text) {
   return Number(plain.includes(".") ? plain : plain.replace(",", "."));
 }
 
-// a number with so many significant digits, as Python's format `g` gives it
-export function significant(value, digits) {
-  if (Number.isNaN(value)) return "nan";
-  if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
-  if (value === 0) return "0";
-  const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
-  if (exponent >= -4 && exponent < digits) return String(Number(value.toPrecision(digits)));
-  return `${Number(mantissa)}e${exponent[0]}${exponent.slice(1).padStart(2, "0")}`;
-}
+// a number with so many significant digits, as it is typed: 1.5e+12
+export const significant = (value, digits) => d3.format(`.${digits}~g`)(value);
 
 // the same for readers: 3.27×10⁻⁶
 export function readable(value, digits = 4) {
-  if (Number.isNaN(value)) return "–";
-  const [mantissa, exponent] = significant(value, digits).split("e");
-  if (exponent === undefined) return mantissa.replace("-", "−");
+  if (!Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size === 0 || (size >= 1e-4 && size < 10 ** digits)) return d3.format(`.${digits}~r`)(value);
+  const [mantissa, exponent] = d3.format(`.${digits - 1}~e`)(value).split("e");
   const power = powerOfTen(Number(exponent));
   return mantissa === "1" ? power : `${mantissa}×${power}`;
 }
