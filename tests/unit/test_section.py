@@ -5,7 +5,8 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.data.conditions import Condition
-from thirdbody.figures.random_sections import section_through, sections
+from thirdbody.data.sizes import Sizes
+from thirdbody.figures.random_sections import section_through, sections, size_quantiles
 from thirdbody.figures.sections import State, read_sections, write_sections
 
 # the s-s, p-s and hybrid modes of figure 2
@@ -65,3 +66,14 @@ def test_conditions_without_a_solution_are_refused(parameters):
     crowded = MODES[1] | {"particle_density_per_m2": 1e15}  # particles cover the interface
     with pytest.raises(ValueError, match="schematic conditions .* have no solution"):
         solved_state(crowded, parameters)
+
+
+@pytest.mark.parametrize("distribution", ["uncentred", "centred"])
+def test_what_x_a_stands_for_is_the_mean_and_the_largest_of_the_sizes_drawn(distribution):
+    mean = 1.0 if distribution == "centred" else 0.0
+    inputs = tb.load_parameters(size_distribution=distribution, mean_ratio=mean)
+    drawn = size_quantiles((np.arange(20000) + 0.5) / 20000, 0.0, 500e-9, inputs)
+    sizes = Sizes.of(500e-9, inputs)
+    assert sizes.mean == pytest.approx(drawn.mean(), rel=1e-4)
+    assert sizes.largest == pytest.approx(drawn.max(), rel=1e-2)
+    assert sizes.widest_gap == pytest.approx(sizes.largest + inputs.elastic_depth_ratio * 500e-9)

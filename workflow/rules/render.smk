@@ -44,6 +44,7 @@ rule render_schematic:
     conda:
         "../envs/thirdbody.yaml"
     params:
+        parameters=settings["parameters"],
         sources=sources_of("render_schematic.py"),
     message:
         "Drawing {wildcards.schematic}"

@@ -1,19 +1,27 @@
 """Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
+from dataclasses import replace
+
 import matplotlib.style
 
+from thirdbody.data.sizes import sizes_note
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import read_sections
 from thirdbody.job_log import logged
+from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.schematic
+    sections = read_sections(snakemake.input.sections)
+    sizes = {section.state.condition.particle_diameter for section in sections}
+    inputs = Parameters(**snakemake.params.parameters)
+    notes = tuple(f"{sizes_note(size, inputs)}." for size in sorted(sizes) if size)
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(
-            SCHEMATICS[figure](read_sections(snakemake.input.sections)),
+            SCHEMATICS[figure](sections),
             snakemake.output.png.removesuffix(".png"),
-            caption(figure),
+            replace(caption(figure), notes=notes),
         )
     print(f"{figure}: drawn")

@@ -23,6 +23,7 @@ from thirdbody.conditions.usual import without_warnings
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.paper_tables import LOADS
 from thirdbody.data.quantities import FLAGS, QUANTITIES, STATUS_MEANINGS
+from thirdbody.data.sizes import sizes_note
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -167,7 +168,14 @@ class Interface:
 
     def _common_notes(self) -> tuple[str, ...]:
         few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
-        return *few, *ensemble_notes(self.members)
+        return *self._size_notes(self.particle_diameter_nm), *few, *ensemble_notes(self.members)
+
+    def _size_notes(self, *diameters_nm: float) -> tuple[str, ...]:
+        """What each x_a [nm] stands for, where there are particles."""
+        if not self.particle_density_per_m2 > 0.0:
+            return ()
+        sizes = [float(LENGTH.to_si(each)) for each in diameters_nm if each > 0.0]
+        return tuple(sizes_note(each, self.parameters) for each in sizes)
 
     def _states(self) -> list[dict[str, Value]]:
         """The variables in engineering units and words: with the inputs, and with each member."""
@@ -228,6 +236,7 @@ class Interface:
                 for each in found
                 if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
+            *self._size_notes(*(mine.values() if along == "particle_diameter" else [])),
             *ensemble_notes(self.members),
         )
         title = f"Changes along the {_words(along)} at {self.described(without=along)}"
@@ -265,6 +274,7 @@ class Interface:
             f"the curve runs from {between_N[0]:g} to {between_N[1]:g} N; the maximum of A_sa,t* "
             f"stands out by {PROMINENCE:g} on both sides",
             f"diameters are searched from {RATIOS[0]:g} to {RATIOS[-1]:g} times the roughness",
+            *self._size_notes(self.particle_diameter_nm),
             *ensemble_notes(self.members),
         )
         title = f"Turning point at {self.described(without='load')}"

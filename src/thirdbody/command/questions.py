@@ -51,7 +51,7 @@ def _optional(name: str, text: str) -> Any:
 _CONDITIONS = {
     "load-N": "normal load [N]",
     "viscosity-cSt": "kinematic viscosity of the lubricant, 0 when dry [cSt]",
-    "particle-diameter-nm": "mean diameter of the particles, 0 without [nm]",
+    "particle-diameter-nm": "x_a, the paper's mean diameter of the particles, 0 without [nm]",
     "roughness-nm": "equivalent root mean square roughness [nm]",
     "particle-density-per-m2": "particles per area, 0 without [m-2]",
 }
