@@ -44,10 +44,6 @@ def transitions(
         The quantities that ``limits`` name, arrays of shape (loads, curves); nan where unknown.
     conditions : array, shape (4, curves)
         Viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2].
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float
-        Relative error asked for.
     limits : sequence of pairs
         ``solid_load_fraction`` or ``particle_contact_area_ratio`` and the level that it crosses; by
         default those between regimes and modes.
