@@ -33,6 +33,7 @@ from thirdbody.tabular import Tabular
 PROMINENCE = 0.02
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
 SEPARATION_MARGIN = 1e-3
+PLACES = 60  # separations between which the maxima under all films are looked for
 
 
 @dataclass(frozen=True)
@@ -125,7 +126,6 @@ def film_turning_points(
     particle_density: NDArray,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
-    places: int = 60,
 ) -> TurningPoints:
     """Find the turning points of the same solids under every film: many curves in little time.
 
@@ -140,8 +140,6 @@ def film_turning_points(
         Of each film [m2/s]; 0 is dry.
     particle_diameter, roughness, particle_density : array, shape (solids,)
         Of each pair of surfaces with its particles [m, m, m-2].
-    places : int
-        Number of separations between which maxima are looked for.
 
     Returns
     -------
@@ -150,7 +148,7 @@ def film_turning_points(
         loads, as ``ratio_maxima`` says; all else is known of turning points alone.
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places)
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), PLACES)
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
     found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
