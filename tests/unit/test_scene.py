@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.scene import Curves, Scene, load_values
+from thirdbody.data.scene import Scene, curve_groups, load_values
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}
@@ -45,7 +45,7 @@ def test_named_loads_are_on_the_axis_exactly():
 def test_relative_diameters_make_a_group_of_each_roughness():
     group = {name: GROUP[name] for name in ("viscosity_cSt", "particle_density_per_m2")}
     group |= {"particle_diameter_per_roughness": [0.7, 1.1], "roughness_nm": [100, 300]}
-    small, large = Curves.of(group)
+    small, large = curve_groups(group)
     assert (small.roughness.tolist(), large.roughness.tolist()) == ([100e-9], [300e-9])
     assert small.particle_diameter.tolist() == [70e-9, 110e-9]
     # 1.1 x 300 is 330.00000000000006 in binary

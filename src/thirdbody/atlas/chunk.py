@@ -17,8 +17,8 @@ from thirdbody.atlas.surfaces import LIMITS, QUANTILES, STATES, solve_surface
 from thirdbody.configuration.axes import axis_values
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes, described_grid
+from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import FLAGS
-from thirdbody.data.streaming import declare
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
@@ -91,14 +91,31 @@ def write_chunk(
     weights = [ensemble.count(each) for each in sets]
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
         described = _described(axes, default, members, kept, rtol)
-        sides = dict.fromkeys(("roughness", "particle_density"), 1)
-        digits = dict.fromkeys(kept, math.ceil(-math.log10(rtol)) + SAFE_DIGITS)
-        variables = declare(file, described, {**described.sizes, **sides}, 1, digits)
+        variables = declare(file, described, _storage(described, kept, rtol))
         for place, part in _parts(axes):
             found = solve_surface(part, sets, weights, kept, rtol)
             for name, values in found.items():
                 index = (place.get(each, slice(None)) for each in variables[name].dimensions)
                 variables[name][tuple(index)] = values
+
+
+def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
+    """How variables are stored: pieces on one surface, at one density, and as many digits as are known."""
+    lengths = {**described.sizes, "roughness": 1, "particle_density": 1}
+    rounding = {
+        "significant_digits": math.ceil(-math.log10(rtol)) + SAFE_DIGITS,
+        "quantize_mode": "GranularBitRound",
+    }
+    return {
+        name: {
+            "zlib": True,
+            "complevel": 1,
+            "shuffle": name in kept,  # digits that are left out, which are zeros, come together
+            "chunksizes": [lengths[each] for each in variable.dims],
+            **(rounding if name in kept else {}),
+        }
+        for name, variable in described.data_vars.items()
+    }
 
 
 def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:

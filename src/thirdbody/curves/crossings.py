@@ -22,29 +22,18 @@ def excess_over(
     rtol: float,
     also: Collection[str] = (),
 ) -> tuple[NDArray, dict[str, NDArray]]:
-    """By how much quantities exceed levels.
+    """By how much a quantity exceeds a level at each point, nan where there is no solution.
 
     Parameters
     ----------
     quantities : sequence of str
-        Variables of ``Solution``.
-    chosen : array of int, shape (n,)
-        Which of them is meant at each point.
+        Variables of ``Solution``, of which ``chosen``, an array of int, has the index of each point's.
     level : array, shape (n,)
         What it is compared with.
     given : mapping
         The five conditions of each point, arguments of ``solve``.
-    parameters, rtol
-        As for ``solve``.
     also : collection of str
-        Other variables that are wanted.
-
-    Returns
-    -------
-    excess : array, shape (n,)
-        Quantity less level; nan where there is no solution.
-    others : dict
-        The variables of ``also``.
+        Other variables that are wanted, which are returned by name.
     """
     wanted = {*quantities, *also}
     found = solve_arrays({name: given[name] for name in CONDITIONS}, parameters, rtol, wanted)
@@ -62,25 +51,11 @@ def level_roots(
     parameters: Parameters,
     rtol: float,
 ) -> tuple[NDArray, NDArray]:
-    """Where each quantity passes its level between two values of one condition.
+    """Where each quantity passes its level between two values of the condition ``along``: ln of the
+    condition [SI] there, and how narrowly that is enclosed [1].
 
-    Parameters
-    ----------
-    along : str
-        Name of the condition.
-    ends : pair of array, shape (n,)
-        ln of the condition [SI] on both sides of the crossing.
-    quantities, chosen, level
-        As for ``excess_over``.
-    given : mapping
-        The other four conditions.
-    parameters, rtol
-        As for ``solve``.
-
-    Returns
-    -------
-    root, width : array, shape (n,)
-        ln of the condition there, and how narrowly that is enclosed [1].
+    ``ends`` are ln of the condition on both sides of the crossing, two arrays of shape (n,); ``given``
+    has the other four conditions; all else is as for ``excess_over``.
     """
     place, value = np.full((2, level.size), np.nan)
 

@@ -6,7 +6,7 @@ is found over d between two points of the curve, and its load follows from Eq. 1
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,43 +32,33 @@ def transitions(
     conditions: NDArray,
     parameters: Parameters,
     rtol: float,
-    limits: Sequence[tuple[str, float]] = LIMITS,
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
-    """Find the loads at which L_s and A_sa,t* cross given levels.
+    """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
     Parameters
     ----------
     separation : array, shape (loads, curves)
         Separations d [m] at increasing loads at which the curves are known.
     values : mapping
-        The quantities that ``limits`` name, arrays of shape (loads, curves); nan where unknown.
+        The quantities that ``LIMITS`` name, arrays of shape (loads, curves); nan where unknown.
     conditions : array, shape (4, curves)
         Viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2].
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float
-        Relative error asked for.
-    limits : sequence of pairs
-        ``solid_load_fraction`` or ``particle_contact_area_ratio`` and the level that it crosses; by
-        default those between regimes and modes.
 
     Returns
     -------
     limit, curve : array of int, shape (crossings,)
         Index of the limit and of the curve.
-    load : array
-        F_t* there [1].
-    error : array
-        Bound on the error of this load [1].
+    load, error : array
+        F_t* there and a bound on its error [1].
     rises : array of bool
         Whether the quantity rises with the load there.
     """
-    excess = np.stack([values[quantity] - level for quantity, level in limits])
+    excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, known = excess > 0.0, np.isfinite(excess)
     change = known[:, :-1] & known[:, 1:] & (above[:, :-1] != above[:, 1:])
     limit, step, curve = np.nonzero(change)
     load, error = np.zeros((2, curve.size))
-    quantity, level = (np.array(each)[limit] for each in zip(*limits, strict=True))
+    quantity, level = (np.array(each)[limit] for each in zip(*LIMITS, strict=True))
     is_ratio = quantity == "particle_contact_area_ratio"
     kinds = 2 * is_ratio + has_particles(*conditions[1::2, curve])
     for kind in np.unique(kinds):

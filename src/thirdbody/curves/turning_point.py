@@ -33,6 +33,7 @@ from thirdbody.tabular import Tabular
 PROMINENCE = 0.02
 # d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
 SEPARATION_MARGIN = 1e-3
+PLACES = 60  # separations between which the maxima under all films are looked for
 
 
 @dataclass(frozen=True)
@@ -88,10 +89,6 @@ def turning_points(
         closely than the loads lie together.
     viscosity, particle_diameter, roughness, particle_density : array, shape (curves,)
         Conditions of each curve [m2/s, m, m, m-2].
-    parameters : Parameters
-        Inputs of the model.
-    rtol : float
-        Relative error asked for.
 
     Returns
     -------
@@ -129,7 +126,6 @@ def film_turning_points(
     particle_density: NDArray,
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
-    places: int = 60,
 ) -> TurningPoints:
     """Find the turning points of the same solids under every film: many curves in little time.
 
@@ -144,37 +140,15 @@ def film_turning_points(
         Of each film [m2/s]; 0 is dry.
     particle_diameter, roughness, particle_density : array, shape (solids,)
         Of each pair of surfaces with its particles [m, m, m-2].
-    parameters, rtol
-        As in ``turning_points``.
-    places : int
-        Number of separations between which maxima are looked for.
 
     Returns
     -------
     TurningPoints
         Arrays of shape (films, solids).  ``prominence`` is negative where the maximum lies beyond the
         loads, as ``ratio_maxima`` says; all else is known of turning points alone.
-
-    Examples
-    --------
-    >>> import numpy, thirdbody
-    >>> inputs = thirdbody.load_parameters()
-    >>> solids = [numpy.array([value]) for value in (0.3e-6, 0.3e-6, 1e11)]
-    >>> loads, films = numpy.geomspace(1e-7, 1e-4, 30), numpy.array([0.0, 120e-6])
-    >>> separation = thirdbody.solve(
-    ...     load=loads[:, None, None],
-    ...     viscosity=films[:, None],
-    ...     particle_diameter=0.3e-6,
-    ...     roughness=0.3e-6,
-    ...     particle_density=1e11,
-    ...     parameters=inputs,
-    ... ).separation
-    >>> film_turning_points(separation, films, *solids, inputs).load.round(10)
-    array([[3.42530e-06],
-           [1.51368e-05]])
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), places)
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), PLACES)
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
     found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
@@ -225,7 +199,7 @@ def _turning_points(
 def ratio_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    """Find the maxima of A_sa,t* over the separation, and how far each stands out.
+    """Find the maxima of A_sa,t* over the separation, as closely as ``rtol`` d, and how far each stands out.
 
     Parameters
     ----------
@@ -235,17 +209,12 @@ def ratio_maxima(
         d [m], falling from row to row; nan where there is no solution.
     ends : pair of array, shape (..., curves)
         d [m] at the first and at the last load of each curve; of several if they have more axes.
-    rtol : float
-        How closely the maxima are found, relative to d.
 
     Returns
     -------
-    curve : array of int
-        Index of the curve of each maximum; a curve may have several or none.
-    separation : array
-        d* [m] of each maximum.
-    width : array
-        Bound on the error of d* [m].
+    curve, separation, width : array
+        Index of the curve of each maximum, its d* [m] and a bound on the error of that; a curve may
+        have several or none.
     prominence : array, shape (..., maxima)
         By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
         larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much

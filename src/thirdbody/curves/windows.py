@@ -78,8 +78,6 @@ def turning_point_windows(
         Particle density eta_a [m-2].
     load_range : pair of float
         First and last load F_t* [1] of the curves.
-    parameters : Parameters
-        Inputs of the model.
 
     Returns
     -------

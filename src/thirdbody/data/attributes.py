@@ -76,34 +76,22 @@ def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
 
 def variable_attributes(quantity: Quantity) -> dict:
     """Attributes of a variable, with what stands for points that a figure does not show."""
-    attributes = _flag_attributes(quantity) if quantity.meanings else _number_attributes(quantity)
-    return attributes | ({"comment": quantity.comment} if quantity.comment else {})
-
-
-def _number_attributes(quantity):
-    return {
-        "units": quantity.units,
-        "long_name": quantity.long_name,
-        "symbol": quantity.symbol,
-        "equation": quantity.equation,
-        "ancillary_variables": STATUS,
-        "coverage_content_type": "modelResult",
-    } | ({"_FillValue": FILL_FLOAT} if quantity.name in NUMBERS else {})
-
-
-def _flag_attributes(flag):
-    named = dict(enumerate(flag.meanings))
-    named |= {} if flag.name == STATUS else {NO_FLAG: "without_values"}
-    named |= {FILL_FLAG: "not_shown"}
-    return {
-        "units": flag.units,
-        "long_name": flag.long_name,
-        "symbol": flag.symbol,
-        "equation": flag.equation,
-        "flag_values": np.array([*named], dtype=np.int8),
-        "flag_meanings": " ".join(named.values()),
-        "coverage_content_type": "qualityInformation",
-    }
+    attributes = coordinate_attributes(quantity) | {"equation": quantity.equation}
+    if quantity.meanings:
+        named = dict(enumerate(quantity.meanings))
+        named |= {} if quantity.name == STATUS else {NO_FLAG: "without_values"}
+        named |= {FILL_FLAG: "not_shown"}
+        attributes["flag_values"] = np.array([*named], dtype=np.int8)
+        attributes["flag_meanings"] = " ".join(named.values())
+        attributes["coverage_content_type"] = "qualityInformation"
+    else:
+        attributes["ancillary_variables"] = STATUS
+        attributes["coverage_content_type"] = "modelResult"
+    if quantity.name in NUMBERS:
+        attributes["_FillValue"] = FILL_FLOAT
+    if quantity.comment:
+        attributes["comment"] = quantity.comment
+    return attributes
 
 
 def identity(origin: str) -> dict[str, str]:

@@ -18,8 +18,7 @@ class Axis:
 
     ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset; ``symbol`` and
     ``sign`` are the symbol of the paper in plain letters and as figures print it; ``column`` is the
-    column of tables, its name ending with the SI unit; ``long_name`` and ``description`` say what it
-    is in datasets and in the schema of tables.
+    column of tables, its name ending with the SI unit; ``long_name`` says what it is in datasets.
     """
 
     name: str
@@ -27,7 +26,6 @@ class Axis:
     sign: str
     long_name: str
     column: str
-    description: str
 
     @property
     def units(self) -> str:
@@ -83,7 +81,6 @@ AXES = {
             sign="Fₜ*",
             long_name="dimensionless mean normal load",
             column="load",
-            description="dimensionless mean normal load F_t*",
         ),
         Axis(
             name="viscosity",
@@ -91,7 +88,6 @@ AXES = {
             sign="ν",
             long_name="kinematic viscosity of the lubricant, 0 when dry",
             column="viscosity_m2_per_s",
-            description="kinematic viscosity nu, 0 when dry",
         ),
         Axis(
             name="particle_diameter",
@@ -99,7 +95,6 @@ AXES = {
             sign="xₐ",
             long_name="mean diameter of the third particles, 0 without them",
             column="particle_diameter_m",
-            description="mean particle diameter x_a, 0 without particles",
         ),
         Axis(
             name="roughness",
@@ -107,7 +102,6 @@ AXES = {
             sign="σ",
             long_name="equivalent root mean square surface roughness",
             column="roughness_m",
-            description="equivalent root mean square roughness sigma",
         ),
         Axis(
             name="particle_density",
@@ -115,7 +109,6 @@ AXES = {
             sign="ηₐ",
             long_name="number of particles per unit area",
             column="particle_density_per_m2",
-            description="particles per unit area eta_a",
         ),
     )
 }

@@ -15,7 +15,7 @@ from thirdbody.data.attributes import (
     global_attributes,
     variable_attributes,
 )
-from thirdbody.data.conditions import AXES, DIMENSIONS, Condition
+from thirdbody.data.conditions import AXES, DIMENSIONS
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import (
     CONTRACT,
@@ -171,15 +171,15 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
     for group in scene.groups:
         place = scene.placed(group)
-        sides = {"load": scene.load} | {name: getattr(group, name) for name in Condition._fields}
-        solution = solve(**crossed(sides), parameters=parameters, rtol=rtol)
+        sides = crossed({"load": scene.load} | group._asdict())
+        solution = solve(**sides, parameters=parameters, rtol=rtol)
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)
     request = {
         "load": scene.load.tolist(),
         "groups": [
-            {name: getattr(group, name).tolist() for name in Condition._fields}
+            {name: values.tolist() for name, values in group._asdict().items()}
             for group in scene.groups
         ],
     }

@@ -54,47 +54,46 @@ def write_netcdf(
 ) -> None:
     """Write any ``dataset``; ``OSError`` if that fails.
 
-    ``storage`` says how variables are stored, by name, in the words of ``add_variable``; what it does
-    not name is stored as it is.
+    ``storage`` says how variables are stored, by name, arguments of ``netCDF4.Dataset.createVariable``;
+    what it does not name is stored as it is.
     """
     try:
         with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
-            file.setncatts(dataset.attrs)
-            for name, size in dataset.sizes.items():
-                file.createDimension(name, size)
-            for name, variable in dataset.data_vars.items():
-                beside = _coordinates_beside(dataset, variable)
-                added = add_variable(file, name, variable, beside, **storage.get(name, {}))
-                added[:] = variable.values
-            for name, coordinate in dataset.coords.items():
-                add_variable(file, name, coordinate)[:] = coordinate.values
+            for name, stored in declare(file, dataset, storage).items():
+                stored[:] = dataset[name].values
     except RuntimeError as error:
         raise OSError(errno.EIO, str(error), str(path)) from None
 
 
-def _coordinates_beside(dataset, variable) -> str:
-    """Names of the coordinates along dimensions of ``variable`` that have other names than these."""
-    return " ".join(
-        name
-        for name, coordinate in dataset.coords.items()
-        if name not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
-    )
+def declare(
+    file: netCDF4.Dataset, dataset: PlainDataset | xr.Dataset, storage: Mapping[str, Mapping]
+) -> dict[str, netCDF4.Variable]:
+    """Write all of a dataset to a new file except the values of its variables, which are returned by
+    name, empty, and take values as they are stored; ``storage`` as of ``write_netcdf``."""
+    file.setncatts(dataset.attrs)
+    for name, size in dataset.sizes.items():
+        file.createDimension(name, size)
+    declared = {}
+    for name, variable in dataset.data_vars.items():
+        declared[name] = _added(file, name, variable, **storage.get(name, {}))
+        beside = [  # coordinates along its dimensions that have other names than these
+            other
+            for other, coordinate in dataset.coords.items()
+            if other not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
+        ]
+        if beside:
+            declared[name].coordinates = " ".join(beside)
+    for name, coordinate in dataset.coords.items():
+        _added(file, name, coordinate)[:] = coordinate.values
+    return declared
 
 
-def add_variable(
-    file: netCDF4.Dataset,
-    name: str,
-    variable: Variable | xr.DataArray,
-    coordinates: str = "",
-    **storage: Any,
-) -> netCDF4.Variable:
-    """Declare a variable in a file that has its dimensions: it is empty, and takes values as they are
-    stored.  ``coordinates`` are names of what stands beside its dimensions, ``storage`` arguments of
-    ``netCDF4.Dataset.createVariable``."""
+def _added(file, name, variable, **storage) -> netCDF4.Variable:
+    """A new variable in a file that has its dimensions."""
     attributes = dict(variable.attrs)
     fill = attributes.pop("_FillValue", None)
     added = file.createVariable(name, variable.dtype, variable.dims, fill_value=fill, **storage)
-    added.setncatts(attributes | ({"coordinates": coordinates} if coordinates else {}))
+    added.setncatts(attributes)
     added.set_auto_maskandscale(False)
     return added
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from html import escape
 from itertools import groupby
 from pathlib import Path
@@ -126,24 +127,19 @@ def page(sheets: Sequence[Sheet]) -> str:
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
 
-def _paper_table(title) -> Callable[..., list[Sheet]]:
+def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
     """A table of the paper: printed and recomputed values side by side."""
-
-    def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
-        lines = [
-            {
-                **{name: row[name] for name in ("property", "symbol", "unit")},
-                "printed": _ends(row["printed_low"], row["printed_high"]),
-                "recomputed": _ends(row["recomputed_low"], row["recomputed_high"]),
-                "verdict": row["verdict"],
-                "remark": row["remark"] or "",
-            }
-            for row in rows
-        ]
-        note = "Recomputed from the other printed values where that is possible."
-        return [Sheet(title, note, lines)]
-
-    return sheets
+    lines = [
+        {
+            **{name: row[name] for name in ("property", "symbol", "unit")},
+            "printed": _ends(row["printed_low"], row["printed_high"]),
+            "recomputed": _ends(row["recomputed_low"], row["recomputed_high"]),
+            "verdict": row["verdict"],
+            "remark": row["remark"] or "",
+        }
+        for row in rows
+    ]
+    return [Sheet(title, "Recomputed from the other printed values where that is possible.", lines)]
 
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
@@ -235,7 +231,7 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     return sheets
 
 
-def _chart(title, limited, below, beyond) -> Callable[..., list[Sheet]]:
+def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
     """A design chart: a column a load, the range of the ensemble in brackets.
 
     ``limited`` is the axis that the limit is on; ``below`` and ``beyond`` stand for limits beyond
@@ -252,38 +248,42 @@ def _chart(title, limited, below, beyond) -> Callable[..., list[Sheet]]:
         status = _statuses([row])
         return f"{text(row['limit'])} ({' to '.join(ends)})" + (f", {status}" if status else "")
 
-    def sheets(rows, _printed, _newtons_per_load) -> list[Sheet]:
-        held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
-        loads = [f"{row['load_N']:g} N" for row in rows]
-        conditions = [
-            {_heading(axis): _in_unit(axis.name, row[axis.column]) for axis in held} for row in rows
-        ]
-        cells = zip(conditions, loads, map(cell, rows), strict=True)
-        note = (
-            "At the load of each column; in brackets between which values nine in ten members of "
-            f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
-            "the atlas."
-        )
-        return [Sheet(title, note, _pivoted(cells, loads))]
-
-    return sheets
+    held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
+    loads = [f"{row['load_N']:g} N" for row in rows]
+    conditions = [
+        {_heading(axis): _in_unit(axis.name, row[axis.column]) for axis in held} for row in rows
+    ]
+    cells = zip(conditions, loads, map(cell, rows), strict=True)
+    note = (
+        "At the load of each column; in brackets between which values nine in ten members of "
+        f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
+        "the atlas."
+    )
+    return [Sheet(title, note, _pivoted(cells, loads))]
 
 
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
-    "table1": _paper_table("Table 1. Properties of the materials, as printed and recomputed"),
-    "table2": _paper_table("Table 2. Operating conditions, as printed and recomputed"),
+    "table1": partial(
+        _paper_table, "Table 1. Properties of the materials, as printed and recomputed"
+    ),
+    "table2": partial(_paper_table, "Table 2. Operating conditions, as printed and recomputed"),
     "tpca_loads": _turning_points,
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
-    "largest_particle": _chart(
+    "largest_particle": partial(
+        _chart,
         "Largest particles that stay out of the particle-surface mode [nm]",
         "particle_diameter",
         "none",
         "all",
     ),
-    "least_viscosity": _chart(
-        "Least viscosity that leaves boundary lubrication [cSt]", "viscosity", "all", "none"
+    "least_viscosity": partial(
+        _chart,
+        "Least viscosity that leaves boundary lubrication [cSt]",
+        "viscosity",
+        "all",
+        "none",
     ),
 }
 

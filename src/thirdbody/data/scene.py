@@ -14,35 +14,24 @@ from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key in the place of the diameter's own
 
 
-@dataclass(frozen=True)
-class Curves:
-    """A group of curves: every combination of four axes, each 1-D and increasing, SI."""
+def curve_groups(group: Mapping) -> list[Condition]:
+    """The groups of curves that one entry of ``curves`` in ``config/scenes.yaml`` describes: a group is
+    every combination of four axes, each 1-D and increasing, SI.
 
-    viscosity: NDArray[np.float64]
-    particle_diameter: NDArray[np.float64]
-    roughness: NDArray[np.float64]
-    particle_density: NDArray[np.float64]
-
-    @classmethod
-    def of(cls, group: Mapping) -> list[Curves]:
-        """The groups that one entry of ``curves`` in ``config/scenes.yaml`` describes.
-
-        Diameters relative to the roughness make a group of each roughness.
-        """
-        if RELATIVE_DIAMETER not in group:
-            return [cls(*(axis.values(group[axis.key]) for axis in CONDITION_AXES))]
-        return [
-            group_at
-            for sigma in group[AXES["roughness"].key]
-            for group_at in cls.of(_at_one_roughness(group, sigma))
-        ]
-
-
-def _at_one_roughness(group, sigma) -> dict:
-    """The part of ``group`` at the roughness ``sigma`` [nm], its diameters absolute."""
+    Diameters relative to the roughness make a group of each roughness.
+    """
+    if RELATIVE_DIAMETER not in group:
+        return [Condition(*(axis.values(group[axis.key]) for axis in CONDITION_AXES))]
+    roughness, diameter = AXES["roughness"].key, AXES["particle_diameter"].key
+    ratios = group[RELATIVE_DIAMETER]
     absolute = {name: values for name, values in group.items() if name != RELATIVE_DIAMETER}
-    diameters = [ratio * sigma for ratio in group[RELATIVE_DIAMETER]]
-    return absolute | {AXES["roughness"].key: [sigma], AXES["particle_diameter"].key: diameters}
+    return [
+        found
+        for sigma in group[roughness]
+        for found in curve_groups(
+            absolute | {roughness: [sigma], diameter: [ratio * sigma for ratio in ratios]}
+        )
+    ]
 
 
 @dataclass(frozen=True)
@@ -57,14 +46,14 @@ class Scene:
         Title of the dataset.
     load : ndarray, shape (n,)
         F_t* [1], increasing.
-    groups : tuple of Curves
-        What is shown; a combination that stands in several groups is shown once.
+    groups : tuple of Condition
+        What is shown, each of arrays as of ``curve_groups``; a combination that stands in several groups is shown once.
     """
 
     name: str
     title: str
     load: NDArray[np.float64]
-    groups: tuple[Curves, ...]
+    groups: tuple[Condition, ...]
 
     @classmethod
     def of(cls, name: str, scene: Mapping, newtons_per_load: float) -> Scene:
@@ -82,17 +71,14 @@ class Scene:
         >>> scene.axis("viscosity"), scene.size
         (array([0.e+00, 9.e-05]), 6)
         """
-        groups = [curves for group in scene["curves"] for curves in Curves.of(group)]
+        groups = [each for entry in scene["curves"] for each in curve_groups(entry)]
         load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
         return cls(name, scene["title"], load, tuple(groups))
 
     @property
     def size(self) -> int:
         """Number of points."""
-        sizes = (
-            tuple(getattr(group, name).size for name in Condition._fields) for group in self.groups
-        )
-        return self.load.size * sum(map(math.prod, sizes))
+        return self.load.size * sum(math.prod(map(len, group)) for group in self.groups)
 
     def axis(self, name: str) -> NDArray[np.float64]:
         """Values of the dimension ``name`` over all groups, SI, shape (n,), increasing."""
@@ -100,10 +86,12 @@ class Scene:
             return self.load
         return np.unique(np.concatenate([getattr(group, name) for group in self.groups]))
 
-    def placed(self, group: Curves) -> tuple[NDArray[np.intp], ...]:
+    def placed(self, group: Condition) -> tuple[NDArray[np.intp], ...]:
         """Where the points of ``group`` stand in arrays over the five axes of the scene: five index arrays,
         as of ``numpy.ix_``."""
-        positions = [np.searchsorted(self.axis(n), getattr(group, n)) for n in Condition._fields]
+        positions = [
+            np.searchsorted(self.axis(name), values) for name, values in group._asdict().items()
+        ]
         return np.ix_(np.arange(self.load.size), *positions)
 
 

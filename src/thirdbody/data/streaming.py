@@ -2,34 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from itertools import product
 from math import prod
 from numbers import Integral
 from os import PathLike
 from pathlib import Path
 from shutil import disk_usage
-from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.conditions.checks import check_rtol, checked_parameters
-from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, described_grid, grid_axes, with_status
 from thirdbody.data.files import atomic_write
-from thirdbody.data.netcdf import add_variable
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.progress import Progress, check_progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
 ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
@@ -110,7 +104,14 @@ def stream(
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
             Progress(prod(shape), "points", progress) as progressing,
         ):
-            stored = declare(file, described, dict(zip(DIMENSIONS, lengths)), compression)
+            storage = {
+                "zlib": compression > 0,
+                "complevel": compression,
+                "shuffle": False,
+                "chunksizes": lengths,
+                "chunk_cache": ONE_CHUNK,
+            }
+            stored = declare(file, described, dict.fromkeys(names, storage))
             for block in blocks(shape, lengths):
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
                 solution = solve_arrays(crossed(sides), parameters, rtol, names)
@@ -149,40 +150,3 @@ def blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice
     starts = [range(0, size, length) for size, length in zip(shape, lengths)]
     for corner in product(*starts):
         yield tuple(slice(start, start + length) for start, length in zip(corner, lengths))
-
-
-def declare(
-    file: netCDF4.Dataset,
-    described: PlainDataset | xr.Dataset,
-    lengths: Mapping[str, int],
-    compression: int,
-    digits: Mapping[str, int] | None = None,
-) -> dict[str, netCDF4.Variable]:
-    """Write all of a dataset to a new file except the values of its variables, which are returned by
-    name, empty, and take values as they are stored.
-
-    ``lengths`` are those of the pieces in which variables are stored, by dimension; ``compression`` is
-    a level of zlib.  Variables of which ``digits`` names a number of significant digits are rounded.
-    """
-    digits = digits or {}
-    file.setncatts(described.attrs)
-    for name, size in described.sizes.items():
-        file.createDimension(name, size)
-    for name, coordinate in described.coords.items():
-        add_variable(file, name, coordinate)[:] = coordinate.values
-    return {
-        name: add_variable(
-            file,
-            name,
-            variable,
-            coordinates="normal_load" if "load" in variable.dims else "",
-            zlib=compression > 0,
-            complevel=compression,
-            shuffle=name in digits,  # digits that are left out, which are zeros, come together
-            chunksizes=[lengths[each] for each in variable.dims],
-            chunk_cache=ONE_CHUNK,
-            significant_digits=digits.get(name),
-            quantize_mode="GranularBitRound",
-        )
-        for name, variable in described.data_vars.items()
-    }
