@@ -8,6 +8,7 @@ from thirdbody.data.conditions import Condition
 from thirdbody.data.sizes import Sizes
 from thirdbody.figures.random_sections import section_through, sections, size_quantiles
 from thirdbody.figures.sections import State, read_sections, write_sections
+from thirdbody.model.particles import ParticleLayer
 
 # the s-s, p-s and hybrid modes of figure 2
 MODES = [
@@ -73,7 +74,8 @@ def test_what_x_a_stands_for_is_the_mean_and_the_largest_of_the_sizes_drawn(dist
     mean = 1.0 if distribution == "centred" else 0.0
     inputs = tb.load_parameters(size_distribution=distribution, mean_ratio=mean)
     drawn = size_quantiles((np.arange(20000) + 0.5) / 20000, 0.0, 500e-9, inputs)
-    sizes = Sizes.of(500e-9, inputs)
+    sizes = Sizes.of(500e-9, 300e-9, inputs)
+    layer = ParticleLayer.of(np.array([500e-9]), 300e-9, np.array([1e11]), inputs)
     assert sizes.mean == pytest.approx(drawn.mean(), rel=1e-4)
     assert sizes.largest == pytest.approx(drawn.max(), rel=1e-2)
-    assert sizes.widest_gap == pytest.approx(sizes.largest + inputs.elastic_depth_ratio * 500e-9)
+    assert sizes.reach == pytest.approx(layer.reach[0])

@@ -15,9 +15,10 @@ from thirdbody.model.parameters import Parameters
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.schematic
     sections = read_sections(snakemake.input.sections)
-    sizes = {section.state.condition.particle_diameter for section in sections}
     inputs = Parameters(**snakemake.params.parameters)
-    notes = tuple(f"{sizes_note(size, inputs)}." for size in sorted(sizes) if size)
+    given = [section.state.condition for section in sections]
+    layers = sorted({(each.particle_diameter, each.roughness) for each in given})
+    notes = tuple(f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0)
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(
             SCHEMATICS[figure](sections),

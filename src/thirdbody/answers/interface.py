@@ -174,8 +174,9 @@ class Interface:
         """What each x_a [nm] stands for, where there are particles."""
         if not self.particle_density_per_m2 > 0.0:
             return ()
+        roughness = float(LENGTH.to_si(self.roughness_nm))
         sizes = [float(LENGTH.to_si(each)) for each in diameters_nm if each > 0.0]
-        return tuple(sizes_note(each, self.parameters) for each in sizes)
+        return tuple(sizes_note(each, roughness, self.parameters) for each in sizes)
 
     def _states(self) -> list[dict[str, Value]]:
         """The variables in engineering units and words: with the inputs, and with each member."""

@@ -9,22 +9,22 @@ from thirdbody.model.parameters import Parameters
 
 
 class Sizes(NamedTuple):
-    """Mean and largest diameter of particles, and the widest gap in which one carries load [m]."""
+    """Mean and largest diameter of particles, and the separation d below which one carries load [m]."""
 
     mean: float
     largest: float
-    widest_gap: float
+    reach: float
 
     @classmethod
-    def of(cls, diameter: float, parameters: Parameters) -> Sizes:
-        """The sizes for ``diameter`` x_a [m]: a normal distribution from 0 to X_max (Eq. 6).
+    def of(cls, diameter: float, roughness: float, parameters: Parameters) -> Sizes:
+        """The sizes for ``diameter`` x_a and ``roughness`` sigma [m]: normal from 0 to X_max (Eq. 6).
 
         Examples
         --------
         >>> import thirdbody as tb
-        >>> sizes = Sizes.of(500e-9, tb.load_parameters())
-        >>> f"{sizes.mean:.3g} {sizes.largest:.3g} {sizes.widest_gap:.3g}"
-        '1.19e-07 4.5e-07 1.63e-06'
+        >>> sizes = Sizes.of(500e-9, 300e-9, tb.load_parameters())
+        >>> f"{sizes.mean:.3g} {sizes.largest:.3g} {sizes.reach:.3g}"
+        '1.19e-07 4.5e-07 1.93e-06'
         """
         mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
         largest = mean + parameters.truncation * spread
@@ -34,13 +34,15 @@ class Sizes(NamedTuple):
             mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
         beyond = parameters.interpretation.elastic_limits.beyond
         elastic = beyond * parameters.elastic_depth_ratio * diameter
-        return cls(mean, largest, largest + elastic)
+        height = parameters.interpretation.particle_plane.height(roughness, parameters)
+        return cls(mean, largest, float(largest + elastic + height))
 
 
-def sizes_note(diameter: float, parameters: Parameters) -> str:
-    """A sentence on the particles that ``diameter`` x_a [m] stands for."""
-    mean, largest, gap = (f"{1e9 * each:.4g}" for each in Sizes.of(diameter, parameters))
+def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
+    """A sentence on the particles that ``diameter`` x_a stands for on a ``roughness`` sigma [m]."""
+    sizes = Sizes.of(diameter, roughness, parameters)
+    mean, largest, reach = (f"{1e9 * each:.4g}" for each in sizes)
     return (
         f"x_a = {1e9 * diameter:.4g} nm stands for particles of {mean} nm on average and at most "
-        f"{largest} nm, which carry load in gaps of up to {gap} nm"
+        f"{largest} nm, which carry load at separations d below {reach} nm"
     )
