@@ -5,7 +5,7 @@ from __future__ import annotations
 import errno
 from collections.abc import Collection, Mapping
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import netCDF4
 import numpy as np
@@ -116,18 +116,14 @@ def _loaded(file: netCDF4.Dataset) -> PlainDataset:
     file.set_auto_maskandscale(False)
     coordinates, variables = set(file.dimensions), {}
     for name, stored in file.variables.items():
-        attributes = _attributes(stored)
+        attributes = dict(stored.__dict__)
         coordinates.update(attributes.pop("coordinates", "").split())
         values, fill = stored[...], attributes.pop("_FillValue", None)
         if fill is not None:
             values[values == fill] = np.nan
         variables[name] = Variable(stored.dimensions, values, attributes)
     coords = {name: variables.pop(name) for name in [*variables] if name in coordinates}
-    return PlainDataset(variables, coords, _attributes(file))
-
-
-def _attributes(owner: netCDF4.Dataset | netCDF4.Variable) -> dict[str, Any]:
-    return {name: owner.getncattr(name) for name in owner.ncattrs()}
+    return PlainDataset(variables, coords, file.__dict__)
 
 
 def unreadable(path: str | PathLike, reason: str) -> OSError:
