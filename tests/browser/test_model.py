@@ -12,7 +12,7 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.netcdf import read_dataset
-from thirdbody.data.quantities import shown_combinations
+from thirdbody.data.quantities import curves_of
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -136,7 +136,8 @@ def test_statuses_of_all_datasets_are_the_librarys(explorer, page, defaults, tel
     asked, expected = [], []
     for figure in FIGURES:
         data = read_dataset(page.parents[1] / "datasets" / f"{figure}.nc")
-        for curve in np.argwhere(shown_combinations(data)):
+        _, shown = curves_of(data)
+        for curve in np.argwhere(shown):
             axes = [data[axis.name].values for axis in CONDITION_AXES]
             values = [float(axis[place]) for axis, place in zip(axes, curve, strict=True)]
             condition = {axis.name: value for axis, value in zip(CONDITION_AXES, values)}

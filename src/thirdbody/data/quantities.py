@@ -151,18 +151,13 @@ CONTRACT = (*NUMBERS, *FLAGS)
 VARIABLES = NUMBERS | FLAGS | _by_name(SEPARATION_COUNT)
 
 
-def shown_combinations(dataset: PlainDataset) -> NDArray[np.bool_]:
-    """Which combinations of the four conditions a dataset holds, any point with a status: an array in
-    the shape of the dataset behind its axis of loads."""
+def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The curves that a dataset shows, any point with a status: what is held along each, SI, in the order
+    of ``Condition``, shape (4, curves); and their index in a variable behind its axis of loads,
+    ``values[:, index]``."""
     status = dataset[STATUS].values
     # nan where xarray has masked points, of which it makes floats
-    return (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
-
-
-def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves that a dataset shows: what is held along each, SI, in the order of ``Condition``, shape
-    (4, curves); and their index in a variable behind its axis of loads, ``values[:, index]``."""
-    shown = shown_combinations(dataset)
+    shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
     axes = [dataset[name].values for name in Condition._fields]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
     return conditions, shown

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.data.quantities import shown_combinations
+from thirdbody.data.quantities import curves_of
 from thirdbody.figures.naming import label
 
 AREA = "total_contact_area"
@@ -41,12 +41,11 @@ class Curve:
 
 def curves_in(data: PlainDataset) -> list[Curve]:
     """The curves of ``data``, in the order of its axes."""
-    axes = [data[name].values for name in Condition._fields]
+    conditions, shown = curves_of(data)
+    places = np.argwhere(shown).tolist()
     return [
-        Curve(
-            Condition(*(float(axis[i]) for axis, i in zip(axes, place, strict=True))), tuple(place)
-        )
-        for place in np.argwhere(shown_combinations(data)).tolist()
+        Curve(Condition(*values), tuple(place))
+        for values, place in zip(conditions.T.tolist(), places, strict=True)
     ]
 
 
