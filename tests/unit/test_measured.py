@@ -89,7 +89,7 @@ def test_less_than_one_particle_in_the_nominal_area_is_said(defaults):
         none = few.changed(particle_density_per_m2=2500.0)
     note = f"{2500.0 * area:.2g} particles in A_n = {area:.3g} m2: most contacts have none"
     assert note in none.state().notes and note in few.compare(none).notes
-    assert few.state().notes == () and "particles in A_n" not in str(few.state())
+    assert "particles in A_n" not in str(few.state())
 
 
 # ---- topographies
