@@ -11,7 +11,7 @@ import yaml
 from matplotlib.colors import to_rgb
 
 import thirdbody as tb
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
@@ -19,7 +19,7 @@ from thirdbody.figures import charts
 from thirdbody.figures.captions import CAPTIONS, CONCLUSIONS, caption
 from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, STYLE, SUFFIXES, save, write_wide
-from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW, condition_key
+from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
 from thirdbody.figures.random_sections import sections
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure

@@ -169,3 +169,13 @@ class Condition(NamedTuple):
 
 
 CONDITION_AXES = tuple(AXES[name] for name in Condition._fields)  # all but the load
+
+
+def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:
+    """Conditions free of the rounding of files."""
+    return tuple("" if value is None else f"{value:.9g}" for value in values)
+
+
+def row_key(row: Mapping) -> tuple[str, ...]:
+    """The ``condition_key`` of the curve that a row of a table is about."""
+    return condition_key(row[axis.column] for axis in CONDITION_AXES)

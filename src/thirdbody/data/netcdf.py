@@ -92,7 +92,9 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
     """A new variable in a file that has its dimensions."""
     attributes = dict(variable.attrs)
     fill = attributes.pop("_FillValue", None)
-    added = file.createVariable(name, variable.dtype, variable.dims, fill_value=fill, **storage)
+    added = file.createVariable(
+        name, variable.values.dtype, variable.dims, fill_value=fill, **storage
+    )
     added.setncatts(attributes)
     added.set_auto_maskandscale(False)
     return added

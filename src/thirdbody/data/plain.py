@@ -24,11 +24,6 @@ class Variable:
     values: NDArray
     attrs: Mapping[str, Any] = field(default_factory=dict)
 
-    @property
-    def dtype(self) -> np.dtype:
-        """The type of the values."""
-        return self.values.dtype
-
 
 Given = Variable | Sequence  # a variable, or as xarray takes it: dimensions, values, attributes
 

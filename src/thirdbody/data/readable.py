@@ -15,7 +15,7 @@ from itertools import groupby
 from pathlib import Path
 from string import Template
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES
+from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
 
 DIGITS = 3
 NEGLIGIBLE = 0.005  # of an elasticity or a fraction of variance
@@ -147,7 +147,9 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     for key, some in _curves(rows):
         row = some[0]
         load, error = row["load"], row["load_error"]
-        paper = {number["quantity"]: number for number in reversed(printed) if _key(number) == key}
+        paper = {
+            number["quantity"]: number for number in reversed(printed) if row_key(number) == key
+        }
         load_paper, ratio_paper, solid_paper = (
             _spread(paper.get(f"turning_point_{name}"), unit)
             for name, unit in (("load", LOAD_UNIT), ("ratio", 1.0), ("solid_load_fraction", 0.01))
@@ -207,7 +209,7 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
                 f"(paper: {_spread(number, 1.0 / newtons_per_load)})"
                 for number in printed
                 if number["quantity"] == "load"
-                and _key(number) == key
+                and row_key(number) == key
                 and (number["at_quantity"], number["at_level"]) == crossing
             ]
             line[heading] = ", ".join([arrow + load for load, arrow in found.items()] + paper)
@@ -311,16 +313,11 @@ def _sheet_beside(printed, title, note, lines) -> Sheet:
     return Sheet(title, note, [{name: line[name] for name in kept} for line in lines])
 
 
-def _key(row) -> tuple[str, ...]:
-    """The curve of a row, free of the rounding of files."""
-    return tuple("" if row[a.column] is None else f"{row[a.column]:.9g}" for a in CONDITION_AXES)
-
-
 def _curves(rows):
     """Rows by curve, some of which figures share."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
-    return [(key, [*some]) for key, some in groupby(ordered, key=_key)]
+    return [(key, [*some]) for key, some in groupby(ordered, key=row_key)]
 
 
 def _curve_cells(rows) -> dict[str, str]:

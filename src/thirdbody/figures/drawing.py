@@ -131,14 +131,9 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
         drawing.figure.set_layout_engine(None)  # once for all formats
     with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
         for image, kind in zip(images, FORMATS, strict=True):
-            save_image(drawing.figure, image, kind)
+            drawing.figure.savefig(image, format=kind, **FORMATS[kind])
         write_points(drawing.panels, data)
         Path(text).write_text(caption.markdown(), encoding="utf-8")
-
-
-def save_image(figure: Figure, path: str | PathLike, kind: str) -> None:
-    """Write a figure as one of ``FORMATS``: the same figure gives the same bytes."""
-    figure.savefig(path, format=kind, **FORMATS[kind])
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
@@ -147,7 +142,7 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
     with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
-        save_image(figure, part, kind)
+        figure.savefig(part, format=kind, **FORMATS[kind])
 
 
 def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:

@@ -8,7 +8,7 @@ from os import PathLike
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
@@ -104,8 +104,3 @@ def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
     entries += [PRINTED_LIMIT] if PRINTED in limits else []
     entries += [BAND_ENTRY] if BAND in kinds else []
     return [Line2D([], [], label=text, **look) for text, look in entries]
-
-
-def condition_key(values: Iterable[float]) -> tuple[str, ...]:
-    """Conditions free of the rounding of files."""
-    return tuple(f"{value:.9g}" for value in values)

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.conditions import Condition, condition_key, row_key
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Series
-from thirdbody.figures.marks import PRINTED, TOLERANCE, condition_key
+from thirdbody.figures.marks import PRINTED, TOLERANCE
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 
@@ -63,9 +63,7 @@ def printed_series(
     """
     rows_of: dict[tuple, list] = {}
     for row in printed:
-        conditions = [row[axis.column] for axis in CONDITION_AXES]
-        if None not in conditions:
-            rows_of.setdefault(condition_key(conditions), []).append(row)
+        rows_of.setdefault(row_key(row), []).append(row)
     turning = {curve.place: point for curve, point in turning_points}
     drawn = set()
     for curve in curves:
