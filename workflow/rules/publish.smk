@@ -1,4 +1,4 @@
-# The page that leads to all products, and the sums of all of them.
+# The page that leads to all products, the sums of all of them, and the last line of a run.
 import os
 
 # before a run begins: Snakemake would end with a traceback
@@ -60,3 +60,12 @@ rule write_sums:
         "Writing the sums of all products"
     script:
         "../scripts/write_sums.py"
+
+
+onsuccess:
+    if Path(RESULTS, "index.html").is_file():
+        print(f"Open {RESULTS}/index.html in a browser")
+
+
+onerror:
+    print("What is made stays: the same command goes on from there")
