@@ -4,14 +4,11 @@ import fcntl
 import json
 import os
 import signal
-import subprocess
-import sys
 import time
-from pathlib import Path
 
 import pytest
 import yaml
-from workspace import INTERPRETATIONS, MINIMAL, Workspace
+from workspace import INTERPRETATIONS, Workspace, start
 
 BUDGET = {"scattered": 4, "evaluations": 1, "elastic_radius": 5e-5, "walkers": 16, "steps": 1}
 KEPT = "kept.json"  # what there was of the atlas when its run was killed
@@ -64,20 +61,13 @@ def charted(made_once):
 
 
 def _make_atlas(workspace):
-    first = subprocess.Popen(
-        [Path(sys.executable).with_name("snakemake"), "-c1", "atlas", *MINIMAL],
-        cwd=workspace.root,
-        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, workspace.packages))},
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    first = start(workspace, "atlas", "-c1")
     chunks = workspace.root / "results" / "atlas" / "chunks"
     while len(list(chunks.glob("[0-9]*.nc"))) < 2:  # then Snakemake has recorded the first
         assert first.poll() is None, "it ended before"
         time.sleep(0.05)
     os.killpg(first.pid, signal.SIGKILL)
-    first.wait()
+    first.communicate()
     (workspace.root / KEPT).write_text(json.dumps(workspace.stamps()), encoding="utf-8")
     succeed(workspace, "atlas")
 

@@ -40,11 +40,8 @@ def test_what_was_solved_before_the_kill_is_not_solved_again(charted):
     assert workspace.stamps()[first] == chunks[first]
 
 
-def test_it_makes_its_products_and_no_others(charted):
+def test_it_makes_its_products_and_no_others(charted, finished):
     assert set(charted[0].stamps()) == PRODUCTS
-
-
-def test_the_default_run_makes_none_of_them(finished):
     assert PRODUCTS.isdisjoint(finished.stamps())
 
 
@@ -61,20 +58,15 @@ def test_every_condition_is_solved_for_every_member(charted):
         assert float(row["max_rss"]) < 1000
 
 
-@pytest.fixture
-def written(charted, tmp_path):
-    """Files of the atlas by what they hold: one chunk, all chunks together."""
+def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, charted, tmp_path):
+    """In a chunk, and in all chunks together."""
     atlas = charted[0].root / "results" / "atlas"
     with tb.open_atlas(atlas / "catalogue.json") as whole:
         whole.to_netcdf(tmp_path / "whole.nc")
-    return {"chunk": atlas / "chunks" / f"{CHUNKS[1]}.nc", "whole": tmp_path / "whole.nc"}
-
-
-@pytest.mark.parametrize("holding", ["chunk", "whole"])
-def test_cf_and_acdd_find_nothing_but_what_the_library_writes(findings_in, written, holding):
-    found = findings_in(written[holding])
-    assert [text for text in found["CF"] if not WRITTEN_BY_NETCDF.match(text)] == []
-    assert found["ACDD"] == []
+    for path in (atlas / "chunks" / f"{CHUNKS[1]}.nc", tmp_path / "whole.nc"):
+        found = findings_in(path)
+        assert [text for text in found["CF"] if not WRITTEN_BY_NETCDF.match(text)] == []
+        assert found["ACDD"] == []
 
 
 @pytest.mark.parametrize("chart", CHARTS)

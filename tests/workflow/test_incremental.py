@@ -7,31 +7,22 @@ from thirdbody.configuration.plain_yaml import read_yaml
 
 DEFAULT = read_yaml(ROOT / "config/config.yaml")["calibrated"]
 FIGURE = ("datasets/{0}.nc", "bands/{0}.nc", "extracted/*/{0}.csv", "figures/{0}[._]*")
-ALL_CURVES = (
-    "datasets/*",
-    "bands/*",
-    "extracted/tpca_loads/*",
-    "extracted/transitions/*",
-    "figures/fig0[3-9]*",
-    "figures/fig1?*",
-)
+FIGURES = ("figures/fig0[3-9]*", "figures/fig1?*")
+EXTRACTED = ("extracted/tpca_loads/*", "extracted/transitions/*")
+ALL_CURVES = ("datasets/*", "bands/*", *EXTRACTED, *FIGURES)
 GATHERED = ("tables/tpca_loads.*", "tables/transitions.*")
 WINDOWS = ("extracted/tpca_windows/*", "tables/tpca_windows.*")
 SHOWING_WINDOWS = ("figures/fig09*", "figures/fig10*")
-PRINTED = (  # what stands beside the paper's numbers
-    "extracted/printed/*",
-    "figures/fig0[3-9]*",
-    "figures/fig1?*",
-    "tables/tpca_*",
-    "tables/transitions.*",
-)
+# what stands beside the paper's numbers
+PRINTED = ("extracted/printed/*", *FIGURES, "tables/tpca_*", "tables/transitions.*")
 PAPER_TABLES = ("extracted/table[12]/*", "tables/table[12].*")
 SCHEMATICS = ("schematics/*", "figures/fig0[12].*")
 SENSITIVITY = ("extracted/sensitivity/*", "tables/sensitivity.*", "figures/sensitivity.*")
 CLAIMS = ("claims/*", "figures/claims.*")
-PAGE = ("explorer/*", "index.html", "SHA256SUMS")
-KINDS = ("csv", "html", "json", "md", "tex")
 TABLES_SHOWN = ("index.html", "SHA256SUMS")
+PAGE = ("explorer/*", *TABLES_SHOWN)
+ALL = (*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS, *CLAIMS, *SENSITIVITY, *PAGE)
+KINDS = ("csv", "html", "json", "md", "tex")
 
 
 def of_figure(name):
@@ -81,9 +72,7 @@ def test_another_scene_remakes_its_figure_and_the_tables_that_gather_it(workspac
 
 
 def test_another_style_draws_again_and_solves_nothing(workspace):
-    workspace.rewrite(
-        "src/thirdbody/figures/paper.mplstyle", lambda text: text + "\nlines.linewidth: 0.7\n"
-    )
+    workspace.rewrite("src/thirdbody/figures/paper.mplstyle", commented)
     assert workspace.pending() == workspace.products("figures/*", *PAGE)
 
 
@@ -106,42 +95,21 @@ def test_another_layout_of_tables_writes_them_and_solves_nothing(workspace):
     assert pending.isdisjoint(workspace.products("datasets/*", "bands/*"))
 
 
+CONFIG, FIRST = "config/config.yaml", ("schematics/fig01.nc", "figures/fig01.*", *TABLES_SHOWN)
+INPUT = "yield_pressure_ratio/value"  # one that no calibrated file gives
+SHOWN_WINDOWS = (*WINDOWS, *SHOWING_WINDOWS, *PAGE)
+STATEMENT = ("config/claims.yaml", "0/statement", "Particles matter.")
+
+
 @pytest.mark.parametrize(
     ("file", "key", "value", "patterns"),
     [
-        ("config/config.yaml", "rtol", 1e-8, (*ALL_CURVES, *GATHERED, *PAGE)),
-        (
-            "config/config.yaml",
-            "windows/roughness_nm",
-            [100, 300],
-            (*WINDOWS, *SHOWING_WINDOWS, *PAGE),
-        ),
-        ("config/claims.yaml", "0/statement", "Particles matter.", (*CLAIMS, *PRINTED, *PAGE)),
-        (
-            "config/config.yaml",
-            "schematics/fig01/0/load_N",
-            21.0,
-            ("schematics/fig01.nc", "figures/fig01.*", "index.html", "SHA256SUMS"),
-        ),
-        (
-            "config/inputs.yaml",
-            # an input that no calibrated file gives
-            "yield_pressure_ratio/value",
-            0.41,
-            (
-                *(*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS),
-                *(*CLAIMS, *SENSITIVITY, *PAGE),
-            ),
-        ),
-        (
-            DEFAULT,
-            "inputs/truncation",
-            1.8,
-            (
-                *(*ALL_CURVES, *GATHERED, *WINDOWS, *PAPER_TABLES, *SCHEMATICS),
-                *(*CLAIMS, *SENSITIVITY, *PAGE, "figures/fronts.*"),
-            ),
-        ),
+        (CONFIG, "rtol", 1e-8, (*ALL_CURVES, *GATHERED, *PAGE)),
+        (CONFIG, "windows/roughness_nm", [100, 300], SHOWN_WINDOWS),
+        (*STATEMENT, (*CLAIMS, *PRINTED, *PAGE)),
+        (CONFIG, "schematics/fig01/0/load_N", 21.0, FIRST),
+        ("config/inputs.yaml", INPUT, 0.41, ALL),
+        (DEFAULT, "inputs/truncation", 1.8, (*ALL, "figures/fronts.*")),
     ],
     ids=["rtol", "windows", "a statement", "a drawing", "an input", "calibrated"],
 )

@@ -14,9 +14,7 @@ MADE = (
     "results/soft/datasets/fig03.nc",
     "results/soft/extracted/tpca_loads/fig03.csv",
 )
-LISTED = re.findall(
-    r'"<results>/(\w+)/', "".join(path.read_text() for path in ROOT.glob("workflow/rules/*.smk"))
-)
+RULES = "".join(path.read_text() for path in ROOT.glob("workflow/rules/*.smk"))
 
 
 @pytest.fixture(scope="module")
@@ -63,6 +61,6 @@ def test_the_name_changes_no_byte(finished, twofold):
 def test_a_run_is_not_called_like_a_folder_of_products():
     """Its files would mix with those of the run without a name."""
     schema = read_schema("config")["properties"]["run"]
-    for name in set(LISTED):
+    for name in set(re.findall(r'"<results>/(\w+)/', RULES)):
         with pytest.raises(ValueError, match="allowed: a plain word"):
             validate(name, schema, "run")

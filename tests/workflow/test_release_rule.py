@@ -28,16 +28,12 @@ def released(finished, tmp_path_factory):
     return workspace.root / "results" / "release" / NAME
 
 
-def verified(program, *arguments):
-    """Exit code and output of the verification ``program``."""
-    command = [sys.executable, program, *arguments]
+def verified_with_products(released):
+    """Exit code and output of the verification."""
+    program = ROOT / "verification" / "verify.py"
+    command = [sys.executable, program, released, "--results", released.parents[1]]
     done = subprocess.run(command, capture_output=True, text=True)
     return done.returncode, done.stdout
-
-
-def verified_with_products(released):
-    program = ROOT / "verification" / "verify.py"
-    return verified(program, released, "--results", released.parents[1])
 
 
 def test_the_paper_s_name_is_for_the_paper_s_configuration(released):
@@ -64,11 +60,8 @@ def test_every_product_is_in_the_release(released):
     sums = (released.parents[1] / "SHA256SUMS").read_text(encoding="utf-8").splitlines()
     products = {line.split("  ", 1)[1] for line in sums}
     archived = set(files_in(released / "data", released / "data"))
-    assert {name.partition("/")[0] for name in products - archived} == {
-        "extracted",
-        "index.html",
-        "schematics",
-    }
+    left_out = {name.partition("/")[0] for name in products - archived}
+    assert left_out == {"extracted", "index.html", "schematics"}
 
 
 def test_no_damaged_product_is_released(released, tmp_path):
@@ -79,8 +72,8 @@ def test_no_damaged_product_is_released(released, tmp_path):
     stage = f"results/release/{NAME}/tagmanifest-sha512.txt"
     run = workspace.snakemake("--force", stage, "--allowed-rules", "stage_release")
     assert run.returncode != 0
-    told = "results/figures/fig05.svg is not as it was made; remake it: snakemake"
-    assert told in run.stdout + run.stderr
+    message = "results/figures/fig05.svg is not as it was made; remake it: snakemake"
+    assert message in run.stdout + run.stderr
 
 
 def test_crate_follows_every_product_to_its_rule(released):
@@ -93,6 +86,12 @@ def test_crate_follows_every_product_to_its_rule(released):
     drawing = entities["#render_figure/figures/fig09"]
     assert drawing["instrument"]["@id"] == "source/workflow/scripts/render_figure.py"
     assert {"@id": "datasets/fig09.nc"} in listed(drawing["object"])
+    points = {
+        "@id": "#results/extracted/tpca_loads/fig09.csv"
+    }  # no product, but from one to the other
+    assert points in listed(drawing["object"])
+    assert any(points in listed(job["result"]) for job in jobs)
+    assert entities[points["@id"]]["@type"] == "CreativeWork"
     solving = entities["#solve_scene/datasets/fig09"]
     assert {"@id": "configuration/config.json"} in listed(solving["object"])
 

@@ -71,9 +71,8 @@ def planned(workspace, *arguments):
 def test_a_module_without_configuration_computes_the_paper(sources, finished, elsewhere):
     snakefile = sources.root / "workflow/Snakefile"
     wanted = "rules.paper_all.input"
-    write(
-        elsewhere, "workflow/Snakefile", MODULE.format(snakefile=snakefile, given="", wanted=wanted)
-    )
+    module = MODULE.format(snakefile=snakefile, given="", wanted=wanted)
+    write(elsewhere, "workflow/Snakefile", module)
     plan = planned(elsewhere)
     assert "paper_judge_claims" in plan
     assert "Drawing fig13" in plan
@@ -87,11 +86,8 @@ def test_a_module_takes_some_keys_and_puts_all_below_a_prefix(sources, finished,
     product = f"contact/{DATASET}"
     module = MODULE.format(snakefile=snakefile, given=given, wanted=f'"{product}"')
     # a rule that is used once more reads the module once more
-    write(
-        elsewhere,
-        "workflow/Snakefile",
-        f"{module}\nuse rule find_windows from paper as paper_find_windows with:\n    threads: 2\n",
-    )
+    module += "\nuse rule find_windows from paper as paper_find_windows with:\n    threads: 2\n"
+    write(elsewhere, "workflow/Snakefile", module)
     (dataset,) = made(elsewhere, product)
     assert dataset == (finished.root / DATASET).read_bytes()
     assert not (elsewhere.root / "results").exists()
@@ -102,11 +98,11 @@ def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhe
     there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
     elsewhere.root.mkdir()
     assert "Judging every statement" in planned(elsewhere, *there)
-    before = {path for path in sources.root.rglob("*") if path.suffix != ".pyc"}
+    before = set(sources.root.rglob("*"))
     products = made(elsewhere, TABLE, DATASET, arguments=there)
     assert products == [(finished.root / name).read_bytes() for name in (TABLE, DATASET)]
-    after = {path for path in sources.root.rglob("*") if path.suffix != ".pyc"}
-    assert {path for path in after - before if path.name != "__pycache__"} == set()
+    added = set(sources.root.rglob("*")) - before
+    assert [path for path in added if "__pycache__" not in path.parts] == []
 
 
 @pytest.fixture(scope="module")
@@ -157,25 +153,14 @@ def test_the_environment_of_the_rules_has_the_library(sources, installed, tmp_pa
     shutil.copytree(installed, home.parent)
     (home / "locks/test.txt").write_text("")
     builder = Path(find_spec("hatchling").origin).parents[1]
-    done = subprocess.run(
-        ["bash", str(sources.root / "workflow/envs/thirdbody.post-deploy.sh")],
-        cwd=tmp_path,
-        env={
-            "PATH": f"{environment / 'bin'}:/usr/bin:/bin",
-            "PYTHONPATH": str(builder),
-            "THIRDBODY_HOME": str(home),
-        },
-        capture_output=True,
-        text=True,
-    )
+    script = sources.root / "workflow/envs/thirdbody.post-deploy.sh"
+    given = {"PATH": f"{environment / 'bin'}:/usr/bin:/bin", "PYTHONPATH": str(builder)}
+    given |= {"THIRDBODY_HOME": str(home)}
+    done = subprocess.run(["bash", script], cwd=tmp_path, env=given, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    asked = [
-        environment / "bin/python",
-        "-c",
-        "import thirdbody as t; print(t.__version__, t.__file__)",
-    ]
-    version, place = subprocess.run(
-        asked, env={}, capture_output=True, text=True, check=True
-    ).stdout.split()
+    code = "import thirdbody as t; print(t.__version__, t.__file__)"
+    asked = [environment / "bin/python", "-c", code]
+    done = subprocess.run(asked, env={}, capture_output=True, text=True, check=True)
+    version, place = done.stdout.split()
     assert version == metadata.version("thirdbody")
     assert Path(place).is_relative_to(home)

@@ -6,11 +6,8 @@ import os
 import shutil
 import subprocess
 import sys
-import traceback
-from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from collections.abc import Callable
 from dataclasses import dataclass
-from multiprocessing import get_context
 from pathlib import Path
 
 import yaml
@@ -71,10 +68,6 @@ class Workspace:
             timeout=900,
         )
 
-    def python(self, code: str, *arguments) -> subprocess.CompletedProcess:
-        """Run a Python program in an interpreter of its own."""
-        return self.execute(sys.executable, "-c", code, *arguments)
-
     def snakemake(self, *arguments, config=MINIMAL) -> subprocess.CompletedProcess:
         """Run the Snakemake of this interpreter on two cores."""
         return self.execute(*SNAKEMAKE, *arguments, *config)
@@ -102,9 +95,9 @@ class Workspace:
 
     def summary(self) -> list[dict[str, str]]:
         """Snakemake's own table of every output, file names relative to ``results/``."""
-        told = self.snakemake("--detailed-summary")
-        assert told.returncode == 0, told.stderr
-        header, *lines = (line.split("\t") for line in told.stdout.splitlines() if "\t" in line)
+        listed = self.snakemake("--detailed-summary")
+        assert listed.returncode == 0, listed.stderr
+        header, *lines = (line.split("\t") for line in listed.stdout.splitlines() if "\t" in line)
         rows = [dict(zip(header, line, strict=True)) for line in lines]
         return [row | {"output_file": row["output_file"].removeprefix("results/")} for row in rows]
 
@@ -143,79 +136,12 @@ def ended(run: subprocess.Popen) -> tuple[int, str]:
     return run.returncode, said
 
 
-ABSENT = object()
-
-
 def with_value(text: str, key: str, value) -> str:
-    """YAML ``text`` with another value of ``key``, or without it where that is ``ABSENT``."""
+    """YAML ``text`` with another value of ``key``."""
     content = yaml.safe_load(text)
     *way, last = (int(word) if word.isdigit() else word for word in key.split("/"))
     place = content
     for word in way:
         place = place[word]
-    if value is ABSENT:
-        del place[last]
-    else:
-        place[last] = value
+    place[last] = value
     return yaml.safe_dump(content, sort_keys=False, allow_unicode=True)
-
-
-CHEAP = "results/extracted/table1/all.csv"  # what a run makes that is not refused
-# what Snakemake says of its own settings before it reads the workflow
-ANNOUNCED = ("Using workflow specific profile", "Config file config/")
-
-
-def run_side_by_side(sources: Workspace, place: Path, cases) -> Iterator[tuple]:
-    """Run the workflow on each case: what prepares its copy of the repository, and more arguments.
-
-    Yields exit code, lines that were said, and whether every file that no run makes is as it was.
-    """
-    context = get_context("forkserver")
-    context.set_forkserver_preload(["snakemake.cli", "jsonschema", "yte"])
-    with ProcessPoolExecutor(2, context, max_tasks_per_child=1) as pool:
-        under_way = []
-        for number, (prepare, arguments) in enumerate(cases):
-            root, said = place / str(number), place / f"{number}.txt"
-            sources.copied_to(root)
-            prepare(root)
-            job = pool.submit(run_here, root, ("-c1", CHEAP, *arguments), said)
-            under_way.append((root, _contents(root), said, job))
-        for root, before, said, job in under_way:
-            code = job.result()
-            lines = said.read_text(encoding="utf-8", errors="replace").splitlines()
-            messages = [line for line in lines if line and not line.startswith(ANNOUNCED)]
-            made = () if code else ("logs", "extracted")
-            yield code, messages, _contents(root, made) == before
-
-
-def _contents(root: Path, made=()) -> dict[str, bytes]:
-    """Every file but those in which Snakemake keeps its books, and those in folders of ``made``."""
-    files = (path for path in root.rglob("*") if path.is_file())
-    skipped = {".snakemake", "__pycache__", *made}
-    return {str(path): path.read_bytes() for path in files if not skipped.intersection(path.parts)}
-
-
-def run_here(root: Path, arguments: tuple[str, ...], said: Path) -> int:
-    """Snakemake in this very process, which ends after it; exit code, and all it says in ``said``.
-
-    A process forked from one that has Snakemake loaded spares most of the time of a short run.
-    """
-    with open(said, "w", encoding="utf-8") as stream:
-        os.dup2(stream.fileno(), 1)
-        os.dup2(stream.fileno(), 2)
-    os.chdir(root)
-    sys.argv = ["snakemake", *arguments]
-    os.environ["PYTHONPATH"] = os.pathsep.join([str(root / "src"), str(root)])
-    sys.path[:0] = [str(root / "src"), str(root)]
-    from snakemake.cli import main
-
-    try:
-        code = main(list(arguments))
-    except SystemExit as end:
-        code = end.code
-    except BaseException:
-        traceback.print_exc()
-        code = 1
-    if isinstance(code, str):
-        print(code, file=sys.stderr)
-    return code if isinstance(code, int) else int(code is not None)

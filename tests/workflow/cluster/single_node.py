@@ -203,8 +203,8 @@ class Cluster:
 
     def submitted(self, purpose, but):
         """How many jobs, all ``but`` those with these numbers, were submitted for a rule or group."""
-        told = self.ask("squeue", "--noheader", "--format=%A %k", "--states=all").splitlines()
-        jobs = dict(line.split(" ", 1) for line in told)
+        listed = self.ask("squeue", "--noheader", "--format=%A %k", "--states=all").splitlines()
+        jobs = dict(line.split(" ", 1) for line in listed)
         return sum(jobs[job].startswith(f"rule_{purpose}") for job in jobs.keys() - set(but))
 
     def hurry(self, job):

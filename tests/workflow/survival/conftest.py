@@ -16,14 +16,3 @@ def released(finished, tmp_path_factory):
     workspace = finished.copied_to(tmp_path_factory.mktemp("released") / "thirdbody")
     complete(workspace, "release")
     return workspace
-
-
-@pytest.fixture
-def tell(capsys):
-    """Print a count that is to be seen."""
-
-    def print_through(line):
-        with capsys.disabled():
-            print(f"\n{line}")
-
-    return print_through

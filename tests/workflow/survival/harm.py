@@ -64,6 +64,9 @@ def kill_job(run: subprocess.Popen) -> None:
     run.communicate(timeout=600)
 
 
+WAYS = (kill_main, kill_job, kill_all)
+
+
 def kill_at(
     workspace: Workspace, jobs: int, chance: random.Random, *arguments, kill=kill_all, **options
 ) -> bool:

@@ -48,22 +48,9 @@ def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
     kept.mkdir()
     files = [path for path in sources.root.rglob("*") if path.is_file()]
     needed = sum(-(-path.stat().st_size // 4096) * 4 for path in files)
-    ran = subprocess.run(
-        [
-            *NAMESPACE,
-            "sh",
-            "-c",
-            ON_A_SMALL_DISK,
-            "sh",
-            str(needed + room),
-            disk,
-            sources.root,
-            kept,
-        ]
-        + [*SNAKEMAKE, *MINIMAL],
-        capture_output=True,
-        text=True,
-    )
+    given = str(needed + room), disk, sources.root, kept
+    command = [*NAMESPACE, "sh", "-c", ON_A_SMALL_DISK, "sh", *given, *SNAKEMAKE, *MINIMAL]
+    ran = subprocess.run(command, capture_output=True, text=True)
     said = (kept / "full.txt").read_text(errors="replace")
     assert ran.returncode == 0, ran.stderr + said + (kept / "roomy.txt").read_text()
     assert (kept / "code").read_text() != "0\n"
@@ -77,9 +64,8 @@ def test_a_full_disk_is_named_and_the_run_completes_when_it_has_room(
 
 @long
 def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, tell):
-    lost = workspace.root / "results/tables/table1.md"
-    lost.unlink()
     results = workspace.root / "results"
+    (results / "tables/table1.md").unlink()
     folders = [results, *(path for path in results.rglob("*") if path.is_dir())]
     for folder in folders:
         folder.chmod(0o555)
