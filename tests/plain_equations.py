@@ -28,21 +28,13 @@ class PlainEquations:
         particles = zip(np.ravel(diameter), np.ravel(density), strict=True)
         self.points = [self.bare._replace(diameter=x, density=n) for x, n in particles]
         self._state = lru_cache(maxsize=None)(self._state_of)
-        self._share = lru_cache(maxsize=None)(self._share_of)
 
-    def _state_of(self, d, point):
-        return plain.state(d, self.model, point)
-
-    def _share_of(self, d, point):
-        return plain.particle_share(d, self.model, point)
+    def _state_of(self, d, index):
+        return plain.state(d, self.model, self.points[index])
 
     def _at(self, function, d):
-        """``function``(d, point) at all points."""
-
-        def at(d, index):
-            return function(d, self.points[index])
-
-        return np.vectorize(at, otypes=[float])(d, np.arange(len(self.points)))
+        """``function``(d, index) at all points."""
+        return np.vectorize(function, otypes=[float])(d, np.arange(len(self.points)))
 
     def solid_load(self, d):
         """F_s* (Eqs. 2 and 4)."""
@@ -55,13 +47,14 @@ class PlainEquations:
             self._at(lambda *at, name=name: getattr(self._state(*at), name), d) for name in names
         ]
 
-    def load_coverage(self, d):
-        """Share of the interface that Eq. 4 takes from the summits."""
-        return self._at(lambda *at: self._share(*at)[1], d)
-
     def coverage(self, d):
-        """Share of the interface under particles larger than ``d`` (Eq. 5)."""
-        return self._at(lambda *at: self._share(*at)[2], d)
+        """Shares of the interface that Eq. 4 takes from the summits, and that are under particles
+        larger than ``d`` (Eq. 5); the larger of them."""
+
+        def covered(d, index):
+            return max(plain.particle_share(d, self.model, self.points[index])[1:])
+
+        return self._at(covered, d)
 
     def film(self, load, viscosity):
         """H_c and its roughness term where the film bears ``load`` F_f* (Eq. 7)."""
@@ -74,12 +67,7 @@ class PlainEquations:
         return smooth * (1.0 + rough), rough
 
     @property
-    def spread(self):
-        """S [m] of the sizes, of each point."""
-        return np.array([plain.size_distribution(self.model, point)[1] for point in self.points])
-
-    @property
     def largest(self):
         """X_max [m], of each point."""
-        mean = [plain.size_distribution(self.model, point)[0] for point in self.points]
-        return np.array(mean) + self.model["truncation"] * self.spread
+        sizes = [plain.size_distribution(self.model, point)[:2] for point in self.points]
+        return np.array(sizes) @ [1.0, self.model["truncation"]]

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 import thirdbody as tb
+from benchmarks.points import relative_error
 from tests.oracle.extended import CONDITIONS, INTERPRETATIONS, QUANTITIES, Oracle, Solved
 from tests.oracle.points import draw_for_library, move_to_kinks
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -20,7 +21,6 @@ RTOLS = 1e-2, 1e-3, 1e-6, 1e-9, 1e-11  # of the surfaces, in turn
 ROUND = np.prod([len(words) for words in INTERPRETATIONS.values()]).item() * len(RTOLS)
 PLACES = "anywhere", "next to kinks"
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
-SMALLEST = np.finfo(float).tiny  # below which numbers lose their digits
 # Relative changes of a load that may decide, by rounding, whether there is a separation and how many there
 # are.  Both grow with the elastic factor, which magnifies the rounding of what particles carry.
 ROUNDING, LEAST_TURN, MAGNIFIED = 1.5e-12, 1e-9, 1e-13
@@ -46,27 +46,13 @@ class Drawn(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """What the library finds at the points of ``Drawn``.
+    """What the library finds at the points of ``Drawn``."""
 
-    Attributes
-    ----------
-    found : dict of array
-        The variables of ``Solution``.
-    known : array of bool
-        Which points have values, here and by the oracle.
-    good : array of bool
-        Which have them as exact as asked for.
-    error : dict of array
-        Relative error of each quantity [1].
-    problems : dict of array of int
-        By what is wrong, the points at which it is: none should be.
-    """
-
-    found: dict
-    known: np.ndarray
-    good: np.ndarray
-    error: dict
-    problems: dict
+    found: dict  # the variables of ``Solution``
+    known: np.ndarray  # which points have values, here and by the oracle
+    good: np.ndarray  # which have them as exact as asked for
+    error: dict  # relative error of each quantity [1]
+    problems: dict  # by what is wrong, the points at which it is: none should be
 
 
 def draw_points(oracle: Oracle, surfaces: int, points: int, seed: int, place: str) -> Drawn:
@@ -94,20 +80,13 @@ def compare(drawn: Drawn, oracle: Oracle) -> Compared:
     }
     errors = {}
     for name in QUANTITIES:
-        error = errors[name] = relative_error(found[name], drawn.expected.first(name))
+        error = errors[name] = relative_error(found[name], drawn.expected.first(name).astype(float))
         problems[f"{name} {BEYOND_BOUND}"] = np.flatnonzero(known & ~(error <= bound))
         problems[f"{name} beyond rtol"] = np.flatnonzero(known & good & ~(error <= rtol))
     other = np.flatnonzero(known & good & (found["separation_count"] != count))
     apart = np.maximum(LEAST_TURN, MAGNIFIED * elastic)
     problems["separation_count"] = _decided(oracle, drawn, other, apart)
     return Compared(found, known, good, errors, problems)
-
-
-def relative_error(found, expected):
-    """Of numbers that float64 holds with all their digits; the others count as equal."""
-    vanishes = (np.abs(found) < SMALLEST) & (np.abs(expected) < SMALLEST)
-    error = np.abs((found - expected) / expected)
-    return np.where(vanishes | (found == expected), 0.0, error).astype(float)
 
 
 def _elastic_factor(model):

@@ -1,6 +1,6 @@
 """The model in extended precision: compiles ``contact.c`` and hands arrays to it.
 
-``Oracle(folder).solve(conditions, models)`` finds every separation that balances the forces, in
+``Oracle(folder).solve(model, **conditions)`` finds every separation that balances the forces, in
 x86's long double (64 bits, numpy.longdouble).  It needs a C compiler and an x86 processor;
 ``why_not()`` says in a line why it cannot run here, or gives None.
 """
@@ -43,15 +43,10 @@ CHUNK = 256  # points a thread takes at a time: some cost a hundred times as muc
 
 
 class Solved(NamedTuple):
-    """What the oracle found at n points.
+    """What the oracle found at n points."""
 
-    ``roots``: for each of ``QUANTITIES`` an array of longdouble (n, MOST_ROOTS), one column a
-    separation, the largest first, nan behind the last.  ``count``: how many there are, or -1 where
-    particles would cover more than all of the surface.
-    """
-
-    roots: dict
-    count: np.ndarray
+    roots: dict  # by quantity, longdoubles (n, MOST_ROOTS), the largest separation first, then nan
+    count: np.ndarray  # of separations; -1 where particles would cover more than all of the surface
 
     def first(self, name):
         """The quantity ``name`` at the largest separation, nan where there is none."""
@@ -84,16 +79,8 @@ class Oracle:
     def solve(self, model, **conditions):
         """Every separation that balances the forces, at each of n points.
 
-        Parameters
-        ----------
-        model : mapping
-            Keys of the attribute ``model_parameters``; numbers and interpretations may be arrays of n.
-        load, viscosity, particle_diameter, roughness, particle_density : array_like
-            F_t* [1], the rest in SI units; all broadcast, also against the numbers of ``model``.
-
-        Returns
-        -------
-        Solved
+        ``model`` has the keys of the attribute ``model_parameters``, ``conditions`` are F_t* and the
+        rest in SI units; all may be arrays, and broadcast.
         """
         numbers, interpretations = arrays_of({**model, **conditions})
         n = len(numbers)

@@ -1,12 +1,9 @@
 """The model in mpmath, to as many digits as are asked for: what ``contact.c`` is held against.
 
-Integrals by ``mpmath.quad``, moments of sizes in closed form, the root by secants from where
-``contact.c`` found it.  Choices are those at the head of it.
+Integrals by ``mpmath.quad``, moments of sizes in closed form.  Choices are those at the head of it.
 """
 
-from mpmath import erfc, exp, findroot, inf, log, mp, mpf, pi, quad, sqrt
-
-FIRST_GUESS = mpf("1e-17")  # how far off the separation that is started from may be
+from mpmath import erfc, exp, inf, log, mp, mpf, pi, quad, sqrt
 
 
 class Interface:
@@ -120,77 +117,27 @@ class Interface:
         rough *= w ** mpf("-0.133") * u ** mpf("-0.884") * g ** mpf("-0.977")
         return self.R_x * smooth * (1 + rough * kappa ** mpf("0.081"))
 
-    def fluid_load(self, h):
-        """F_f* of the film of thickness h."""
-        x = log(self.load)
-        for _ in range(200):
-            step = mpf("1e-20")
-            value = log(self.film(exp(x)) / h)
-            slope = (log(self.film(exp(x + step)) / h) - value) / step
-            x -= value / slope
-            if abs(value / slope) < mpf(10) ** (8 - mp.dps):
-                return exp(x)
-        raise ArithmeticError("no load gives this film")
+    # --- what must hold ---
 
-    # --- balance ---
-
-    def root(self, start):
-        """The separation next to ``start`` that balances the forces, and the fluid's load there."""
-        if self.given["film_load"] == "total" and self.viscosity > 0:
-            alone = self.film(self.load)
-            if abs(start - alone) < abs(start) * mpf("1e-15"):
-                return alone, self.load - self.solid_load(alone)
-        wet = self.given["film_load"] == "fluid" and self.viscosity > 0
-
-        def excess(h):
-            return log((self.solid_load(h) + (self.fluid_load(h) if wet else 0)) / self.load)
-
+    def near_kink(self, h):
+        """Whether the largest particles begin to touch or to yield within a millionth of ``h``."""
         kinks = [self.plane + self.x_max + i * self.h_e for i in (-1, 0, 1)]
-        kink = min(kinks, key=lambda one: abs(start - one))
-        if abs(start - kink) > abs(start) * mpf("1e-6"):
-            h = by_secants(excess, start, start * (1 + FIRST_GUESS))
-        else:  # of the distance to the kink, ``start`` holds few digits
-            h = self.near(kink, excess, start)
-        return h, self.fluid_load(h) if wet else mpf(0)
+        return any(abs(h - kink) < h * mpf("1e-6") for kink in kinks)
 
-    def near(self, kink, excess, start):
-        """The root whose distance to ``kink`` may be much smaller than the last digit of both."""
-        side = -1 if excess(kink) < 0 else 1  # forces fall as the separation grows
-        far = 2 * abs(start - kink) + abs(kink) * mpf("1e-18")
-        close = abs(kink) * mpf(10) ** (25 - mp.dps)
-        if excess(kink + side * close) * side < 0 or excess(kink + side * far) * side > 0:
-            raise ArithmeticError("the root is nearer to a kink than the digits tell")
-        logarithm = findroot(
-            lambda x: excess(kink + side * exp(x)), (log(close), log(far)), solver="anderson"
-        )
-        return kink + side * exp(logarithm)
-
-    def quantities(self, start):
-        """The quantities of ``extended.QUANTITIES`` by name."""
-        h, fluid = self.root(start)
+    def at(self, h, fluid):
+        """The load, the film's thickness and the areas at the separation ``h``, where the film bears
+        ``fluid``."""
+        total = self.given["film_load"] == "total"
+        film = self.film(self.load if total else fluid) if self.viscosity and fluid else h
         particles = self.particles(h)
         summits = self.summits(h, of_area=True) * (1 - self.coverage(h - self.plane))
-        solid = self.solid_load(h) if fluid else self.load
         return {
-            "separation": h,
-            "solid_load_fraction": solid / self.load,
-            "fluid_load_fraction": fluid / self.load,
+            "load": self.solid_load(h) + fluid,
+            "separation": film,
             "total_contact_area": summits + particles,
             "particle_contact_area_ratio": particles / (summits + particles),
             "surface_contact_area_ratio": summits / (summits + particles),
-            "film_thickness": h / self.R_x,
         }
-
-
-def by_secants(function, a, b):
-    """The root of ``function`` close to ``a`` and ``b``."""
-    f, g = function(a), function(b)
-    for _ in range(40):
-        if g == f or abs(b - a) < abs(b) * mpf(10) ** (12 - mp.dps):
-            break
-        a, b = b, b - g * (b - a) / (g - f)
-        f, g = g, function(b)
-    return b
 
 
 def gaussian(u):

@@ -22,9 +22,8 @@ PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not prin
 def draw(n, seed):
     """A model whose numbers and interpretations are arrays of n, and conditions to go with them.
 
-    Conditions reach from one decade below Table 2 to one above, and loads to 1e-300; a quarter of
-    the materials is soft, where several separations are possible; a part of the surfaces and sizes
-    is extreme; coverage by all particles stays below 2.
+    A quarter of the materials is soft, where several separations are possible; a part of the
+    surfaces and sizes is extreme; coverage by all particles stays below 2.
     """
     rng = np.random.default_rng(seed)
 
@@ -89,8 +88,8 @@ def draw_for_library(surfaces, points, seed):
             model[name][here] = word
     roughness = conditions["roughness"][shared]
     diameter = conditions["particle_diameter"] * roughness / conditions["roughness"]
-    covered = conditions["particle_density"] * covered_by_one(
-        conditions["particle_diameter"], drawn
+    covered = (
+        covered_by_one(conditions["particle_diameter"], drawn) * conditions["particle_density"]
     )
     conditions |= {"roughness": roughness, "particle_diameter": diameter}
     conditions["particle_density"] = covered / covered_by_one(diameter, model)

@@ -17,19 +17,15 @@ pytestmark = pytest.mark.skipif(why_not() is not None, reason=str(why_not()))
 # Load and area of Gaussian summits, computed elsewhere, to five digits: for k = 0.4, omega_2 = 54 omega_1,
 # eta_s R sigma_s = 0.05 and H/E = 5/112, by the plasticity index psi = (E/H) sqrt(sigma_s/R), F/(A_n E) and
 # A/A_n at d/sigma_s of 0, 1, 2 and 3 from the plane of the summits
-PRINTED = {
-    0.5: (
-        (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
-        (6.2666e-2, 1.3087e-2, 1.3337e-3, 6.0029e-5),
-    ),
-    1.0: (
-        (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),
-        (6.2708e-2, 1.3090e-2, 1.3338e-3, 6.0030e-5),
-    ),
-    2.5: (
-        (2.1256e-3, 3.9565e-4, 3.6730e-5, 1.5304e-6),
-        (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
-    ),
+LOADS = {
+    0.5: (6.3989e-4, 1.1260e-4, 9.8931e-6, 3.9281e-7),
+    1.0: (1.1904e-3, 2.1671e-4, 1.9414e-5, 7.7860e-7),
+    2.5: (2.1256e-3, 3.9565e-4, 3.6730e-5, 1.5304e-6),
+}
+AREAS = {
+    0.5: (6.2666e-2, 1.3087e-2, 1.3337e-3, 6.0029e-5),
+    1.0: (6.2708e-2, 1.3090e-2, 1.3338e-3, 6.0030e-5),
+    2.5: (6.7305e-2, 1.3608e-2, 1.3635e-3, 6.0822e-5),
 }
 
 
@@ -45,14 +41,14 @@ def surface_of(psi):
     return {"R": radius, "eta_s": 0.05 / (radius * 3e-7), "sigma_s": 3e-7, "y_s": 0.0}
 
 
-@pytest.mark.parametrize("psi", PRINTED)
+@pytest.mark.parametrize("psi", LOADS)
 def test_summits_bear_what_the_table_of_reference_says(oracle, psi):
     model = PUBLISHED | surface_of(psi)
     bare = dict(viscosity=0.0, particle_diameter=0.0, roughness=3e-7, particle_density=0.0)
     separation = 3e-7 * np.arange(4)
     load, area, particles, _ = oracle.evaluate(model, separation, **bare)
-    assert load.astype(float) == pytest.approx(PRINTED[psi][0], rel=5e-5)
-    assert area.astype(float) == pytest.approx(PRINTED[psi][1], rel=5e-5)
+    assert load.astype(float) == pytest.approx(LOADS[psi], rel=5e-5)
+    assert area.astype(float) == pytest.approx(AREAS[psi], rel=5e-5)
     assert (particles == 0.0).all()
 
 
@@ -62,19 +58,22 @@ def test_it_has_the_digits_that_mpmath_has(oracle, tell):
     model["sigma_a_ratio"] = np.maximum(model["sigma_a_ratio"], 0.02)  # no step at one size
     conditions["load"] = np.maximum(conditions["load"], 1e-20)
     solved = oracle.solve(model, **conditions)
-    worst = 0.0
+    worst, count = 0.0, 0
     with mp.workdps(50):
         for index in np.flatnonzero(solved.count > 0):
             point = Interface(one(index, model, conditions))
-            expected = point.quantities(in_mpmath(solved.first("separation")[index]))
-            h = expected["separation"]
+            found = {name: in_mpmath(solved.first(name)[index]) for name in QUANTITIES}
+            found["load"], h = point.load, found["separation"]
+            if point.near_kink(h):  # of the distance to it ``h`` holds few digits
+                continue
             digits_lost = float(abs((h - point.y_s) / point.sigma_s) * h / point.sigma_s)
-            for name in QUANTITIES:
-                found = in_mpmath(solved.first(name)[index])
-                size = max(abs(expected[name]), mpf("1e-300"))
-                error = float(abs(found - expected[name]) / size)
+            for name, expected in point.at(h, found["fluid_load_fraction"] * point.load).items():
+                size = max(abs(expected), mpf("1e-300"))
+                error = float(abs(found[name] - expected) / size)
                 assert error < 2e-18 * (50.0 + 3.0 * digits_lost), (index, name)
                 worst = max(worst, error / (50.0 + 3.0 * digits_lost))
+            count += 1
+    assert count > 15
     tell(f"oracle: within {50.0 * worst:.0e} of mpmath where no digits are lost in tails")
 
 
@@ -90,13 +89,6 @@ def test_golden_values_are_those_of_the_oracle(oracle, name):
         expected = np.array([float(row[quantity]) for row in rows])
         error = relative_error(solved.first(quantity).astype(float), expected)
         assert error.max() < 1e-10, (quantity, rows[np.argmax(error)])  # of nearly equal sizes
-
-
-def test_one_separation_where_forces_must_fall(oracle):
-    model, conditions = draw(400, seed=13)
-    model["coverage_limits"][:] = "printed"
-    model["E_ss"] = model["E_sa"] = np.maximum(model["H_s1"], model["H_s2"]) * 10.0  # factor < 1
-    assert set(oracle.solve(model, **conditions).count) <= {-1, 1}
 
 
 def test_no_separation_is_missed(oracle, tell):
@@ -132,57 +124,6 @@ def test_no_separation_is_missed(oracle, tell):
     tell(f"oracle: several separations at {several} points, none missed")
 
 
-NARROW_CREST = {
-    **{"phi_a": "uncentred", "particle_plane": "summit", "elastic_limits": "printed"},
-    **{"coverage_limits": "contacting", "film_load": "fluid"},
-    **{"E_ss": 1542432598.3292873, "E_sa": 59561891028.94459},
-    **{"H_s1": 283138468.64429116, "H_s2": 972436648.0914761},
-    **{"k": 0.15204095178395116, "omega_ratio": 774.1998481650054},
-    **{"R_x": 0.05603074666468896, "G": 836.5661295713386, "V": 0.0010434803702136218},
-    **{"kappa": 0.12916617805277664, "U_per_viscosity": 5.384877773416806e-07},
-    **{"A_n": 1.6697843369362975e-06, "mean_ratio": 0.364418879511919, "gap_ratio": 0.0},
-    **{"sigma_a_ratio": 0.9950843955950261, "truncation": 6.649470621391149},
-    **{"participation": 0.0001523869847676857, "h_e_ratio": 4.138853677645198},
-    **{"R": 0.006561539513969233, "eta_s": 5831728.876676282, "y_s": 1.2006757237266032e-06},
-    **{"sigma_s": 1.5434026062436925e-07, "roughness": 5.269500172939844e-07},
-}
-
-
-@pytest.mark.parametrize(
-    ("load", "viscosity", "diameter", "density"),
-    [
-        (0.00419143741018507, 0.0005025362545310448, 7.251010911831289e-06, 268154495347.19778),
-        (0.08985701467337653, 1.5058719495205165e-05, 9.679935133706647e-06, 3225706581105.4585),
-    ],
-)
-def test_a_narrow_crest_is_seen(oracle, load, viscosity, diameter, density):
-    """Where the smallest particles become plastic, F_s rises over a thousandth of the separations."""
-    conditions = {"viscosity": viscosity, "particle_diameter": diameter}
-    conditions["particle_density"] = density
-    solved = oracle.solve(NARROW_CREST, load=load, **conditions)
-    assert solved.count.tolist() == [3]
-    roots = solved.roots["separation"][0, :3]
-    solid, _, _, film = oracle.evaluate(NARROW_CREST, roots, **conditions)
-    assert (np.abs((solid + film) / load - 1.0) < 1e-15).all()
-
-
-@pytest.mark.parametrize("limits", ["printed", "physical"])
-def test_soft_particles_have_several_separations(oracle, limits):
-    """All balance the forces, and the largest comes first."""
-    model = PUBLISHED | {"E_ss": 3e9, "E_sa": 3e9, "h_e_ratio": 0.5, "elastic_limits": limits}
-    model |= {"phi_a": "centred", "mean_ratio": 1.0, "sigma_a_ratio": 0.05}
-    conditions = dict(viscosity=0.0, particle_diameter=1e-6, roughness=3e-7, particle_density=1e11)
-    loads = 10.0 ** np.linspace(-4.0, -1.0, 31)
-    solved = oracle.solve(model, load=loads, **conditions)
-    several = np.flatnonzero(solved.count > 1)
-    assert several.size and set(solved.count) == {1, 3}
-    for index in several:
-        roots = solved.roots["separation"][index, : solved.count[index]]
-        assert (np.diff(roots) < 0.0).all()
-        forces = oracle.evaluate(model, roots, **conditions)[0]
-        assert (np.abs(forces / loads[index] - 1.0) < 1e-15).all()
-
-
 @pytest.mark.parametrize("limits", ["printed", "physical"])
 def test_areas_keep_their_digits_next_to_a_kink(oracle, limits):
     """Where particles alone touch, A_t* H_s1/E_ss = L_s F_t*, however close X_max or X_max + h_e."""
@@ -196,15 +137,3 @@ def test_areas_keep_their_digits_next_to_a_kink(oracle, limits):
     balance = solved.first("total_contact_area") * np.longdouble(model["H_s1"])
     balance /= np.longdouble(model["E_ss"]) * loads
     assert np.abs(balance - 1.0).max() < 2e-18
-
-
-def test_a_film_of_the_total_load_bears_what_solids_leave(oracle):
-    model = PUBLISHED | {"film_load": "total"}
-    conditions = dict(particle_diameter=5e-7, roughness=3e-7, particle_density=1e11)
-    loads = 10.0 ** np.linspace(-7.0, -3.0, 50)
-    wet = oracle.solve(model, load=loads, viscosity=90e-6, **conditions)
-    dry = oracle.solve(model, load=loads, viscosity=0.0, **conditions)
-    apart = wet.first("fluid_load_fraction") == 0.0
-    assert apart.any() and not apart.all()
-    assert (wet.first("separation")[apart] == dry.first("separation")[apart]).all()
-    assert (wet.first("separation")[~apart] > dry.first("separation")[~apart]).all()

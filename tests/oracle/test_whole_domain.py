@@ -10,7 +10,6 @@ import os
 import numpy as np
 import pytest
 
-import thirdbody as tb
 from tests.oracle.comparison import PLACES, ROUND, compare, draw_points
 from tests.oracle.extended import why_not
 
@@ -37,22 +36,3 @@ def test_no_number_is_wrong_and_no_bound_exceeded(drawn, oracle):
     bound, known = compared.found["error_bound"], compared.known
     assert np.isinf(bound[bound > 1.0]).all()
     assert (bound[known] <= drawn.per_point(drawn.rtols)[known]).mean() > 0.8
-
-
-def test_where_particles_alone_touch_they_press_with_their_hardness():
-    """A_t* H/E = L_s F_t* where summits carry nothing (Eqs. 4 and 5)."""
-    parameters = tb.load_parameters()
-    load = np.geomspace(1e-12, 1e-6, 400)
-    found = tb.solve(
-        load=load,
-        viscosity=[[0.0], [90e-6]],
-        particle_diameter=1e-6,
-        roughness=20e-9,
-        particle_density=1e11,
-        parameters=parameters,
-    )
-    pressure = parameters.hardness_surface_1 / parameters.elastic_modulus_surfaces
-    alone = (found.surface_contact_area_ratio < 1e-12) & (found.error_bound < 1e-9)
-    assert alone.mean() > 0.3
-    solids = found.solid_load_fraction * load
-    assert np.abs(found.total_contact_area * pressure / solids - 1.0)[alone].max() < 2e-9

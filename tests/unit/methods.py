@@ -17,10 +17,8 @@ ENGINEERING = {
     "roughness_nm": 300.0,
     "particle_density_per_m2": 1e11,
 }
-METHODS = {
-    "tables": 0.0,
-    "quadrature": 1e12,
-}  # points on one roughness that repay a piece of a table
+# points on one roughness that repay a piece of a table
+METHODS = {"tables": 0.0, "quadrature": 1e12}
 
 
 @contextmanager
