@@ -20,7 +20,6 @@ LARGEST = 3e6  # bytes of the page
 REDRAWN = 50.0  # milliseconds after a move, on a machine that takes
 REFERENCE = 60.0  # milliseconds for
 WORK = "let x = 0; for (let i = 0; i < 4e6; i++) x += Math.exp(-x); return x;"
-ATTEMPTS = 6  # other work on the same cores makes each move take longer
 FIGURES = [f"fig{number:02d}" for number in range(3, 14)]
 VIEWS = {
     "figures": "",
@@ -32,9 +31,9 @@ NEWTONS, SIZES = (0.04, 80.0), (10e-9, 1000e-9)  # ends of the map
 FIGURE_11 = Condition(0.0, 300e-9, 300e-9, 1e11)
 
 
-def statements(explorer, kind="fails"):
-    """Texts of the statements in the list with a verdict."""
-    return [each.text for each in explorer.all(f"#claims button.{kind}")]
+def failing(explorer):
+    """Texts of the statements in the list that fail."""
+    return [each.text for each in explorer.all("#claims button.fails")]
 
 
 def tooltip(explorer):
@@ -53,9 +52,6 @@ def downloaded(explorer, button):
     explorer.one(button).click()
     explorer.wait("return globalThis.saved !== null")
     return explorer.run("return saved")
-
-
-# --- from disk, with nothing else ---
 
 
 @pytest.mark.parametrize("view", VIEWS)
@@ -93,45 +89,36 @@ def test_every_figure_has_its_curves_marks_and_caption(explorer, figure, page):
     assert explorer.one("#caption").text.startswith("(A)")
 
 
-def test_a_figure_has_the_curves_of_its_dataset(explorer, defaults):
-    explorer.open("figure=fig11")
-    rows = list(csv.DictReader(io.StringIO(downloaded(explorer, "#save-csv"))))
-    shown = [row for row in rows if row["panel"] == "A" and row["curve"] == "ν = 120 cSt"]
-    load, ratio = (np.array([float(row[key]) for row in shown]) for key in "xy")
-    again = solve(load=load, **FIGURE_11._replace(viscosity=120e-6)._asdict(), parameters=defaults)
-    np.testing.assert_allclose(ratio, again.particle_contact_area_ratio, rtol=1e-6)
-    assert load.size == 80
-
-
-# --- inputs ---
-
-
 def test_a_moved_slider_moves_the_curves_and_recolours_statements(explorer):
     from selenium.webdriver.common.keys import Keys
 
     explorer.open("figure=fig11")
-    before, failed = explorer.curve("dry"), statements(explorer)
+    before, failed = explorer.curve("dry"), failing(explorer)
     slider = explorer.one("#input-spread_ratio ~ .slider input")
     slider.send_keys(*[Keys.ARROW_RIGHT] * 40)
     explorer.settle()
     assert explorer.curve("dry") != before
-    assert statements(explorer) != failed
+    assert failing(explorer) != failed
     assert explorer.all("#claims .changed")
     explorer.one(".control.changed .back").click()
     explorer.settle()
-    assert (explorer.curve("dry"), statements(explorer)) == (before, failed)
+    assert (explorer.curve("dry"), failing(explorer)) == (before, failed)
 
 
-@pytest.mark.parametrize("wrong", ["-3", "0"])
-def test_a_wrong_number_is_refused_and_named(explorer, wrong):
-    explorer.open("figure=fig11")
-    before = explorer.curve("dry")
-    explorer.enter("#condition-roughness", wrong)
-    field = explorer.one("#condition-roughness")
-    assert "100 to 500 nm" in field.get_attribute("validationMessage")
-    assert explorer.curve("dry") == before
-    explorer.enter("#condition-roughness", "250")
-    assert explorer.curve("dry") != before
+@pytest.mark.parametrize(
+    ("typed", "shown"),
+    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", None), ("-3", None)],
+)
+def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
+    """What has no meaning, or may be one or a thousand, is refused; an empty link gives the usual."""
+    explorer.open("figure=fig04&viscosity_cSt=")
+    before = explorer.one("#point").text
+    explorer.enter("#condition-viscosity", typed)
+    field = explorer.one("#condition-viscosity")
+    assert ("0 to 150 cSt" in field.get_attribute("validationMessage")) == (shown is None)
+    given = parse_qs(explorer.run("return location.hash.slice(1)"))
+    assert given.get("viscosity_cSt", ["90"]) == [shown or "90"]
+    assert (explorer.one("#point").text == before) == (shown is None)
 
 
 def test_another_interpretation_is_another_model(explorer):
@@ -146,9 +133,6 @@ def test_another_interpretation_is_another_model(explorer):
     assert explorer.one("#figure").get_attribute("value") == "fig11"
     explorer.choose("#figure", "fig04")
     assert explorer.curve("ν = 90 cSt") == before
-
-
-# --- reading ---
 
 
 def test_hovering_reads_the_library_s_values(explorer, defaults):
@@ -204,13 +188,11 @@ def test_controls_and_charts_have_names_for_screen_readers(explorer):
     nodes = [node for node in tree if not node["ignored"] and node["role"]["value"] in roles]
     assert len(nodes) > 60
     assert [node["role"]["value"] for node in nodes if not node["name"]["value"]] == []
-    told = explorer.run(
-        "return [...document.querySelectorAll('#charts desc')].map((d) => d.textContent)"
-    )
-    assert len(told) == 3 and all("runs from" in each for each in told)
+    described = [each.get_attribute("textContent") for each in explorer.all("#charts desc")]
+    assert len(described) == 3 and all("runs from" in each for each in described)
 
 
-def test_states_are_told_by_more_than_colour(explorer):
+def test_states_are_shown_by_more_than_colour(explorer):
     explorer.open("figure=fig11")
     assert {each.text for each in explorer.all("#claims .glyph")} >= {"✓", "✗"}
     # a dash or a marker for each curve, and shades whose lightness differs in grey
@@ -224,18 +206,13 @@ def test_states_are_told_by_more_than_colour(explorer):
     assert len(explorer.all("#charts figure:first-child g > path[transform]")) > 20
 
 
-# --- statements ---
-
-
 def test_a_chosen_statement_stands_out_in_its_figure(explorer):
     explorer.open("figure=fig04&show=all")
     explorer.one("[data-claim=fig11a-turning-point-load-at-120cst]").click()
     explorer.settle()
     assert explorer.one("#figure").get_attribute("value") == "fig11"
-    chosen = {
-        each.get_attribute("data-label") for each in explorer.all("#charts figure .line.chosen")
-    }
-    assert chosen == {"ν = 120 cSt"}
+    lines = explorer.all("#charts figure .line.chosen")
+    assert {each.get_attribute("data-label") for each in lines} == {"ν = 120 cSt"}
     assert explorer.all("#charts figure .line.faded")
     assert explorer.one("[data-claim=fig11a-turning-point-load-at-120cst][aria-pressed=true]")
     assert "Computed" in explorer.one("#claims .more").text
@@ -248,12 +225,9 @@ def test_statements_are_judged_at_the_conditions_that_are_chosen(explorer):
     assert any(text.endswith("holds") for text in texts)
     assert explorer.curve("ν = 100 cSt")
     assert "added: curves at ν = 100 cSt" in explorer.one("#notes").text
-    at_100 = statements(explorer)
+    at_100 = failing(explorer)
     explorer.open("figure=fig11")
-    assert at_100 and at_100 != statements(explorer)
-
-
-# --- ranges and measured values ---
+    assert at_100 and at_100 != failing(explorer)
 
 
 def test_ranges_stand_beside_inputs_and_answers(explorer):
@@ -280,8 +254,8 @@ def test_ranges_stand_beside_inputs_and_answers(explorer):
         float(solve(**point, parameters=load_parameters(**member)).particle_contact_area_ratio)
         for member in ensemble
     ]
-    (row,) = [each.text for each in explorer.all("#point tr") if "Asa,t*" in each.text]
-    low, high = map(float, re.search(r"([\d.]+) to ([\d.]+)$", row).groups())
+    row = re.search(r"(?m)Asa,t\*.* ([\d.]+) to ([\d.]+)$", explorer.one("#point").text)
+    low, high = map(float, row.groups())
     assert (low, high) == pytest.approx((min(found), max(found)), rel=1e-3)
     explorer.enter("#input-spread_ratio", "0.4")
     assert not any(" to " in each.text for each in explorer.all("#point table:first-child td"))
@@ -337,32 +311,21 @@ def test_a_csv_file_that_cannot_be_read_is_refused_in_one_line(explorer, text, n
     assert not explorer.all(".measured") and explorer.console() == []
 
 
-# --- other views ---
-
-
-def test_the_size_at_which_a_mode_ends_is_told(explorer, defaults):
+def test_the_size_at_which_a_mode_ends_is_shown(explorer, defaults):
     explorer.open("view=section&viscosity_cSt=0&load_N=2")
-    (row,) = [
-        each.text for each in explorer.all("#point tr") if each.text.startswith("Particle size")
-    ]
-    size = float(re.search(r"particle-surface from ([\d.]+) nm", row)[1])
+    text = explorer.one("#point").text
+    size = float(re.search(r"Particle size.*particle-surface from ([\d.]+) nm", text)[1])
     load = 2.0 / defaults.newtons_per_load
-    for factor, above in ((0.999, False), (1.001, True)):
-        condition = FIGURE_11._replace(particle_diameter=factor * size * 1e-9)
-        ratio = solve(
-            load=load, **condition._asdict(), parameters=defaults
-        ).particle_contact_area_ratio
-        assert (ratio > 0.95) == above
+    sizes = FIGURE_11._replace(particle_diameter=size * 1e-9 * np.array([0.999, 1.001]))
+    found = solve(load=load, **sizes._asdict(), parameters=defaults)
+    assert (found.particle_contact_area_ratio > 0.95).tolist() == [False, True]
 
 
-def test_the_map_has_modes_regimes_and_turning_points(explorer):
+def test_the_map_has_turning_points_and_other_axes(explorer):
     from selenium.webdriver import ActionChains
 
     explorer.open("view=map")
-    for part in ("path.regime", "path.turning"):
-        assert (
-            max(len(each.get_attribute("d") or "") for each in explorer.all(f"#charts {part}")) > 50
-        )
+    assert len(explorer.one("#charts path.turning").get_attribute("d")) > 50
     ActionChains(explorer.driver).move_to_element(explorer.one("#charts svg")).perform()
     assert "Asa,t* = " in tooltip(explorer)
     explorer.choose("#map_x", "viscosity")
@@ -380,14 +343,9 @@ def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
     corners = np.array(re.findall(r"([\d.]+),([\d.]+)", path), dtype=float)
     across, down = ((corners - [left, top]) / [width, height]).T
     newtons = NEWTONS[0] * (NEWTONS[1] / NEWTONS[0]) ** across
-    found = solve(
-        load=newtons / defaults.newtons_per_load,
-        viscosity=90e-6,
-        particle_diameter=SIZES[1] + (SIZES[0] - SIZES[1]) * down,
-        roughness=300e-9,
-        particle_density=1e11,
-        parameters=defaults,
-    )
+    sizes = SIZES[1] + (SIZES[0] - SIZES[1]) * down
+    given = FIGURE_11._replace(viscosity=90e-6, particle_diameter=sizes)._asdict()
+    found = solve(load=newtons / defaults.newtons_per_load, **given, parameters=defaults)
     assert len(corners) > 30
     np.testing.assert_allclose(found.solid_load_fraction, 0.9, atol=0.01)
 
@@ -395,11 +353,8 @@ def test_borders_of_the_map_are_where_the_library_has_them(explorer, defaults):
 def test_scales_areas_and_axes_can_be_changed(explorer):
     explorer.open("figure=fig04")
     drawn = {explorer.curve("dry", 1)}
-    for selector, value in (
-        ("#y_scale", "linear"),
-        ("#y_scale", "auto"),
-        ("#area", "over_two_body"),
-    ):
+    changes = ("#y_scale", "linear"), ("#y_scale", "auto"), ("#area", "over_two_body")
+    for selector, value in changes:
         explorer.choose(selector, value)
         drawn.add(explorer.curve("dry", 1))
     assert len(drawn) == 3  # auto is as it was
@@ -420,11 +375,8 @@ def test_the_cut_is_drawn_to_scale(explorer):
         const bar = document.querySelector('.section g path').getAttribute('d').match(/H([\\d.]+)/)[1];
         return Math.abs(lines[1] - lines[0]) / bar"""
     )
-    (row,) = [each.text for each in explorer.all("#point tr") if each.text.startswith("Separation")]
-    assert height == pytest.approx(float(re.search(r"([\d.]+) nm", row)[1]) / 1000.0, rel=1e-3)
-
-
-# --- link, download, screens ---
+    gap = re.search(r"Separation.*?([\d.]+) nm", explorer.one("#point").text)[1]
+    assert height == pytest.approx(float(gap) / 1000.0, rel=1e-3)
 
 
 def test_the_link_restores_everything(explorer):
@@ -435,42 +387,16 @@ def test_the_link_restores_everything(explorer):
     explorer.choose("#input-coverage_limits", "contacting")
     explorer.choose("#y_scale", "log")
     fragment = explorer.run("return location.hash.slice(1)")
-    assert parse_qs(fragment) == {
-        "figure": ["fig06"],
-        "viscosity_cSt": ["55"],
-        "spread_ratio": ["0.4"],
-        "coverage_limits": ["contacting"],
-        "y_scale": ["log"],
-    }
+    expected = (
+        "figure=fig06&viscosity_cSt=55&spread_ratio=0.4&coverage_limits=contacting&y_scale=log"
+    )
+    assert parse_qs(fragment) == parse_qs(expected)
     look = """return [
         ...[...document.querySelectorAll('#charts .line, #charts .ghost')].map((line) => line.getAttribute('d')),
         ...[...document.querySelectorAll('input, select')].map((field) => field.value),
         document.getElementById('claims').innerText];"""
     before = explorer.run(look)
     assert explorer.open(fragment).run(look) == before
-
-
-def test_links_hold_numbers_as_people_write_them(explorer):
-    explorer.open("viscosity_cSt=&particle_density_per_m2=1e+12")
-    shown = [
-        explorer.one(f"#condition-{field}").get_attribute("value")
-        for field in ("viscosity", "particle_density")
-    ]
-    assert shown == ["90", "1e+12"]
-
-
-@pytest.mark.parametrize(
-    ("typed", "shown"),
-    [("75,5", "75.5"), ("1 000", "1000"), ("1×10^2", "100"), ("1,000", "90")],
-)
-def test_fields_take_numbers_as_people_write_them(explorer, typed, shown):
-    """1,000 may be one or a thousand: it is refused."""
-    explorer.open()
-    explorer.enter("#condition-viscosity", typed)
-    field = explorer.one("#condition-viscosity")
-    assert explorer.run("return arguments[0].validity.valid", field) == (shown != "90")
-    given = parse_qs(explorer.run("return location.hash.slice(1)"))
-    assert given.get("viscosity_cSt", ["90"]) == [shown]
 
 
 def test_a_page_saved_as_it_stands_opens_again(explorer, tmp_path):
@@ -539,9 +465,6 @@ def test_on_paper_there_are_charts_and_statements_and_no_controls(explorer):
         assert not explorer.one(control).is_displayed()
 
 
-# --- speed ---
-
-
 def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell):
     """Of what the page itself takes: what else a machine does, or how slow it is, does not count."""
     explorer.open("figure=fig06")  # the most curves
@@ -566,10 +489,6 @@ def test_curves_are_redrawn_within_50_ms_of_a_move(explorer, tell):
         slider.dispatchEvent(new Event('input', { bubbles: true }));
         requestAnimationFrame(() => requestAnimationFrame(() => arguments[1]()));"""
     work = f"arguments[1]((() => {{ {WORK} }})());"
-    slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), math.inf
-    for _ in range(ATTEMPTS):
-        redrawn = min(redrawn, least(move, range(500, 515)))
-        if redrawn <= REDRAWN * slower:
-            break
+    slower, redrawn = max(1.0, least(work, range(5)) / REFERENCE), least(move, range(500, 560))
     tell(f"explorer: redrawn in {redrawn:.0f} ms, by a machine {slower:.2f} times slower")
     assert redrawn <= REDRAWN * slower
