@@ -1,6 +1,7 @@
-"""A solution as a dataset and as a table: nothing loses its name, its unit or its meaning."""
+"""Results as datasets and as tables: nothing loses its name, its unit or its meaning."""
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 from methods import POINT
@@ -17,14 +18,13 @@ OILS = np.array([0.0, 9e-5])
 @pytest.fixture
 def solved(parameters):
     """Function that solves the point above with other conditions."""
-    return lambda **given: tb.solve(**(POINT | given), parameters=parameters)
+    return lambda **given: tb.solve(**(POINT | {"parameters": parameters} | given))
 
 
 def test_each_variable_has_the_labels_of_the_data_contract(solved, parameters):
     dataset = solved(load=LOADS[:, None], viscosity=OILS).to_dataset()
-    grid = tb.grid(
-        **(POINT | {"load": LOADS, "viscosity": OILS}), parameters=parameters, variables=VARIABLES
-    )
+    axes = POINT | {"load": LOADS, "viscosity": OILS}
+    grid = tb.grid(**axes, parameters=parameters, variables=VARIABLES)
     assert set(dataset.data_vars) == {*grid.data_vars, "separation_count"}
     for name, variable in grid.data_vars.items():
         np.testing.assert_allclose(dataset[name].values, variable.values.squeeze(), rtol=1e-9)
@@ -69,12 +69,10 @@ def test_arrays_of_xarray_keep_their_labels(solved):
     assert table["day"].tolist() == ["Mon", "Tue", "Wed"]
 
 
-def test_variables_that_were_not_asked_for_are_not_there(parameters):
+def test_variables_that_were_not_asked_for_are_not_there(solved):
     wanted = ["separation", "contact_mode"]
-    solution = tb.solve(**POINT, parameters=parameters, variables=wanted)
-    assert set(solution.to_dataset().data_vars) == {*wanted}
-    none = tb.solve(**(POINT | {"load": LOADS}), parameters=parameters, variables=[])
-    assert dict(none.to_dataset().sizes) == {"load": 3}
+    assert set(solved(variables=wanted).to_dataset().data_vars) == {*wanted}
+    assert dict(solved(load=LOADS, variables=[]).to_dataset().sizes) == {"load": 3}
 
 
 def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
@@ -84,10 +82,69 @@ def test_a_table_has_a_row_a_point_and_names_for_flags(solved):
     assert tuple(table.columns[: len(AXES)]) == tuple(AXES)
     assert table["load"].tolist() == [1e-6, 1e-6, 1.0, 1.0]
     np.testing.assert_array_equal(table["separation"], solution.separation.ravel())
-    assert table["solution_status"].tolist() == [
-        SOLUTION_STATUSES[code] for code in solution.solution_status.ravel()
-    ]
+    statuses = [SOLUTION_STATUSES[code] for code in solution.solution_status.ravel()]
+    assert table["solution_status"].tolist() == statuses
     unsolved = solution.lubrication_regime.ravel() < 0
     assert unsolved.any()
     np.testing.assert_array_equal(table["lubrication_regime"].isna(), unsolved)
     assert table.attrs["units"]["separation"] == "m"
+
+
+REST = dict(particle_diameter_nm=500, roughness_nm=300, particle_density_per_m2=1e11)
+OIL = {"viscosity_cSt": 90}
+
+
+DATA = pd.DataFrame({"load [N]": [5, 10], "solid load fraction": [0.9, 0.7]})
+
+
+def interface():
+    return tb.Interface(load_N=10, **OIL, **REST)
+
+
+RESULTS = {  # and how many rows each has
+    "solve": (lambda: tb.solve(load_N=[5, 10], **OIL, **REST), 2),
+    "find": (lambda: tb.find("solid_load_fraction", [0.5, 0.9], "load_N", **OIL, **REST), 2),
+    "transitions": (lambda: tb.transitions("viscosity_cSt", load_N=10, **REST), 5),
+    "turning_point": (lambda: tb.turning_point(viscosity_cSt=[0, 90], **REST), 2),
+    "turning_window": (
+        lambda: tb.turning_window(roughness_nm=300, particle_density_per_m2=1e11),
+        1,
+    ),
+    "state": (lambda: interface().state(), 10),
+    "curve": (lambda: interface().curve("load", 5, 10, count=3), 3),
+    "compare": (lambda: tb.compare(DATA, **OIL, **REST), 2),
+    "cleanliness": (lambda: tb.cleanliness("18/16/13", gap_nm=1000), 6),
+}
+
+
+@pytest.mark.parametrize("name", RESULTS)
+def test_a_result_is_a_table(name):
+    function, rows = RESULTS[name]
+    found = function()
+    table = found.to_dataframe()
+    assert isinstance(table, pd.DataFrame) and len(table) == rows
+    dataset = found.to_dataset()
+    assert isinstance(dataset, xr.Dataset) and list(dataset.sizes.values()) == [rows]
+    assert "<table" in found._repr_html_() or "xr-wrap" in found._repr_html_()
+
+
+def test_no_transition_is_an_empty_table():
+    none = tb.transitions("viscosity_cSt", load_N=10, between=(1, 1.1), **REST)
+    assert list(none) == [] and "value" in none.to_dataframe().columns
+
+
+def test_the_load_stands_in_newtons_beside_the_dimensionless_one():
+    loads = [5.0, 10.0]
+    expected = np.array(loads)
+    for found in (
+        tb.solve(load_N=loads, **OIL, **REST),
+        tb.solve(load_N=xr.DataArray(loads, dims="time"), **OIL, **REST),
+        tb.solve(load_N=loads, viscosity_cSt=[90, 120], **REST),
+    ):
+        dataset = found.to_dataset()
+        np.testing.assert_allclose(dataset["normal_load"], expected, rtol=1e-12)
+        assert dataset["normal_load"].attrs["units"] == "N"
+        assert dataset["normal_load"].dims == dataset["load"].dims
+        np.testing.assert_allclose(found.to_dataframe()["normal_load"], expected, rtol=1e-12)
+    one = tb.solve(load_N=10, viscosity_cSt=[0, 90], **REST).to_dataset()
+    assert one["normal_load"].item() == pytest.approx(10.0)

@@ -1,4 +1,4 @@
-"""Tables 1 and 2 as printed, and each derived entry from the others."""
+"""Tables 1 and 2 as printed, each derived entry from the others, and the printed numbers as rows."""
 
 from pathlib import Path
 
@@ -7,7 +7,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
+from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.paper_tables import paper_table
+from thirdbody.data.tables import TABLES, read_csv, write_csv
+from thirdbody.study.claims import load_claims
+from thirdbody.study.printed import printed_rows
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 
@@ -45,3 +50,47 @@ def test_agreement_is_judged_to_the_printed_digits(parameters, printed, verdict)
     row = {"property": "", "symbol": "", "unit": "1e-5", "printed": printed, "digits": 3}
     (judged,) = paper_table([row | {"recompute": "roughness_parameter"}], parameters)
     assert judged["verdict"] == verdict
+
+
+@pytest.fixture(scope="module")
+def claims():
+    return {claim.id: claim for claim in load_claims(config_directory() / "claims.yaml")}
+
+
+def test_a_number_has_a_row_for_each_curve_with_its_relative_tolerance(claims):
+    claim = claims["fig11a-turning-point-load-below-90cst"]
+    rows = printed_rows([claim])
+    assert len(rows) == len(claim.curves) > 1
+    assert claim.relative
+    for row, condition in zip(rows, claim.curves, strict=True):
+        assert tuple(row[axis.column] for axis in CONDITION_AXES) == condition
+        assert (row["figure"], row["quantity"]) == ("fig11", claim.quantity)
+        assert row["value"] == claim.published
+        assert row["high"] - row["value"] == pytest.approx(claim.tolerance * claim.published)
+        assert row["value"] - row["low"] == pytest.approx(claim.tolerance * claim.published)
+
+
+def test_a_window_has_a_row_for_each_end_and_no_curve(claims):
+    claim = claims["fig10a-window-100nm"]
+    low, high = printed_rows([claim])
+    assert [low["quantity"], high["quantity"]] == ["window_low", "window_high"]
+    assert [low["value"], high["value"]] == claim.published
+    assert low["value"] - low["low"] == pytest.approx(claim.tolerance)
+    assert low["viscosity_m2_per_s"] is None
+    assert low["roughness_m"] == 1e-7
+
+
+def test_only_printed_numbers_have_rows(claims):
+    wordy = [claim for claim in claims.values() if claim.kind in ("ordering", "trend", "absence")]
+    change = claims["fig04c-area-decrease-at-50-percent-90cst"]
+    assert printed_rows([*wordy, change]) == []
+
+
+def test_the_table_keeps_them(claims, tmp_path):
+    rows = printed_rows(claims.values())
+    write_csv(tmp_path / "printed.csv", rows, TABLES["printed"])
+    again = read_csv(tmp_path / "printed.csv", TABLES["printed"])
+    assert [row["id"] for row in again] == [row["id"] for row in rows]
+    for written, row in zip(again, rows, strict=True):
+        assert written["value"] == pytest.approx(row["value"], rel=1e-9)
+        assert written["load_max_N"] == row["load_max_N"]

@@ -1,4 +1,4 @@
-"""The inputs: what follows from them, and how they are written down."""
+"""The inputs and the interpretations of the paper: what follows from them, and how they are written down."""
 
 import json
 import math
@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.schema import config_directory
 from thirdbody.data.model_attribute import model_attribute, parameters_of_attribute
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
+from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.parameters import Parameters
 
 LISTS = ["eta_s", "R", "sigma_s", "y_s"]
@@ -34,40 +37,27 @@ def test_summits_that_would_keep_no_variance_are_refused_by_name(parameters, sca
         inputs.surface(scale * parameters.reference_roughness)
 
 
-@pytest.mark.parametrize("spread", [0.0, 9e-7])
-def test_sizes_too_narrow_to_resolve_are_refused_by_name(parameters, spread):
-    with pytest.raises(
-        ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06 to 10"
-    ):
-        replace(parameters, spread_ratio=spread)
-
-
-def test_equal_sizes_are_fine_where_the_gap_spreads_them(parameters):
+def test_sizes_too_narrow_to_resolve_are_refused_unless_the_gap_spreads_them(parameters):
     sizes = {"size_distribution": "gap_convolved", "spread_ratio": 0.0}
     assert replace(parameters, **sizes, gap_ratio=1.0).spread_ratio == 0.0
-    with pytest.raises(ValueError, match="^spread_ratio is 0.0"):
-        replace(parameters, **sizes, gap_ratio=0.0)
+    for given in ({"spread_ratio": 9e-7}, {"spread_ratio": 0.0}, sizes | {"gap_ratio": 0.0}):
+        with pytest.raises(ValueError, match=r"^spread_ratio is .*; allowed: a number from 1e-06"):
+            replace(parameters, **given)
 
 
 @pytest.mark.parametrize("name", BOUNDS)
-@pytest.mark.parametrize("bad", [math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]])
-def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name, bad):
-    with pytest.raises(ValueError) as refused:
-        replace(parameters, **{name: bad})
-    assert str(refused.value) == f"{name} is {shown(bad)}; allowed: {BOUNDS[name]} (SI)"
-
-
-@pytest.mark.parametrize("name", BOUNDS)
-def test_both_ends_of_the_bounds_are_allowed(parameters, name):
+def test_a_number_out_of_its_bounds_is_refused_by_name(parameters, name):
+    for bad in (math.nan, math.inf, -1e99, 10**400, True, "1.0", None, [1.0]):
+        with pytest.raises(ValueError) as refused:
+            replace(parameters, **{name: bad})
+        assert str(refused.value) == f"{name} is {shown(bad)}; allowed: {BOUNDS[name]} (SI)"
     for end in BOUNDS[name]:
         assert getattr(replace(parameters, **{name: end}), name) == end
 
 
 def test_each_number_of_the_attribute_is_its_own_input(parameters):
-    distinct = {
-        name: bounds.most * (1.0 - 0.001 * index)
-        for index, (name, bounds) in enumerate(BOUNDS.items())
-    }
+    most = [bounds.most for bounds in BOUNDS.values()]
+    distinct = dict(zip(BOUNDS, most * np.linspace(1.0, 0.97, len(most)), strict=True))
     model = attribute(replace(parameters, **distinct, summit_offset=False))
     names = runpy.run_path(str(CONTRACT))["INPUTS"]
     assert set(model) == {*names, *LISTS}
@@ -112,3 +102,18 @@ def test_equal_inputs_are_equal_whatever_their_numbers_are_made_of(parameters):
         assert replace(parameters, truncation=number) == replace(parameters, truncation=3.0)
     with pytest.raises(FrozenInstanceError):
         parameters.truncation = 1.0
+
+
+@pytest.mark.parametrize("name", INTERPRETATIONS)
+def test_the_configuration_allows_the_words_that_are_known(name):
+    entry = read_yaml(config_directory() / "inputs.yaml")[name]
+    assert entry["allowed"] == list(INTERPRETATIONS[name])
+
+
+@pytest.mark.parametrize("name", INTERPRETATIONS)
+@pytest.mark.parametrize("word", ["solid", None, ["fluid"], 0.5])
+def test_an_unknown_word_is_refused_by_name(parameters, name, word):
+    allowed = ", ".join(map(str, INTERPRETATIONS[name]))
+    with pytest.raises(ValueError) as refusal:
+        replace(parameters, **{name: word})
+    assert str(refusal.value) == f"{name} is {word!r}; allowed: {allowed}"

@@ -1,4 +1,4 @@
-"""Turning points against brute scans of dense load grids."""
+"""Turning points and their windows against brute scans of dense load grids."""
 
 from dataclasses import replace
 
@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 import thirdbody as tb
 from thirdbody.curves.turning_point import PROMINENCE, film_turning_points, turning_points
+from thirdbody.curves.windows import WindowSearch, swept_windows, turning_point_windows
 from thirdbody.data.conditions import Condition
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -23,18 +24,19 @@ def curves(viscosity, diameter, roughness=300e-9, density=DENSITY):
     return [np.array(a, dtype=float) for a in np.broadcast_arrays(*map(np.atleast_1d, given))]
 
 
-def found_on(loads, conditions, parameters, rtol=1e-9):
-    separation = tb.solve(
-        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters, rtol=rtol
-    ).separation
-    return turning_points(separation, *conditions, parameters, rtol)
+def solved(loads, conditions, parameters, rtol=1e-9):
+    given = Condition(*conditions)._asdict()
+    return tb.solve(load=loads[:, None], **given, parameters=parameters, rtol=rtol)
 
 
-def odds_at(load, conditions, parameters):
+def found_on(loads, conditions, parameters):
+    separation = solved(loads, conditions, parameters).separation
+    return turning_points(separation, *conditions, parameters)
+
+
+def odds_at(loads, conditions, parameters):
     """A_sa,t*/A_ss,t*, which keeps its digits also where the ratio is 1."""
-    solution = tb.solve(
-        load=load, **Condition(*conditions)._asdict(), parameters=parameters, rtol=1e-11
-    )
+    solution = solved(loads, conditions, parameters, rtol=1e-11)
     return solution.particle_contact_area_ratio / solution.surface_contact_area_ratio
 
 
@@ -43,16 +45,11 @@ def inner_maxima(values):
     return (values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])
 
 
-@pytest.fixture(scope="module")
-def equal_sizes():
-    """The curves of Figure 11: sigma = x_a = 300 nm, dry and with six lubricants."""
-    return curves(VISCOSITIES, 300.0 * NANOMETRE)
-
-
-def test_a_brute_scan_of_loads_finds_the_same_maximum(interpretation, loads, equal_sizes):
+def test_a_brute_scan_of_loads_finds_the_same_maximum(interpretation, loads):
+    equal_sizes = curves(VISCOSITIES, 300.0 * NANOMETRE)  # those of Figure 11
     found = found_on(loads, equal_sizes, interpretation)
     dense = np.geomspace(loads[0], loads[-1], 2001)
-    odds = odds_at(dense[:, None], equal_sizes, interpretation)
+    odds = odds_at(dense, equal_sizes, interpretation)
     highest = np.where(inner_maxima(odds), odds[1:-1], 0.0)
     has_one = (highest > 0.0).any(axis=0)
     assert has_one.any()
@@ -64,37 +61,33 @@ def test_a_brute_scan_of_loads_finds_the_same_maximum(interpretation, loads, equ
     assert (highest.max(axis=0)[has_one] <= peak / (1.0 - peak) * (1.0 + 1e-9)).all()
 
 
+def prominence(loads, conditions, parameters):
+    """How far the ratio of each curve is above both some smaller and some larger load, at most."""
+    ratio = solved(loads, conditions, parameters, rtol=1e-11).particle_contact_area_ratio
+    before = ratio - np.minimum.accumulate(ratio)
+    after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]
+    return np.minimum(before, after).max(axis=0)
+
+
 @pytest.mark.parametrize("count", [40, 241])
 def test_how_far_a_maximum_stands_out_is_what_a_brute_scan_says(sizes, count):
     diameter = np.array([180.0, 250.0, 300.0, 350.0, 450.0]) * NANOMETRE
     conditions = curves(0.0, diameter)
     few, many = (np.geomspace(1e-7, 1e-4, each) for each in (count, 4001))
     found = found_on(few, conditions, sizes)
-    ratio = tb.solve(
-        load=many[:, None], **Condition(*conditions)._asdict(), parameters=sizes
-    ).particle_contact_area_ratio
-    before = ratio - np.minimum.accumulate(ratio)
-    after = ratio - np.minimum.accumulate(ratio[::-1])[::-1]
-    height = np.minimum(before, after).max(axis=0)
+    height = prominence(many, conditions, sizes)
     assert_allclose(np.nan_to_num(found.prominence), height, atol=1e-5)
     assert np.array_equal(found.exists, height >= PROMINENCE)
 
 
 def test_of_several_maxima_the_one_that_stands_out_most_is_the_turning_point(parameters):
     # large particles touch first; the summits that they cover are missing under heavy loads
-    inputs = replace(
-        parameters,
-        size_distribution="centred",
-        mean_ratio=0.4726,
-        spread_ratio=0.3146,
-        truncation=3.147,
-        coverage_limits="contacting",
-        elastic_depth_ratio=0.2,
-        participation=0.178,
-    )
+    sizes = dict(mean_ratio=0.4726, spread_ratio=0.3146, truncation=3.147, participation=0.178)
+    sizes |= dict(size_distribution="centred", elastic_depth_ratio=0.2)
+    inputs = replace(parameters, coverage_limits="contacting", **sizes)
     loads = np.geomspace(1e-7, 1e-4, 400)
     conditions = curves(0.0, 830.0 * NANOMETRE, 300.0 * NANOMETRE, 1.89e11)
-    odds = odds_at(loads[:, None], conditions, inputs)
+    odds = odds_at(loads, conditions, inputs)
     maxima = np.where(inner_maxima(odds), odds[1:-1], 0.0)
     assert np.count_nonzero(maxima) == 2
     found = found_on(loads, conditions, inputs)
@@ -112,14 +105,9 @@ def test_two_body_curves_have_no_turning_point(parameters, loads, diameter, dens
 def test_a_maximum_among_unsolved_points_is_not_invented(parameters, loads):
     conditions = curves(0.0, 300.0 * NANOMETRE)
     found = found_on(loads, conditions, parameters)
-    separation = tb.solve(
-        load=loads[:, None], **Condition(*conditions)._asdict(), parameters=parameters
-    ).separation
+    separation = solved(loads, conditions, parameters).separation
     separation[np.abs(np.log(loads / found.load)) < 0.5] = np.nan
     assert np.isnan(turning_points(separation, *conditions, parameters).load).all()
-
-
-# ---- windows
 
 
 def test_films_together_have_the_turning_points_that_their_curves_have(interpretation, loads):
@@ -146,3 +134,53 @@ def test_films_together_have_the_turning_points_that_their_curves_have(interpret
             one, other = (getattr(each, name) for each in (together, alone))
             assert_allclose(one[film][there], other[there], rtol=1e-4, err_msg=name)
         assert np.isnan(together.load[film][~there]).all()
+
+
+@pytest.fixture
+def window_over(parameters, loads):
+    """Function that searches the window of a surface over ratios of sizes to the roughness."""
+
+    def search(ratios, roughness=300e-9):
+        given = [WindowSearch(ratios)], [roughness], DENSITY, (loads[0], loads[-1]), parameters
+        return turning_point_windows(*given)[0]
+
+    return search
+
+
+@pytest.mark.parametrize("roughness", [100e-9, 300e-9, 500e-9])
+def test_the_ends_of_a_window_are_those_of_a_brute_scan(parameters, loads, window_over, roughness):
+    window = window_over(np.linspace(0.3, 2.5, 56), roughness)
+    assert max(window.low_error, window.high_error) < 1e-6
+    assert 0.3 < window.low < window.high < 2.5
+    # the scan misses the peak by 4e-7 in its logarithm, which moves an end by some 1e-8
+    beside = np.add.outer([window.low, window.high], [-1e-6, 1e-6]).ravel()
+    dense = np.geomspace(loads[0], loads[-1], 4001)
+    heights = prominence(dense, curves(0.0, beside * roughness, roughness), parameters)
+    turning = heights > PROMINENCE
+    assert turning.tolist() == [False, True, True, False]
+
+
+def test_a_sweep_that_starts_inside_the_window_says_that_its_end_is_unknown(window_over):
+    whole, part = (window_over(np.linspace(first, 2.5, 45)) for first in (0.3, 1.0))
+    assert whole.low < 1.0 == part.low
+    assert part.low_error == np.inf
+    assert abs(part.high - whole.high) <= part.high_error + whole.high_error
+
+
+def test_without_a_turning_point_there_is_no_window(window_over):
+    window = window_over(np.linspace(0.01, 0.1, 10))
+    assert all(np.isnan([window.low, window.low_error, window.high, window.high_error]))
+
+
+def test_of_many_sweeps_the_longest_runs_are_the_windows():
+    high, low, none = 0.08, 0.0, np.nan
+    sweeps = [
+        [low, high, high, low, high, low],  # two runs
+        [high, high, low, high, low, low],  # one that begins beyond the sweep
+        [low, low, none, low, none, low],  # none
+        [low, none, high, high, high, high],  # one that ends beyond it
+        [-high, high, high, high, -high, low],  # beside maxima beyond the loads
+    ]
+    starts, ends = swept_windows(np.arange(1.0, 7.0), np.transpose(sweeps))
+    assert np.allclose(starts, [1.5, 1.0, np.nan, 2.5, 1.75], equal_nan=True)
+    assert np.allclose(ends, [3.5, 2.5, np.nan, 6.0, 4.25], equal_nan=True)

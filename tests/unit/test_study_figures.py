@@ -1,24 +1,19 @@
-"""The figure of the verdicts: every statement once, where its score is."""
+"""The figures of the verdicts, and of what the headline numbers cost."""
 
 from pathlib import Path
 
-import matplotlib.style
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.figures import claims
-from thirdbody.figures.drawing import STYLE
+from thirdbody.figures import claims, fronts
 from thirdbody.study import verdicts
 from thirdbody.study.claims import load_claims
 
+pytestmark = pytest.mark.usefixtures("style")
+
 ROOT = Path(__file__).parents[2]
-
-
-@pytest.fixture(autouse=True, scope="module")
-def style():
-    with matplotlib.style.context(STYLE, after_reset=True):
-        yield
 
 
 @pytest.fixture(scope="module")
@@ -46,9 +41,7 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
     lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
     for row in rows:
         score, text = lines[row["id"]]
-        assert score == (
-            claims.NO_SCORE if row["score"] is None else min(row["score"], claims.LAST)
-        )
+        assert score == min(row["score"], claims.LAST)
         part = part_of_paper(row["place"])
         words = [one["verdict"] for one in rows if part_of_paper(one["place"]) == part]
         held = words.count(verdicts.HOLDS)
@@ -81,3 +74,19 @@ def test_a_statement_of_which_the_ensemble_is_sure_is_filled(rows):
         fillings = [filling for _, filling in markers_at(claims.plot(some)).values()]
         assert len(fillings) == len(few)
         assert all((filling == "white") == hollow for filling in fillings)
+
+
+def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
+    interpretations = [
+        {"interpretation": "one", "fronts": {"a": [[0.5, 9.0], [2.0, 4.0]], "b": [[0.1, 5.0]]}},
+        {"interpretation": "two", "fronts": {"a": [[0.4, 8.0]], "b": []}},
+    ]
+    drawing = fronts.plot(interpretations)
+    assert [panel.title for panel in drawing.panels] == ["a", "b"]
+    one, two = drawing.panels[0].series
+    assert (one.name, two.name) == ("one", "two")
+    # what is good near the statement is good farther off
+    assert_allclose(np.column_stack([one.x, one.y])[:2], [[0.5, 9.0], [2.0, 4.0]])
+    assert one.y[-1] == 4.0
+    texts = [text.get_text() for text in drawing.figure.legends[0].get_texts()]
+    assert texts == ["one", "two"]
