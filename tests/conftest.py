@@ -44,22 +44,17 @@ INPUTS = {
 INTERPRETATIONS = {
     "uncentred": {},
     "centred": {"size_distribution": "centred", "mean_ratio": 0.48, "spread_ratio": 1.42},
-    "gap_convolved": {
-        "size_distribution": "gap_convolved",
-        "spread_ratio": 0.68,
-        "gap_ratio": 1.15,
-        "truncation": 3.23,
-    },
+    "gap_convolved": dict(
+        size_distribution="gap_convolved", spread_ratio=0.68, gap_ratio=1.15, truncation=3.23
+    ),
     "physical_limits": {"elastic_limits": "physical", "elastic_depth_ratio": 0.0885},
     "contacting": {"coverage_limits": "contacting"},
     "film_of_the_total_load": {"film_load": "total"},
     "no_offset": {"summit_offset": False},
     "summit_plane": {"summit_offset": "as_rough", "particle_plane": "summit"},
     "unlike_materials": {
-        "hardness_surface_1": 3.0e9,
-        "hardness_surface_2": 7.0e9,
-        "elastic_modulus_particle": 2.0e11,
-        "ellipticity": 2.5,
+        **{"hardness_surface_1": 3.0e9, "hardness_surface_2": 7.0e9},
+        **{"elastic_modulus_particle": 2.0e11, "ellipticity": 2.5},
     },
 }
 # what does not apply to data without a place, a time or a name in the table of standard names

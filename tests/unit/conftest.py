@@ -3,10 +3,12 @@
 import os
 from pathlib import Path
 
+import matplotlib.style
 import pytest
 from methods import METHODS, solved_by
 from small_release import make_release
 
+from thirdbody.figures.drawing import STYLE
 from thirdbody.release.citation import Release
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,6 +19,13 @@ def method(request):
     """Each method of solving, by which a test solves its points."""
     with solved_by(request.param):
         yield request.param
+
+
+@pytest.fixture
+def style():
+    """The style of the figures."""
+    with matplotlib.style.context(STYLE, after_reset=True):
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -64,9 +64,8 @@ def make_products(folder):
     write_csv(table, [row], columns)
     write_schema(schema, columns)
     products += [table, schema]
-    drawn = (
-        ",".join(column.name for column in DRAWN_POINTS) + "\nA,90 cSt,load,1e-5,separation,2e-7\n"
-    )
+    heading = ",".join(column.name for column in DRAWN_POINTS)
+    drawn = f"{heading}\nA,90 cSt,load,1e-5,separation,2e-7\n"
     for kind, content in {**PICTURES, "csv": drawn.encode()}.items():
         products.append(folder / "figures" / f"fig03.{kind}")
         products[-1].write_bytes(content)
@@ -78,10 +77,8 @@ def make_release(folder):
     release = Release.of("pyproject.toml", "CITATION.cff")
     products = make_products(folder / "results")
     datasets = [path for path in products if path.suffix == ".nc"]
-    jobs = [
-        {"rule": "solve_scene", "inputs": [], "outputs": [f"results/datasets/{path.name}"]}
-        for path in datasets
-    ]
+    places = [f"results/datasets/{path.name}" for path in datasets]
+    jobs = [{"rule": "solve_scene", "inputs": [], "outputs": [place]} for place in places]
     parameters = dataclasses.asdict(tb.load_parameters())
     settings = {"config": CONFIG, "parameters": parameters}
     software = software_versions("pyproject.toml")

@@ -2,7 +2,6 @@
 
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,11 +9,9 @@ import pytest
 import thirdbody as tb
 from benchmarks.accuracy import error_rows
 from benchmarks.baselines import ElementwiseRoots, NestedRoots, load_plain_model
-from benchmarks.classes import CLASSES, HEAVIEST, ROUGHNESS, random_conditions
+from benchmarks.classes import CLASSES, ROUGHNESS, random_conditions
 from benchmarks.extremes import verdict
 from benchmarks.points import VARIABLES, read_rows, relative_error
-from benchmarks.targets import TARGETS, target_rows
-from benchmarks.uses import ONE, START, STREAM, SURFACES
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
@@ -42,21 +39,10 @@ def test_a_relative_error_is_relative_and_never_nan():
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-6])
-def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain, monkeypatch):
+def test_an_error_that_is_put_in_is_the_error_that_is_found(off, plain):
     rows = read_rows(GOLDEN / "accuracy_points.csv")[:8]
-    solve, grid = tb.solve, tb.grid
-
-    def spoilt(**given):
-        solution = solve(**given)
-        values = {name: getattr(solution, name) * (1.0 + off) for name in VARIABLES}
-        return SimpleNamespace(**values, error_bound=solution.error_bound)
-
-    def spoilt_grid(**given):
-        data = grid(**given)
-        return data.assign({name: data[name] * (1.0 + off) for name in VARIABLES})
-
-    monkeypatch.setattr(tb, "solve", spoilt)
-    monkeypatch.setattr(tb, "grid", spoilt_grid)
+    for row in rows:
+        row |= {name: str(float(row[name]) / (1.0 + off)) for name in VARIABLES}
     table = [row for row in error_rows(rows, [1e-9], plain) if row["method"].startswith("library")]
     assert {row["method"] for row in table} == {"library", "library_grid"}
     assert {row["variable"] for row in table} == set(VARIABLES)
@@ -91,22 +77,3 @@ def test_the_baselines_solve_the_same_equations(kind, film_load, parameters, pla
 )
 def test_a_refusal_must_give_a_bound_that_holds(status, error, bound, expected):
     assert verdict({"status": "converged"}, status, error, bound, 1e-9) == expected
-
-
-@pytest.mark.parametrize(("cost", "reached"), [(1.0, "reached"), (2.0, "missed")])
-def test_targets_are_compared_with_what_was_measured(cost, reached):
-    costs = ("library", 1e-9, cost), ("library_grid", 1e-3, 0.3), ("nested_roots", None, 4000.0)
-    names = "method", "rtol", "microseconds_per_point"
-    uses = {ONE: 900.0, SURFACES: 30.0, STREAM: 1.0, START: 4e5}
-    tables = {
-        "times": [HEAVIEST._asdict() | dict(zip(names, each)) for each in costs],
-        "uses": [{"use": use, "microseconds_per_point": each} for use, each in uses.items()],
-        "errors": [{"method": "library", "rtol": 1e-3, "largest_error": 1e-4}],
-        "extremes": [{"verdict": "right"}],
-        "oracle": [],
-    }
-    rows = target_rows(tables)
-    assert [row["what"] for row in rows] == list(TARGETS)
-    assert rows[0]["measured"] == 4000.0 / cost
-    verdicts = [row["verdict"] for row in rows]
-    assert verdicts == [reached] * 2 + ["reached"] * 6 + ["not measured"] * (len(rows) - 8)

@@ -12,11 +12,9 @@ import thirdbody as tb
 from thirdbody.answers.answer import Row
 from thirdbody.answers.bearing import MATERIALS, Material, derived
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.configuration.inputs import read_entries
 from thirdbody.data.quantities import QUANTITIES
+from thirdbody.model.interpretations import INTERPRETATIONS
 from thirdbody.model.regimes import LUBRICATION_REGIMES
-
-AXES = tuple(POINT)
 
 
 @pytest.fixture
@@ -27,15 +25,9 @@ def interface(monkeypatch):
     return tb.Interface(**ENGINEERING)
 
 
-def solved(inputs, load_N=10.0, viscosity=90e-6, diameter=500e-9, roughness=300e-9, density=1e11):
-    return tb.solve(
-        load=load_N / inputs.newtons_per_load,
-        viscosity=viscosity,
-        particle_diameter=diameter,
-        roughness=roughness,
-        particle_density=density,
-        parameters=inputs,
-    )
+def solved(inputs, load_N=10.0, **given):
+    load = load_N / inputs.newtons_per_load
+    return tb.solve(**POINT | {"load": load} | given, parameters=inputs)
 
 
 def test_the_state_is_what_solve_gives_in_other_units(interface, defaults):
@@ -65,7 +57,7 @@ def test_members_keep_what_the_user_has_changed(defaults):
     assert {each.apparent_area for each in members} == {mine.apparent_area}
 
 
-def test_a_border_that_is_not_passed_is_told(interface):
+def test_a_border_that_is_not_passed_is_named(interface):
     answer = interface.changed(viscosity_cSt=0).transitions("load", ["lubrication_regime"])
     assert not answer.found
     assert [row.value for row in answer.rows] == [None, None]
@@ -77,22 +69,17 @@ def test_the_turning_point_is_a_maximum(interface, defaults):
     answer = dry.turning_point()
     load = answer.value("load_N")
     loads = load * np.array([0.98, 1.0, 1.02])
-    ratio = solved(defaults, loads, 0.0, 300e-9).particle_contact_area_ratio
+    found = solved(defaults, loads, viscosity=0.0, particle_diameter=300e-9)
+    ratio = found.particle_contact_area_ratio
     assert ratio[1] > max(ratio[0], ratio[2])
     assert answer.value("peak_ratio") == pytest.approx(ratio[1], rel=1e-8)
     assert answer.value("load") == pytest.approx(load / defaults.newtons_per_load)
-    low, high = answer.value("low"), answer.value("high")
-    for size, there in ((low, False), (high, True)):
-        for factor, inside in ((0.99, there), (1.01, not there)):
-            changed = dry.changed(particle_diameter_nm=factor * size)
-            assert changed.turning_point().found == inside
+    sizes = np.multiply.outer([answer.value("low"), answer.value("high")], [0.99, 1.01]).ravel()
+    there = [dry.changed(particle_diameter_nm=size).turning_point().found for size in sizes]
+    assert there == [False, True, True, False]
 
 
-def test_without_a_turning_point_none_is_found(interface):
-    assert not interface.changed(particle_diameter_nm=20).turning_point().found
-
-
-@pytest.mark.parametrize("along", AXES)
+@pytest.mark.parametrize("along", POINT)
 def test_a_curve_is_what_solve_gives(interface, along):
     curve = interface.curve(along, 80.0, 120.0, count=5)
     assert_allclose(curve.points, np.geomspace(80.0, 120.0, 5))
@@ -116,19 +103,12 @@ def test_a_comparison_has_both_values_and_the_range_of_the_change(interface):
 
 
 def test_table_1_and_2_follow_from_what_an_engineer_knows(defaults):
-    steel = MATERIALS["steel"]
-    inputs = tb.bearing(
-        replace(defaults, elastic_modulus_surfaces=1e9, material_parameter=1.0),
-        ball=steel,
-        flat=steel,
-        particle=steel,
-        pressure_viscosity_per_GPa=18.2,
-        speed_m_per_s=4.0,
-        dynamic_viscosity_mPa_s=129.8,
-        viscosity_cSt=150.0,
-    )
-    assert inputs.elastic_modulus_surfaces == pytest.approx(112e9, rel=2e-3)
-    assert inputs.elastic_modulus_particle == pytest.approx(112e9, rel=2e-3)
+    other = replace(defaults, elastic_modulus_surfaces=1e9, material_parameter=1.0)
+    bodies = dict.fromkeys(("ball", "flat", "particle"), MATERIALS["steel"])
+    oil = dict(pressure_viscosity_per_GPa=18.2, dynamic_viscosity_mPa_s=129.8, viscosity_cSt=150.0)
+    inputs = tb.bearing(other, **bodies, **oil, speed_m_per_s=4.0)
+    moduli = inputs.elastic_modulus_surfaces, inputs.elastic_modulus_particle
+    assert moduli == pytest.approx((112e9, 112e9), rel=2e-3)
     assert inputs.material_parameter == pytest.approx(2038, rel=2e-3)
     assert inputs.speed_per_viscosity * 150e-6 == pytest.approx(7.3e-10, rel=2e-3)
     assert derived(inputs, 150.0).value("speed_parameter") == pytest.approx(7.3e-10, rel=2e-3)
@@ -158,13 +138,9 @@ def test_a_bearing_that_cannot_be_is_refused(defaults, given):
         tb.bearing(defaults, **given)
 
 
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [("load_N", 0.0), ("roughness_nm", -1.0), ("viscosity_cSt", np.nan), ("load_N", "10")],
-)
-def test_an_interface_is_checked_when_it_is_made(name, value):
-    with pytest.raises(ValueError, match=f"{name} is .*; allowed: "):
-        tb.Interface(**ENGINEERING | {name: value})
+def test_an_interface_is_checked_when_it_is_made():
+    with pytest.raises(ValueError, match="viscosity_cSt is nan; allowed: "):
+        tb.Interface(**ENGINEERING | {"viscosity_cSt": np.nan})
 
 
 def test_rows_say_how_many_members_agree():
@@ -175,20 +151,16 @@ def test_rows_say_how_many_members_agree():
 
 
 def test_a_ball_smaller_than_the_interface_is_refused_wherever_it_is_given(defaults):
-    told = "apparent_area is 3.57e-06; allowed: at most 7.85e-07 m2, the cross-section of a ball"
-    with pytest.raises(ValueError, match=told):
+    message = "apparent_area is 3.57e-06; allowed: at most 7.85e-07 m2, the cross-section of a ball"
+    with pytest.raises(ValueError, match=message):
         tb.bearing(defaults, ball_radius_mm=0.5)
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         tb.load_parameters(ball_radius=0.0005)
     small = tb.bearing(defaults, ball_radius_mm=0.5, apparent_area_mm2=0.5)
     assert (small.ball_radius, small.apparent_area) == pytest.approx((5e-4, 5e-7))
 
 
 def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
-    with pytest.warns(
-        UserWarning, match="elastic_modulus_surfaces is changed alone, not with it mat"
-    ):
-        tb.load_parameters(elastic_modulus_surfaces=2e11)
     with pytest.warns(UserWarning, match="ball_radius is changed alone, not with it speed"):
         tb.load_parameters(ball_radius=0.01)
     with warnings.catch_warnings():
@@ -198,17 +170,11 @@ def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
 
 
 def test_inputs_without_an_ensemble_have_no_range_and_say_so(interface, defaults):
-    members = calibrated_ensemble(defaults)
-    varied = [
-        name
-        for name, value in defaults.as_dict().items()
-        if len({getattr(each, name) for each in members}) > 1
-    ]
-    entries, changed = read_entries(), {}
-    for name in varied:
-        value = getattr(defaults, name)
-        words = [word for word in entries[name].get("allowed", []) if word != value]
-        changed[name] = words[0] if words else 1.001 * value
+    members, changed = [each.as_dict() for each in calibrated_ensemble(defaults)], {}
+    for name, value in defaults.as_dict().items():
+        if len({each[name] for each in members}) > 1:  # another of the words, or another number
+            words = [word for word in INTERPRETATIONS.get(name, ()) if word != value]
+            changed[name] = words[0] if words else 1.001 * value
     alone = interface.changed(parameters=replace(defaults, **changed))
     assert alone.members == ()
     other = alone.changed(viscosity_cSt=120)

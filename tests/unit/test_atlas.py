@@ -1,5 +1,7 @@
 """The atlas holds what the library gives point by point, for the default and for each member."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -13,18 +15,16 @@ from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.model.regimes import CONTACT_MODES, LUBRICATION_REGIMES
 
 RTOL = 1e-3
+ENDS = {  # of the axes, how many values they have, and which besides
+    "load_N": (0.04, 80, 12, "logarithmic", []),
+    "viscosity_cSt": (5, 150, 18, "logarithmic", [0]),
+    "particle_diameter_nm": (50, 1000, 24, "logarithmic", [0]),
+    "roughness_nm": (100, 300, 3, "linear", []),
+    "particle_density_per_m2": (1e10, 1e12, 3, "logarithmic", []),
+}
 AXES = {
-    "load_N": {"from": 0.04, "to": 80, "count": 12, "scale": "logarithmic", "also": []},
-    "viscosity_cSt": {"from": 5, "to": 150, "count": 18, "scale": "logarithmic", "also": [0]},
-    "particle_diameter_nm": {
-        **{"from": 50, "to": 1000, "count": 24, "scale": "logarithmic"},
-        "also": [0],
-    },
-    "roughness_nm": {"from": 100, "to": 300, "count": 3, "scale": "linear", "also": []},
-    "particle_density_per_m2": {
-        **{"from": 1e10, "to": 1e12, "count": 3, "scale": "logarithmic"},
-        "also": [],
-    },
+    name: dict(zip(("from", "to", "count", "scale", "also"), ends, strict=True))
+    for name, ends in ENDS.items()
 }
 
 
@@ -40,10 +40,8 @@ def written(defaults, members, tmp_path_factory):
     folder = tmp_path_factory.mktemp("atlas")
     (folder / "chunks").mkdir()
     grid, files = atlas_axes(AXES), []
-    changes = [
-        {name: value for name, value in each.as_dict().items() if value != defaults.as_dict()[name]}
-        for each in members
-    ]
+    usual = defaults.as_dict().items()
+    changes = [dict(each.as_dict().items() - usual) for each in members]
     for number in (2, 1):
         files.append(folder / "chunks" / f"{number}-of-2.nc")
         kept = ["particle_contact_area_ratio", "solid_load_fraction"]
@@ -76,12 +74,9 @@ def test_it_is_the_grid_of_the_default(atlas, defaults):
 
 
 def test_probabilities_are_shares_of_the_members_at_the_same_normal_load(atlas, members):
-    newtons = atlas["normal_load"].values
-    grids = [solved(each, newtons, atlas) for each in members]
-    for flag, states in (
-        ("lubrication_regime", LUBRICATION_REGIMES),
-        ("contact_mode", CONTACT_MODES),
-    ):
+    grids = [solved(each, atlas["normal_load"].values, atlas) for each in members]
+    flags = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
+    for flag, states in flags.items():
         total = sum(atlas[f"{state}_probability"] for state in states)
         np.testing.assert_allclose(total, 1.0)
         for index, state in enumerate(states):
@@ -113,11 +108,9 @@ def test_windows_are_those_of_the_library_between_the_sizes(atlas, defaults):
     assert float(found["turning_point_window_high"]) == pytest.approx(window.high, rel=0.03)
 
 
+RATIO = "particle_contact_area_ratio"
 LIMITS = {
-    "largest_particle_diameter": (
-        *("particle_contact_area_ratio", 0.95, "particle_diameter"),
-        *(50e-9, 1000e-9),
-    ),
+    "largest_particle_diameter": (RATIO, 0.95, "particle_diameter", 50e-9, 1000e-9),
     "least_viscosity": ("solid_load_fraction", 0.9, "viscosity", 5e-6, 150e-6),
 }
 
@@ -126,19 +119,11 @@ LIMITS = {
 def test_limits_are_the_first_crossings(atlas, defaults, name):
     variable, level, along, *between = LIMITS[name]
     found = atlas[name].sel(roughness=2e-7).load()
-    others = [each for each in found.dims if each != "load"]
     points = found.stack(point=found.dims).isel(point=slice(None, None, 7))
-    given = {each: points[each].values for each in others}
-    first = tb.find(
-        variable,
-        level,
-        along,
-        between=tuple(between),
-        load_N=points["load"].values * defaults.newtons_per_load,
-        roughness=2e-7,
-        parameters=defaults,
-        **given,
-    ).first
+    given = {each: points[each].values for each in found.dims if each != "load"}
+    given |= {"load_N": points["load"].values * defaults.newtons_per_load, "roughness": 2e-7}
+    search = {"between": tuple(between), "parameters": defaults}
+    first = tb.find(variable, level, along, **search, **given).first
     known = np.isfinite(points.values) & (points.values > 0.0) & np.isfinite(first)
     assert known.sum() > 20
     np.testing.assert_allclose(points.values[known], first[known], rtol=0.05)
@@ -164,12 +149,11 @@ def test_charts_read_the_atlas(atlas):
 
 
 def test_a_damaged_chunk_is_named(written, tmp_path):
-    (tmp_path / "chunks").mkdir()
-    for file in (written.parent / "chunks").iterdir():
-        (tmp_path / "chunks" / file.name).write_bytes(file.read_bytes()[:1000])
-    (tmp_path / "catalogue.json").write_bytes(written.read_bytes())
+    copy = shutil.copytree(written.parent, tmp_path / "atlas")
+    chunk = copy / "chunks" / "1-of-2.nc"
+    chunk.write_bytes(chunk.read_bytes()[:1000])
     with pytest.raises(OSError, match=r"1-of-2\.nc cannot be read .*; remake it: "):
-        open_atlas(tmp_path / "catalogue.json")
+        open_atlas(copy / "catalogue.json")
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"chunks": 3}', '{"other": []}'])

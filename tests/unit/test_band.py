@@ -16,13 +16,11 @@ from thirdbody.solver.solve import solve
 from thirdbody.study.band import BAND_RTOL, band
 
 DENSITY = 1e11
+GROUPS = ([0, 90], [500], [300], [DENSITY]), ([0], [0], [300], [DENSITY])
 SCENE = {
     "title": "A few curves",
     "load_axis": {"load_N": [0.04, 80.0], "count": 12},
-    "curves": [
-        dict(zip(KEYS, group, strict=True))
-        for group in (([0, 90], [500], [300], [DENSITY]), ([0], [0], [300], [DENSITY]))
-    ],
+    "curves": [dict(zip(KEYS, group, strict=True)) for group in GROUPS],
 }
 MEMBERS = [{"participation": 0.03}, {"spread_ratio": 1.5, "summit_radius": 25e-6}]
 
@@ -38,18 +36,6 @@ def dataset(parameters, tmp_path_factory):
 @pytest.fixture(scope="module")
 def envelope(dataset, parameters):
     return band(dataset, parameters, MEMBERS)
-
-
-def shown(dataset):
-    return dataset["solution_status"].values != FILL_FLAG
-
-
-def test_band_of_no_members_is_the_curves(dataset, parameters):
-    alone = band(dataset, parameters, [])
-    for name in QUANTITIES:
-        for end in ("low", "high"):
-            found = alone[f"{name}_{end}"].values[shown(dataset)]
-            assert_array_equal(found, dataset[name].values[shown(dataset)])
 
 
 def test_band_reaches_from_the_lowest_to_the_highest_member(dataset, parameters, envelope):
@@ -87,16 +73,17 @@ def test_member_without_a_solution_leaves_the_band_as_it_is(dataset, parameters)
     assert_array_equal(found, dataset["separation"].values[:, 0, 1, 0, 0])
 
 
-def test_band_encloses_its_curves_and_keeps_their_units(dataset, envelope, tmp_path):
+def test_band_encloses_its_curves_and_keeps_their_units(dataset, parameters, envelope, tmp_path):
     write_dataset(envelope, tmp_path / "band.nc")
-    again = read_dataset(tmp_path / "band.nc")
+    again, alone = read_dataset(tmp_path / "band.nc"), band(dataset, parameters, [])
+    shown = dataset["solution_status"].values != FILL_FLAG
     for name in QUANTITIES:
         low, high = again[f"{name}_low"], again[f"{name}_high"]
-        values = dataset[name].values[shown(dataset)]
-        assert (low.values[shown(dataset)] <= values).all()
-        assert (values <= high.values[shown(dataset)]).all()
+        values = dataset[name].values[shown]
+        assert (low.values[shown] <= values).all() and (values <= high.values[shown]).all()
         for variable in (low, high):
+            assert_array_equal(alone[variable.name].values[shown], values)  # without members
             assert variable.dims == DIMENSIONS
             assert variable.attrs["units"] == dataset[name].attrs["units"]
-            assert_array_equal(np.isfinite(variable.values), shown(dataset))
+            assert_array_equal(np.isfinite(variable.values), shown)
     assert again.attrs["configuration_sha256"] != dataset.attrs["configuration_sha256"]

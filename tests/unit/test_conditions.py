@@ -1,14 +1,9 @@
 """The five axes: names, keys and units agree wherever they stand, and units turn into SI exactly."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 
-from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
-
-SCHEMA = Path(__file__).parents[2] / "config" / "config.schema.yaml"
 
 
 @pytest.mark.parametrize("value", [0.1, 0.3, 1.1, 70, 120, 325, 999.999])
@@ -22,13 +17,6 @@ def test_values_are_sorted_and_stand_once():
     assert values.tolist() == [0.0, 25e-6, 90e-6]
     back = [AXES["viscosity"].from_si(value) for value in values]
     np.testing.assert_allclose(back, [0, 25, 90], rtol=1e-15)
-
-
-def test_the_schema_of_the_configuration_has_the_keys_of_the_axes():
-    kinds = read_yaml(SCHEMA)["$defs"]
-    keys = {axis.key for axis in CONDITION_AXES}
-    assert keys <= kinds["curves"]["properties"].keys()
-    assert kinds["drawing"]["items"]["properties"].keys() == keys | {"load_N"}
 
 
 def test_a_condition_is_read_from_a_configuration_and_named_in_tables():

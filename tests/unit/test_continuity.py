@@ -36,9 +36,6 @@ def assert_no_jump(before, after, rtol):
         assert error.max(initial=0.0) <= 10.0 * rtol, (name, int(np.argmax(error)), error.max())
 
 
-# ---- continuity
-
-
 def crossing(parameters, name, level, ends, **given):
     """The load at which a variable crosses ``level``, by halving between the ``ends``."""
     low, high = ends
@@ -199,28 +196,6 @@ def test_no_jump_from_few_or_small_particles_to_none(sizes, name, viscosity, rto
         assert (few.particle_contact_area_ratio < 1e-15).all()
         few.particle_contact_area_ratio[...] = 0.0  # few compared with none: never within rtol
         assert_no_jump(none, few, rtol)
-
-
-@pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
-@pytest.mark.parametrize("edge", [1e-5, 1e-7, 1e-9])
-def test_no_jump_where_the_tables_get_finer(sizes, edge, viscosity):
-    load = np.geomspace(1e-9, 1e-3, 1000)
-    sides = [
-        solve(sizes, rtol, load=load, viscosity=viscosity)
-        for rtol in (np.nextafter(edge, 0.0), edge, np.nextafter(edge, 1.0))
-    ]
-    assert_no_jump(sides[0], sides[1], edge)
-    assert_no_jump(sides[1], sides[2], edge)
-
-
-@pytest.mark.parametrize("rtol", RTOLS)
-def test_no_jump_where_points_become_enough_for_a_table(interpretation, rtol):
-    load = np.geomspace(1e-9, 1e-3, 500)
-    few = solve(interpretation, rtol, load=load[:-1])
-    enough = solve(interpretation, rtol, load=load)
-    for name in VARIABLES:
-        error = relative_error(getattr(enough, name)[:-1], getattr(few, name))
-        assert error.max() <= 10.0 * rtol, name
 
 
 @pytest.mark.parametrize("rtol", RTOLS)

@@ -15,10 +15,7 @@ pytestmark = pytest.mark.filterwarnings("error")
 
 RTOLS = [1e-2, 1e-4, 1e-7, 1e-10]
 BEST = 1e-11
-FEW, MANY = (
-    12,
-    200,
-)  # loads of a curve: two in a decade and a half, and what results may not depend on
+FEW, MANY = 12, 200  # loads of a curve: four a decade, and many
 # viscosity, diameter, roughness, density of curves with turning points and transitions
 CURVES = np.array(
     [
@@ -36,13 +33,14 @@ def span(count, parameters):
 
 
 @cache
+def solved(count, parameters, rtol):
+    """The curves on so many loads."""
+    load, given = span(count, parameters)[:, None], Condition(*CURVES)._asdict()
+    return tb.solve(load=load, **given, parameters=parameters, rtol=rtol)
+
+
 def turning(count, parameters, rtol):
-    separation = tb.solve(
-        load=span(count, parameters)[:, None],
-        **Condition(*CURVES)._asdict(),
-        parameters=parameters,
-        rtol=rtol,
-    ).separation
+    separation = solved(count, parameters, rtol).separation
     return turning_points(separation, *CURVES, parameters, rtol)
 
 
@@ -76,10 +74,7 @@ def test_the_ends_of_a_window_on_few_loads(parameters, rtol, end):
 @cache
 def crossings(count, parameters, rtol):
     """Loads and their error bounds of all transitions of all curves."""
-    load = span(count, parameters)
-    solution = tb.solve(
-        load=load[:, None], **Condition(*CURVES)._asdict(), parameters=parameters, rtol=rtol
-    )
+    solution = solved(count, parameters, rtol)
     values = {quantity: getattr(solution, quantity) for quantity, _ in LIMITS}
     limit, curve, crossing, error, _ = transitions(
         solution.separation, values, CURVES, parameters, rtol

@@ -17,5 +17,5 @@ MODULES = [
 
 @pytest.mark.parametrize("module", MODULES)
 def test_examples_of(module):
-    told = doctest.testmod(import_module(module))
-    assert told.attempted and not told.failed
+    results = doctest.testmod(import_module(module))
+    assert results.attempted and not results.failed

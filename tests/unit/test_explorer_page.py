@@ -34,7 +34,7 @@ def figure(tmp_path):
     return figure_content(tmp_path / "fig99.csv", tmp_path / "fig99.md")
 
 
-def test_a_figure_is_told_by_its_conditions_marks_and_caption(figure):
+def test_a_figure_has_its_conditions_marks_and_caption(figure):
     assert (figure["name"], figure["title"]) == ("fig99", "Figure 99. A title")
     assert figure["caption"] == "What it tells."
     (condition,) = figure["curves"]
@@ -64,10 +64,10 @@ def test_content_without_a_number_is_no_page():
 
 
 def test_the_charting_library_is_the_one_that_is_named():
-    told = (HERE / "vendor" / "README.md").read_text(encoding="utf-8")
+    notice = (HERE / "vendor" / "README.md").read_text(encoding="utf-8")
     library = (HERE / "vendor" / "d3.min.js").read_bytes()
-    assert hashlib.sha256(library).hexdigest() in told
+    assert hashlib.sha256(library).hexdigest() in notice
     version = re.search(rb"d3js\.org v([\d.]+)", library)[1].decode()
     makefile = (HERE.parents[2] / "Makefile").read_text(encoding="utf-8")
-    assert f"version {version}" in told and f"D3 := {version}\n" in makefile
+    assert f"version {version}" in notice and f"D3 := {version}\n" in makefile
     assert f"D3 {version}" in (HERE / "page" / "index.html").read_text(encoding="utf-8")

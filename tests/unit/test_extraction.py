@@ -23,7 +23,7 @@ SOFT = {"hardness_surface_1": 3e7, "hardness_surface_2": 3e7}
 
 @pytest.mark.filterwarnings("ignore::thirdbody.OutOfRangeWarning")
 @pytest.mark.parametrize("rows_of", [tpca_rows, transition_rows])
-def test_each_row_has_the_status_of_its_point(parameters, rows_of):
+def test_each_row_has_the_values_and_the_status_of_its_point(parameters, rows_of):
     statuses = set()
     for changes in ({}, SOFT):
         inputs = replace(parameters, **changes)
@@ -35,5 +35,13 @@ def test_each_row_has_the_status_of_its_point(parameters, rows_of):
         solution = tb.solve(load=load, **given._asdict(), parameters=inputs)
         named = [SOLUTION_STATUSES[index] for index in solution.solution_status]
         assert [row["solution_status"] for row in rows] == named
+        beside = np.multiply.outer([1.0 - 1e-6, 1.0 + 1e-6], load)
+        around = tb.solve(load=beside, **given._asdict(), parameters=inputs)
+        for index, row in enumerate(rows if not changes else ()):
+            values = getattr(around, row.get("quantity", "particle_contact_area_ratio"))[:, index]
+            if "level" in row:
+                assert values.min() <= row["level"] <= values.max(), row
+            else:
+                assert values == pytest.approx(row["peak_ratio"], rel=1e-6), row
         statuses |= set(named)
     assert "converged" in statuses and len(statuses) > 1

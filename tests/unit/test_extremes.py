@@ -64,9 +64,6 @@ def solve(parameters, rtol=1e-9, **given):
     return tb.solve(**(POINT | given), parameters=parameters, rtol=rtol)
 
 
-# ---- golden values
-
-
 def nearly_closes(row):
     """Whether the load almost closes the gap, so that d follows from a difference of loads."""
     return float(row["gap_conditioning"] or 0.0) > 50.0
@@ -111,9 +108,6 @@ def test_a_roughness_whose_surface_float64_cannot_hold_is_refused(parameters, me
     for roughness in (bad, [3e-7, bad]):
         with pytest.raises(ValueError, match=f"^{shown}$"):
             solve(parameters, roughness=roughness)
-
-
-# ---- the whole domain
 
 
 def extreme_points(count, seed):

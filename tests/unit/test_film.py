@@ -12,26 +12,17 @@ CENTISTOKES = 1e-6
 ROUGHNESS = 300e-9
 
 
-def film(parameters, viscosity, roughness=ROUGHNESS):
-    return Film.of(np.atleast_1d(viscosity), roughness, parameters)
-
-
-def thickness(parameters, log_load_parameter, viscosity, roughness=ROUGHNESS):
-    """H_c at ln W and kinematic viscosity [m2/s]."""
-    return film(parameters, viscosity, roughness).thickness(log_load_parameter)[0]
-
-
 @pytest.mark.parametrize(
     ("load_parameter", "viscosity", "printed"),
     [(1e-6, 120.0, 1.783e-4), (1e-6, 70.0, 1.274e-4), (8.86e-9, 120.0, 2.273e-4)],
 )
 def test_film_thickness_to_the_printed_digits(parameters, load_parameter, viscosity, printed):
-    value = thickness(parameters, np.log(load_parameter), viscosity * CENTISTOKES)[0]
-    assert float(f"{value:.3e}") == printed
+    film = Film.of(np.array([viscosity]) * CENTISTOKES, ROUGHNESS, parameters)
+    assert float(f"{film.thickness(np.log(load_parameter))[0][0]:.3e}") == printed
 
 
 def test_the_ranges_of_figure_11c_end_at_one_load(parameters):
-    oils = film(parameters, np.array([70.0, 120.0]) * CENTISTOKES)
+    oils = Film.of(np.array([70.0, 120.0]) * CENTISTOKES, ROUGHNESS, parameters)
     rounded = 0.5e-6  # half a unit of the last digit that is printed
 
     def newtons(thickness):

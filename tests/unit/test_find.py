@@ -81,7 +81,7 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
 
 
 @pytest.mark.parametrize(
-    ("change", "told"),
+    ("change", "message"),
     [
         ({"variable": "contact_mode"}, "variable is 'contact_mode'; allowed: total_contact_area"),
         ({"along": "time"}, "there is no axis 'time'; allowed: load, viscosity"),
@@ -95,27 +95,11 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"load_N": xr.DataArray([1.0])}, "load_N has named dimensions; allowed: .values of it"),
     ],
 )
-def test_what_cannot_be_searched_is_refused(parameters, change, told):
+def test_what_cannot_be_searched_is_refused(parameters, change, message):
     asked = {"variable": "solid_load_fraction", "level": 0.9, "along": "roughness_nm"}
     asked |= others("roughness_nm") | change
-    with pytest.raises(ValueError, match=told):
+    with pytest.raises(ValueError, match=message):
         tb.find(**{k: v for k, v in asked.items() if v is not None}, parameters=parameters)
-
-
-def test_quantities_bring_their_unit(parameters):
-    unit = pytest.importorskip("pint").UnitRegistry()
-    numbers = {"load_N": 10.0, "viscosity_cSt": 90.0, "roughness_nm": 300.0}
-    for key, given in (("viscosity_cSt", 0.9 * unit.St), ("viscosity", 90 * unit.cSt)):
-        quantities = {"load_N": 0.01 * unit.kN, key: given, "roughness_nm": 0.3 * unit.um}
-        found, expected = (
-            in_si(each | {"particle_density": 1e11}, parameters, without="particle_diameter")
-            for each in (quantities, numbers)
-        )
-        assert_allclose(list(found.values()), list(expected.values()), rtol=1e-12)
-    with pytest.raises(ValueError, match="load is in cSt; allowed: a number without dimension or"):
-        in_si(others("load_N") | {"load_N": 10 * unit.cSt}, parameters)
-    with pytest.raises(ValueError, match="viscosity_cSt is a list of quantities; allowed: numbers"):
-        in_si(others("viscosity_cSt") | {"viscosity_cSt": [90 * unit.cSt]}, parameters)
 
 
 def test_engineering_units_and_SI_are_the_same_place_in_a_table_too(parameters):

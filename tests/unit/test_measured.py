@@ -19,9 +19,6 @@ REST["particle_density_per_m2"] = 1e11
 LOADS = [5.0, 10.0, 20.0]
 
 
-# ---- oils
-
-
 @pytest.mark.parametrize(
     ("at_40", "at_100", "index"),
     [(73.30, 8.86, 92), (22.83, 5.05, 156), (53.47, 7.80, 111)],  # examples of ASTM D2270
@@ -51,20 +48,15 @@ def test_the_line_goes_through_both_points_and_is_straight_in_its_coordinates():
     [
         ({"grade": 47, "viscosity_index": 95}, "grade is 47; allowed: ISO VG 2, 3"),
         ({"grade": 46}, "allowed: a grade with its viscosity_index, or points"),
-        ({"grade": 46, "viscosity_index": "high"}, "viscosity_index is 'high'; allowed: "),
         ({"grade": 2, "viscosity_index": 95}, "viscosity_index is 95; allowed: "),
         ({"points": {40: 46}}, "points is {40: 46}; allowed: two temperatures"),
         ({"points": {40: 5, 100: 46}}, "points is .*; allowed: two temperatures"),
         ({"points": {40: 10, 100: 2.5}}, "gives 1.19 cSt; allowed: temperatures that give 2"),
-        ({"points": 5}, "points is 5; allowed: two temperatures"),
     ],
 )
 def test_what_is_no_oil_is_refused_in_one_line(given, message):
     with pytest.raises(ValueError, match=message):
         tb.oil_viscosity(160, **given)
-
-
-# ---- ISO 4406
 
 
 def test_a_code_counts_the_particles_in_the_film():
@@ -76,7 +68,7 @@ def test_a_code_counts_the_particles_in_the_film():
     assert half.value("most_above_6_um") == pytest.approx(answer.value("most_above_6_um"))
 
 
-@pytest.mark.parametrize("code", [None, "", "18/16", "18/16/13/1", "16/18/13", "99/1/1", "a/b/c"])
+@pytest.mark.parametrize("code", ["", "18/16", "18/16/13/1", "16/18/13", "99/1/1", "a/b/c"])
 def test_what_is_no_code_is_refused_in_one_line(code):
     with pytest.raises(ValueError, match=r"^code is .*; allowed: "):
         tb.cleanliness(code, gap_nm=1000)
@@ -90,9 +82,6 @@ def test_less_than_one_particle_in_the_nominal_area_is_said(defaults):
     note = f"{2500.0 * area:.2g} particles in A_n = {area:.3g} m2: most contacts have none"
     assert note in none.state().notes and note in few.compare(none).notes
     assert "particles in A_n" not in str(few.state())
-
-
-# ---- topographies
 
 
 @pytest.fixture(scope="module")
@@ -137,24 +126,19 @@ def test_what_is_no_topography_is_refused_in_one_line(waves, tmp_path):
     path, *_ = waves
     text = tmp_path / "text.xyz"
     text.write_text("a b c\n")
-    for given, told in [
-        (dict(unit=None), 'it has no length unit; give one, as unit="um"'),
-        (dict(unit="um", scale_nm=1), "scale_nm is 1; allowed: 260.417 or more"),
-        (dict(unit="um", scale_nm=1e6), "has no slopes or curvatures over 1e[+]06 nm"),
+    for place, given, message in [
+        (path, dict(unit=None), 'it has no length unit; give one, as unit="um"'),
+        (path, dict(unit="um", scale_nm=1), "scale_nm is 1; allowed: 260.417 or more"),
+        (path, dict(unit="um", scale_nm=1e6), "has no slopes or curvatures over 1e[+]06 nm"),
+        (text, dict(unit="um"), r"text\.xyz cannot be used as a topography"),
     ]:
-        with pytest.raises(ValueError, match=told):
-            tb.surface(path, **given)
-    with pytest.raises(ValueError, match=r"text\.xyz cannot be used as a topography"):
-        tb.surface(text, unit="um")
+        with pytest.raises(ValueError, match=message):
+            tb.surface(place, **given)
     with pytest.raises(FileNotFoundError):
         tb.surface(tmp_path / "absent.xyz")
 
 
-# ---- data beside the model
-
-
-def without(name):
-    return {key: value for key, value in REST.items() if key != name}
+WITHOUT_VISCOSITY = {key: value for key, value in REST.items() if key != "viscosity_cSt"}
 
 
 def data(**more):
@@ -163,30 +147,29 @@ def data(**more):
 
 def test_the_model_stands_beside_each_measurement_with_its_range():
     table = tb.compare(data(), **REST).to_dataframe()
-    for index, load in enumerate(LOADS):
-        state = tb.Interface(load_N=load, **REST).state()
-        row = next(row for row in state.rows if row.name == "solid_load_fraction")
-        found = table.loc[index]
-        assert found["solid_load_fraction_model"] == pytest.approx(row.value)
-        assert found["solid_load_fraction_low"] == pytest.approx(row.low)
-        assert found["solid_load_fraction_high"] == pytest.approx(row.high)
-        residual = found["solid_load_fraction"] - row.value
-        assert found["solid_load_fraction_residual"] == pytest.approx(residual)
-    assert table["solid_load_fraction"].tolist() == pytest.approx([0.9, 0.7, 0.5])
+    for load, measured, (_, found) in zip(LOADS, (0.9, 0.7, 0.5), table.iterrows(), strict=True):
+        rows = tb.Interface(load_N=load, **REST).state().rows
+        row = next(row for row in rows if row.name == "solid_load_fraction")
+        names = [
+            f"solid_load_fraction{end}" for end in ("", "_model", "_low", "_high", "_residual")
+        ]
+        expected = [measured, row.value, row.low, row.high, measured - row.value]
+        assert found[names].tolist() == pytest.approx(expected)
 
 
 def test_variables_have_their_units(defaults):
     given = {"Contact resistance (mohm)": [5, 4, 3], "film_thickness [um]": [1, "", 0.5]}
     given["real contact area [um^2]"] = [1500, 2900, 4600]
     found = tb.compare(data(**given), **REST, assumed=Assumed(resistivity_ohm_m=1e-7))
-    table, solved = found.table, tb.solve(load_N=LOADS, **REST)
-    assert table["film_thickness_nm"].tolist() == pytest.approx([1000, np.nan, 500], nan_ok=True)
-    thickness = 1e9 * solved.film_thickness * defaults.ball_radius
-    assert table["film_thickness_nm_model"].tolist() == pytest.approx(thickness.tolist())
+    solved = tb.solve(load_N=LOADS, **REST)
     area = solved.total_contact_area * defaults.apparent_area
-    assert table["real_contact_area_mm2_model"].tolist() == pytest.approx((1e6 * area).tolist())
-    resistance = 0.5e-7 * np.sqrt(np.pi / area)
-    assert table["contact_resistance_ohm_model"].tolist() == pytest.approx(resistance.tolist())
+    for name, expected in (
+        ("film_thickness_nm", [1000, np.nan, 500]),
+        ("film_thickness_nm_model", 1e9 * solved.film_thickness * defaults.ball_radius),
+        ("real_contact_area_mm2_model", 1e6 * area),
+        ("contact_resistance_ohm_model", 0.5e-7 * np.sqrt(np.pi / area)),
+    ):
+        np.testing.assert_allclose(found.table[name], expected, rtol=1e-6, err_msg=name)
     assert any("contact_resistance_ohm is an estimate" in note for note in found.answer.notes)
     assert found.to_dataset().sizes == {"row": 3}
 
@@ -208,7 +191,7 @@ def test_half_the_speed_is_half_the_viscosity():
 def test_a_curve_is_there_where_one_condition_varies(tmp_path):
     one = tb.compare(data(), **REST)
     assert one.along == "load_N" and len(one.curve) == 80
-    two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **without("viscosity_cSt"))
+    two = tb.compare(data(**{"viscosity [cSt]": [0, 50, 90]}), **WITHOUT_VISCOSITY)
     assert len(two.curve) == 0
     for found in (one, two):
         found.plot().savefig(tmp_path / "a.png")
@@ -225,7 +208,7 @@ def test_spreadsheets_of_other_countries_are_read(tmp_path):
 def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
     table = data(**{"viscosity [mm^2/s]": 0.09})
     with pytest.warns(tb.OutOfRangeWarning, match="viscosity_cSt is 0.09 cSt; usual: 0.3 to"):
-        tb.compare(table, **without("viscosity_cSt"))
+        tb.compare(table, **WITHOUT_VISCOSITY)
     with pytest.warns(tb.OutOfRangeWarning, match="boundary_friction is 12; usual: 0.01 to 1"):
         Assumed(boundary_friction=12)
     with pytest.warns(tb.OutOfRangeWarning, match="gap_nm is 1e-06 nm; usual: 1 to 100000 nm"):
@@ -241,10 +224,7 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("", "a.csv is empty; allowed: headings and rows"),
         ("load [N],friction coefficient\n", "measured has no rows"),
         ("load [N]\n1\n", "measured has no column of friction coefficient"),
-        (
-            "load,friction coefficient\n1,0.1\n",
-            "unit of 'load' is not known; allowed: as 'load .N.'",
-        ),
+        ("load,wear\n1,1\n", "unit of 'load' is not known; allowed: as 'load .N.'"),
         ("load [kg],separation [nm]\n1,1\n", r"unit of 'load \[kg\]' is not known"),
         ("load [N],separation [furlongs per]\n1,1\n", "not known; allowed: as 'separation .nm.'"),
         ("load [N],wear\n1,1\n", "measured has the column 'wear'; allowed: load, viscosity"),
@@ -252,10 +232,7 @@ def test_numbers_in_another_unit_are_told_in_the_unit_that_is_given():
         ("load [N],separation [nm]\n1,5,1\n", "a.csv has 3 cells in the row '1,5,1'; allowed: 2"),
         ("load [N],separation [nm]\n,1\n", "load_N is nan; allowed: positive finite numbers"),
         ("load [N],roughness [nm],separation [nm]\n1,1,1\n", "roughness_nm is given twice"),
-        (
-            "load [N],speed [m/s],separation [nm]\n1,1,1\n",
-            "speed_m_per_s is None; allowed: a number",
-        ),
+        ("load [N],speed [m/s],separation [nm]\n1,1,1\n", "speed_m_per_s is None; allowed: a num"),
     ],
 )
 def test_a_file_that_cannot_be_compared_is_refused_in_one_line(tmp_path, text, message):

@@ -13,37 +13,20 @@ from thirdbody.data.scene import Scene, curve_groups, load_values
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}
-GROUP = {
-    "viscosity_cSt": [90, 0],
-    "particle_diameter_nm": [500, 0, 300],
-    "roughness_nm": [300],
-    "particle_density_per_m2": [1.0e11],
-}
 SCENES = Path(__file__).parents[2] / "config" / "scenes.yaml"
 
 
-def scene(*groups, **more):
-    return Scene.of("test", {"title": "Test", "load_axis": AXIS, "curves": groups} | more, NEWTONS)
-
-
-def test_loads_are_log_spaced_from_the_first_to_the_last():
+def test_loads_are_log_spaced_and_named_ones_are_on_the_axis_exactly():
     values = load_values(AXIS, [], NEWTONS)
-    assert values.size == 240
-    assert values[0] == float(f"{0.04 / NEWTONS:.12g}")
-    assert values[-1] == float(f"{80.0 / NEWTONS:.12g}")
+    ends = [float(f"{newtons / NEWTONS:.12g}") for newtons in (0.04, 80.0)]
+    assert values.size == 240 and values[[0, -1]].tolist() == ends
     assert_allclose(np.diff(np.log(values)), math.log(2000.0) / 239.0, rtol=1e-10)
-
-
-def test_named_loads_are_on_the_axis_exactly():
     named = [3.27e-6, 1.49e-5, 1.0e-4]
-    values = load_values(AXIS, named, NEWTONS)
-    assert set(named) <= set(values)
-    assert values.size == 243
-    assert (np.diff(values) > 0.0).all()
+    assert load_values(AXIS, named, NEWTONS).tolist() == sorted([*values, *named])
 
 
 def test_relative_diameters_make_a_group_of_each_roughness():
-    group = {name: GROUP[name] for name in ("viscosity_cSt", "particle_density_per_m2")}
+    group = {"viscosity_cSt": [90, 0], "particle_density_per_m2": [1.0e11]}
     group |= {"particle_diameter_per_roughness": [0.7, 1.1], "roughness_nm": [100, 300]}
     small, large = curve_groups(group)
     assert (small.roughness.tolist(), large.roughness.tolist()) == ([100e-9], [300e-9])

@@ -11,11 +11,8 @@ from thirdbody.figures.sections import State, read_sections, write_sections
 from thirdbody.model.particles import ParticleLayer
 
 # the s-s, p-s and hybrid modes of figure 2
-MODES = [
-    {"load_N": 2.0, "viscosity_cSt": 0, "particle_diameter_nm": diameter, "roughness_nm": 300,
-     "particle_density_per_m2": 1e11}
-    for diameter in (100, 1000, 300)
-]  # fmt: skip
+DRY = {"load_N": 2.0, "viscosity_cSt": 0, "roughness_nm": 300, "particle_density_per_m2": 1e11}
+MODES = [DRY | {"particle_diameter_nm": diameter} for diameter in (100, 1000, 300)]
 
 
 def solved_state(given, parameters):
@@ -56,8 +53,7 @@ def test_a_file_keeps_every_digit_in_the_same_bytes_every_time(parameters, tmp_p
     for one, other in zip(written, read_sections(tmp_path / "a.nc"), strict=True):
         assert one.state == other.state and one.particles == other.particles
         for name in ("position", "lower", "upper", "touches"):
-            given, found = getattr(one, name), getattr(other, name)
-            assert given.dtype == found.dtype and np.array_equal(given, found)
+            np.testing.assert_array_equal(getattr(one, name), getattr(other, name), strict=True)
     (tmp_path / "a.nc").write_text("no data")
     with pytest.raises(OSError, match=r"a.nc cannot be read \(\w+\); remake it"):
         read_sections(tmp_path / "a.nc")

@@ -24,12 +24,10 @@ AXES = {
 @pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
 def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, points):
     monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", points)
-    tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
+    given = AXES | {"parameters": parameters}
+    tb.stream(tmp_path / "grid.nc", **given)
     assert capsys.readouterr() == ("", "")
-    streamed, grid = (
-        read_dataset(tmp_path / "grid.nc"),
-        tb.grid(**AXES, parameters=parameters),
-    )
+    streamed, grid = read_dataset(tmp_path / "grid.nc"), tb.grid(**given)
     assert streamed.attrs == grid.attrs
     assert dict(streamed.sizes) == dict(grid.sizes)
     for name, expected in grid.variables.items():
@@ -57,9 +55,8 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
 def test_more_than_there_is_room_for_is_refused_before_anything_is_solved(parameters, tmp_path):
     axis = np.linspace(1e-6, 1e-3, 10**6)
     axes = AXES | {"load": axis, "viscosity": axis, "roughness": 3e-7}
-    with pytest.raises(
-        OSError, match=r"grid.nc would hold .e\+1. points in .*e\+1. bytes; allowed"
-    ):
+    message = r"grid.nc would hold .e\+1. points in .*e\+1. bytes; allowed"
+    with pytest.raises(OSError, match=message):
         tb.stream(tmp_path / "grid.nc", **axes, parameters=parameters)
     assert list(tmp_path.iterdir()) == []
 

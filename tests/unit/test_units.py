@@ -48,13 +48,10 @@ def test_units_are_read_as_udunits_writes_them(solved, name, value, text):
     assert solved(**{name: of_xarray(value, text)}) == pytest.approx(solved())
 
 
-def test_an_unknown_unit_is_refused_in_one_line(solved):
-    told = "roughness has the unit 'furlong per fun', which is unknown; allowed: a length"
-    with pytest.raises(ValueError, match=told):
+def test_an_unknown_unit_and_an_uncertainty_are_refused_by_name(solved):
+    message = "roughness has the unit 'furlong per fun', which is unknown; allowed: a length"
+    with pytest.raises(ValueError, match=message):
         solved(roughness=of_xarray(1.0, "furlong per fun"))
-
-
-def test_an_uncertainty_is_refused_by_name(solved):
     uncertain = pytest.importorskip("uncertainties").ufloat(10, 1)
     with pytest.raises(ValueError, match="^load is a quantity of .*; allowed: plain numbers$"):
         solved(load=UNIT.Quantity(uncertain, "N"))

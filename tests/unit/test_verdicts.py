@@ -13,17 +13,6 @@ from thirdbody.study import verdicts
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
 from thirdbody.study.page import claims_html, claims_json, claims_markdown, earlier_table
-from thirdbody.study.verdicts import (
-    Judged,
-    compare,
-    count_once,
-    counts_by_figure,
-    headline_table,
-    held_once,
-    judge_everything,
-    outcome,
-    statements_table,
-)
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 EARLIER = read_yaml(config_directory() / "earlier_predictions.yaml")
@@ -40,15 +29,11 @@ def claim(name, loads=(), **fields):
     )
 
 
-TAKEN = claim(
-    "taken",
-    {"load_max": 1e-5},
-    contradicts=("aside",),
-    published=1.0,
-    reference={"viscosity_cSt": 90},
-)
+TAKEN_FIELDS = {"contradicts": ("aside",), "published": 1.0, "reference": {"viscosity_cSt": 90}}
+TAKEN = claim("taken", {"load_max": 1e-5}, **TAKEN_FIELDS)
 ASIDE = claim("aside", contradicts=("taken",), aside="Figure 9 says so | twice", published=2.0)
 CLAIMS = (TAKEN, ASIDE, claim("one", cluster="twins"), claim("other", cluster="twins"))
+DEFAULT_NAME = "uncentred_summit_wide_full_total"
 DEFAULT = {
     "interpretation": "some",
     "inputs": {"truncation": 2.0},
@@ -56,37 +41,24 @@ DEFAULT = {
 }
 
 
-def by_id(verdicts):
-    return {each.id: verdict for each, verdict in zip(CLAIMS, verdicts, strict=True)}
+def by_id(found):
+    return {each.id: verdict for each, verdict in zip(CLAIMS, found, strict=True)}
 
 
-def judged(main, members=(), changed=None, predicted=None, headline=(), tolerances=None):
-    return Judged(
-        CLAIMS,
-        {"headline": headline, "headline_tolerances": tolerances or {}},
-        DEFAULT,
-        by_id(main),
-        by_id(main),
-        tuple(map(by_id, members)),
-        changed or {},
-        {},
-        {"some": predicted or {}},
-        pd.DataFrame(),
+def judged(main, members=(), changed=None, predicted=None, headline=()):
+    settings = {"headline": headline, "headline_tolerances": {}}
+    found = by_id(main), by_id(main), tuple(map(by_id, members)), changed or {}, {}
+    return verdicts.Judged(
+        CLAIMS, settings, DEFAULT, *found, {"some": predicted or {}}, pd.DataFrame()
     )
 
 
-@pytest.mark.parametrize(
-    ("statement", "verdict", "word"),
-    [
-        (TAKEN, HELD, verdicts.HOLDS),
-        (TAKEN, MISSED, verdicts.FAILS),
-        (TAKEN, BEYOND, verdicts.NOT_TESTED),
-        (ASIDE, HELD, verdicts.CONTRADICTED),
-        (ASIDE, MISSED, verdicts.CONTRADICTED),
-    ],
-)
-def test_the_word_for_a_verdict(statement, verdict, word):
-    assert outcome(statement, verdict) == word
+def test_the_word_for_a_verdict():
+    words = [verdicts.outcome(TAKEN, verdict) for verdict in (HELD, MISSED, BEYOND)]
+    assert words == [verdicts.HOLDS, verdicts.FAILS, verdicts.NOT_TESTED]
+    assert {verdicts.outcome(ASIDE, verdict) for verdict in (HELD, MISSED)} == {
+        verdicts.CONTRADICTED
+    }
 
 
 @pytest.mark.parametrize(
@@ -101,13 +73,12 @@ def test_the_word_for_a_verdict(statement, verdict, word):
 )
 def test_statements_that_repeat_one_another_count_once(twins, count):
     main = (HELD, MISSED, *twins)
-    assert count_once(CLAIMS, by_id(main)) == count
-    counts = counts_by_figure(statements_table(judged(main)))
-    (row,) = counts.to_dict("records")
+    assert verdicts.count_once(CLAIMS, by_id(main)) == count
+    table = verdicts.statements_table(judged(main))
+    (row,) = verdicts.counts_by_figure(table).to_dict("records")
     assert row["figure"] == "Figure 4"
     assert row["hold, repeats once"] == "{} of {}".format(*count)
-    as_read = statements_table(judged(main)).replace("", None)  # from a CSV file
-    assert held_once(as_read) == count
+    assert verdicts.held_once(table.replace("", None)) == count  # as from a CSV file
 
 
 def test_the_page_has_the_score_and_the_contradictions_apart():
@@ -136,34 +107,31 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     ]
     main = (numbered[10], HELD, WORDY, window[10]._replace(worst=1))
     results = judged(main, members, headline=["taken", "one", "other"])
-    table = headline_table(results).set_index("id")
+    table = verdicts.headline_table(results).set_index("id")
     column = table["ensemble, 90 %"]
     assert column["taken"] == "1 to 19"
     assert column["one"] == "16 of 21 agree"
     assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
     assert (table.loc["taken", "paper"], table.loc["taken", "model"]) == ("1.0", "10")
-    rows = statements_table(results).set_index("id")
+    rows = verdicts.statements_table(results).set_index("id")
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
-    alone = headline_table(judged(main, headline=["one"]))
+    alone = verdicts.headline_table(judged(main, headline=["one"]))
     assert alone["ensemble, 90 %"].tolist() == ["no ensemble"]
 
 
 def test_the_first_interpretation_is_the_one_that_the_rule_prefers(parameters):
     """Most predicted, then the least penalty, then the fewest unknowns."""
-    names = list(SETTINGS["interpretations"])[:4]
-    settings = SETTINGS | {
-        "interpretations": {name: SETTINGS["interpretations"][name] for name in names}
-    }
-    unusual = {"summit_parameter": 0.2}
-    inputs = {n: u["usual"][0] for n, u in SETTINGS["unknowns"].items()}
-    contents = [
-        {"interpretation": name, "inputs": inputs | (unusual if name == names[2] else {})}
-        for name in names
-    ]
+    some = dict(list(SETTINGS["interpretations"].items())[:4])
+    settings, names = SETTINGS | {"interpretations": some}, list(some)
+    inputs = {name: unknown["usual"][0] for name, unknown in SETTINGS["unknowns"].items()}
+    contents = [{"interpretation": name, "inputs": inputs} for name in names]
+    contents[2] |= {"inputs": inputs | {"summit_parameter": 0.2}}  # unusual
     held = {name: {"taken": HELD} for name in names} | {names[0]: {"taken": MISSED}}
     judge_all = Judge([TAKEN], parameters.as_dict(), SETTINGS["newtons"])
-    table = compare(judge_all, contents, dict.fromkeys(names, {"taken": HELD}), held, settings)
+    table = verdicts.compare(
+        judge_all, contents, dict.fromkeys(names, {"taken": HELD}), held, settings
+    )
     ranking = table["interpretation"].tolist()
     assert ranking[-1] == names[0] and ranking[-2] == names[2]
     assert table["inputs"].iloc[0] <= table["inputs"].iloc[1]
@@ -191,32 +159,29 @@ def test_earlier_predictions_are_marked_where_they_are_within_the_tolerance():
     results = replace(judged((HELD,) * 4), claims=claims)
     table = earlier_table(results, EARLIER).set_index("set")
     marks = table.map(lambda cell: cell.endswith("✓")).sum(axis=1)
-    assert marks["uncentred_summit_wide_full_total (default)"] == 1
+    assert marks[f"{DEFAULT_NAME} (default)"] == 1
     assert table.shape == (6, 6)
     assert table.loc["**paper**"].tolist()[-2:] == ["1.5e-05", "3e-05"]
 
 
 def test_everything_is_judged_by_the_real_model(parameters):
-    claims = [
-        each
-        for each in load_claims(config_directory() / "claims.yaml")
-        if each.id in ("fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside")
-    ]
-    path = config_directory() / "calibrated" / "uncentred_summit_wide_full_total.yaml"
-    content = read_yaml(path)
+    dry, outside = "fig11a-turning-point-load-dry", "fig09a-no-turning-point-outside"
+    every = load_claims(config_directory() / "claims.yaml")
+    claims = [each for each in every if each.id in (dry, outside)]
+    content = read_yaml(config_directory() / "calibrated" / f"{DEFAULT_NAME}.yaml")
+    inputs = content["inputs"]
     content["ensemble"] = []
     content["folds"] = [
-        {"figures": [9], "inputs": content["inputs"]},
-        {"figures": [11], "inputs": content["inputs"] | {"summit_radius": 1e-4}},
+        {"figures": [9], "inputs": inputs},
+        {"figures": [11], "inputs": inputs | {"summit_radius": 1e-4}},
     ]
     judge_all = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
-    found = judge_everything(judge_all, content, [content], SETTINGS)
+    found = verdicts.judge_everything(judge_all, content, [content], SETTINGS)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted[content["interpretation"]]
-    assert predicted["fig09a-no-turning-point-outside"].holds
-    assert not predicted["fig11a-turning-point-load-dry"].holds
+    assert predicted[outside].holds and not predicted[dry].holds
     assert len(found.changed) == 2 * found.comparison["inputs"].iloc[0]
-    table = statements_table(found)
+    table = verdicts.statements_table(found)
     assert table["predicted"].tolist() == ["holds", "fails"]
     assert np.isnan(table["range_low"]).all() and (table["ensemble_size"] == 0).all()
 
@@ -228,9 +193,8 @@ def test_an_input_is_changed_only_where_a_surface_can_have_it(parameters):
         return {}
 
     judge_all.claims, judge_all.base = (), parameters.as_dict()
-    name = "uncentred_summit_wide_full_natural"
     inputs = parameters.as_dict() | {"summit_parameter": 0.1}
-    content = {"interpretation": name, "inputs": inputs, "ensemble": []}
-    found = judge_everything(judge_all, content, [], SETTINGS)
+    content = {"interpretation": DEFAULT_NAME, "inputs": inputs, "ensemble": []}
+    found = verdicts.judge_everything(judge_all, content, [], SETTINGS)
     assert "higher summit parameter" in found.changed
     assert "lower summit parameter" not in found.changed
