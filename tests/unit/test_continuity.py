@@ -14,6 +14,8 @@ from benchmarks.points import VARIABLES, relative_error
 from thirdbody.data.model_attribute import model_attribute
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
+from thirdbody.solver.solve import TABLE_WORTH
+from thirdbody.solver.summits import pieces_for
 
 pytestmark = [
     pytest.mark.filterwarnings("error"),
@@ -210,3 +212,22 @@ def test_no_jump_to_the_limits_of_the_asperity_law(parameters, name, limit, rtol
         at = replace(parameters, **{name: limit})
         sides = [solve(inputs, rtol, load=load, viscosity=0.0) for inputs in (at, near)]
         assert_no_jump(*sides, rtol=rtol)
+
+
+@pytest.mark.parametrize("viscosity", [0.0, 90e-6], ids=["dry", "wet"])
+@pytest.mark.parametrize("edge", [1e-5, 1e-7, 1e-9])
+def test_no_jump_where_the_tables_get_finer(sizes, edge, viscosity):
+    load = np.geomspace(1e-9, 1e-3, 1000)
+    rtols = np.nextafter(edge, 0.0), edge, np.nextafter(edge, 1.0)
+    sides = [solve(sizes, rtol, load=load, viscosity=viscosity) for rtol in rtols]
+    assert_no_jump(sides[0], sides[1], edge)
+    assert_no_jump(sides[1], sides[2], edge)
+
+
+@pytest.mark.parametrize("rtol", RTOLS)
+def test_no_jump_where_points_become_enough_for_a_table(interpretation, rtol):
+    load = np.geomspace(1e-9, 1e-3, int(np.ceil(TABLE_WORTH * pieces_for(rtol))))
+    few, enough = (solve(interpretation, rtol, load=each) for each in (load[:-1], load))
+    for name in VARIABLES:
+        error = relative_error(getattr(enough, name)[:-1], getattr(few, name))
+        assert error.max() <= 10.0 * rtol, name
