@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
@@ -69,14 +70,29 @@ def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
     """Rows of a table of ``write_csv``; ``OSError`` in one line names a file that is damaged or has
     other columns."""
     names = [column.name for column in columns]
-    try:
-        with open(path, encoding="utf-8", newline="") as stream:
-            header, *lines = csv.reader(stream)
+    with _naming(path):
+        fields = zip(*read_texts(path, columns), strict=True)
+        values = [column.parse(each) for column, each in zip(columns, fields, strict=False)]
+        return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
+
+
+def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str]]:
+    """The fields of each row as they stand in the file; ``OSError`` as of ``read_csv``."""
+    names = [column.name for column in columns]
+    with _naming(path), open(path, encoding="utf-8", newline="") as stream:
+        header, *rows = csv.reader(stream)
         if header != names:
             raise ValueError(f"its columns are {header}")
-        fields = zip(header, *lines, strict=True)
-        values = [column.parse(each[1:]) for column, each in zip(columns, fields, strict=True)]
-        return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
+        if any(len(row) != len(names) for row in rows):
+            raise ValueError("a row has other columns")
+        return rows
+
+
+@contextmanager
+def _naming(path):
+    """Context in which what is wrong with a file becomes one line that names it."""
+    try:
+        yield
     except (ValueError, csv.Error) as error:
         reason = " ".join(str(error).split())
         raise OSError(

@@ -17,7 +17,7 @@ import numpy as np
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
-from thirdbody.data.tables import DRAWN_POINTS, read_csv
+from thirdbody.data.tables import DRAWN_POINTS, read_texts
 from thirdbody.model.bounds import BOUNDS
 
 NODES = 48  # of the integrals that the page computes
@@ -134,10 +134,9 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
     ('Figure 3. Title', 3e-07, [0])
     """
     panels: dict[str, dict] = {}
-    for row in read_csv(points, DRAWN_POINTS):
-        new = {"x": row["x_name"], "y": row["y_name"], "drawn": {}}
-        panel = panels.setdefault(row["panel"], new)
-        panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
+    for letter, label, x_name, x, y_name, y in read_texts(points, DRAWN_POINTS):
+        panel = panels.setdefault(letter, {"x": x_name, "y": y_name, "drawn": {}})
+        panel["drawn"].setdefault(label, []).append((x, y))
     labels = dict.fromkeys(
         label for panel in panels.values() for label in panel["drawn"] if CURVE.fullmatch(label)
     )
@@ -190,4 +189,4 @@ def _condition(label):
 
 
 def _rounded(points):
-    return [[float(f"{value:.{DIGITS}g}") for value in point] for point in points]
+    return [[float(f"{float(text):.{DIGITS}g}") for text in point] for point in points]
