@@ -35,7 +35,10 @@ from thirdbody.study.calibration import Interpretation, Unknown
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = (
     ROOT / "README.md",
-    *(ROOT / "docs" / name for name in ("calibration.md", "nomenclature.md", "questions.md")),
+    *(
+        ROOT / "docs" / name
+        for name in ("calibration.md", "nomenclature.md", "questions.md", "trust.md")
+    ),
 )
 RESULTS = ROOT / "results"
 ACCURACY = RESULTS / "accuracy"
