@@ -1,5 +1,9 @@
 # The page that leads to all products, the sums of all of them, and the last line of a run.
+import logging
 import os
+
+# where a disk is full, Snakemake's log is too: a line that it has no room for is left out
+logging.raiseExceptions = False
 
 # before a run begins: Snakemake would end with a traceback
 for folder in [RESULTS, LOGS]:
