@@ -5,7 +5,10 @@ from __future__ import annotations
 from statistics import NormalDist
 from typing import NamedTuple
 
+import numpy as np
+
 from thirdbody.model.parameters import Parameters
+from thirdbody.model.particles import ParticleLayer
 
 
 class Sizes(NamedTuple):
@@ -32,10 +35,8 @@ class Sizes(NamedTuple):
             normal = NormalDist(mean, spread)
             part = normal.cdf(largest) - normal.cdf(0.0)
             mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
-        beyond = parameters.interpretation.elastic_limits.beyond
-        elastic = beyond * parameters.elastic_depth_ratio * diameter
-        height = parameters.interpretation.particle_plane.height(roughness, parameters)
-        return cls(mean, largest, float(largest + elastic + height))
+        layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
+        return cls(mean, largest, float(layer.reach[0]))
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
