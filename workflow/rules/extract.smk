@@ -82,8 +82,6 @@ rule compute_sensitivities:
         indices="<results>/extracted/sensitivity/sobol_indices.csv",
     log:
         "<logs>/compute_sensitivities.log",
-    # the longest job: run last, it would leave a core idle
-    priority: 1
     conda:
         "../envs/thirdbody.yaml"
     params:
