@@ -135,9 +135,9 @@ def _hidden_pairs(excess, places, values, noise):
     """Pairs of separations between samples that all are on one side of F_t, where a crest just reaches
     F_t or a trough just falls below; a turn within the ``noise`` is none.
 
-    Returns for each pair its point, a place [m] on its crest and one farther out and below, and
-    whether F_t is reached by more than rounding.  The crest is 0 for a trough, whose separations are
-    not the largest.
+    Returns for each pair its point, a place [m] on its crest and one farther out where loads are too
+    small for certain, and whether F_t is reached by more than rounding.  The crest is 0 for a trough,
+    whose separations are not the largest.
     """
     near = np.abs(values)
     rises = np.abs(np.diff(values))
@@ -148,6 +148,8 @@ def _hidden_pairs(excess, places, values, noise):
     turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > noise[:, 1:-1])
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
+    beyond = (values < -noise)[point] & (np.arange(places.shape[1]) > place[:, None])
+    foot = places[point, np.where(beyond.any(axis=1), beyond.argmax(axis=1), -1)]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
     found = [np.zeros((4, 0))]
     for zoom in range(ZOOMS):
@@ -165,9 +167,9 @@ def _hidden_pairs(excess, places, values, noise):
         reached = certain if zoom < ZOOMS - 1 else nearly.any(axis=1)
         furthest = _last(np.where(certain[:, None], closer < -noise, nearly))
         crest = np.where(sign < 0.0, fine[rows, furthest], 0.0)
-        foot = fine[rows, np.minimum(furthest + 1, CLOSER - 1)]
         found.append([column[reached] for column in (point, crest, foot, certain)])
         low, high = fine[rows, best - 1], fine[rows, best + 1]
-        point, low, high, sign = (column[~reached] for column in (point, low, high, sign))
+        left = point, low, high, sign, foot
+        point, low, high, sign, foot = (column[~reached] for column in left)
     point, crest, foot, certain = map(np.concatenate, zip(*found, strict=True))
     return point.astype(np.intp), crest, foot, certain.astype(bool)
