@@ -15,7 +15,7 @@ PRODUCTS = {
     *(f"figures/{figure}_wide.csv" for figure in CURVE_FIGURES),
     *(f"tables/{table}.{kind}" for table in TABLES for kind in TABLE_KINDS),
     *(f"claims/claims.{kind}" for kind in ("csv", "html", "md")),
-    *("explorer/index.html", "index.html", "SHA256SUMS"),
+    *("explorer/index.html", "index.html", "captions.md", "SHA256SUMS"),
 }
 
 MINE = """
@@ -85,6 +85,8 @@ def test_the_index_leads_to_all_products_and_says_what_fails(finished):
     assert shown <= local
     claims = json.loads((finished.root / "results/claims/claims.json").read_text())
     text = " ".join(unescape(re.sub("<[^>]*>", " ", page)).split())
+    captions = (finished.root / "results/captions.md").read_text(encoding="utf-8")
     for statement in claims["statements"]:
         if statement["verdict"] == "fails" and statement["place"].startswith("Figure"):
             assert " ".join(statement["statement"].split()) in text
+            assert statement["statement"] in captions

@@ -32,9 +32,11 @@ rule write_index:
         verdicts="<results>/claims/claims.json",
         explorer="<results>/explorer/index.html",
         datasets=expand("<results>/datasets/{figure}.nc", figure=SCENES),
-        template=project_file("workflow/templates/index.html"),
+        page_template=project_file("workflow/templates/index.html"),
+        captions_template=project_file("workflow/templates/captions.md"),
     output:
         page="<results>/index.html",
+        captions="<results>/captions.md",
     log:
         "<logs>/write_index.log",
     conda:
@@ -51,7 +53,7 @@ rule write_sums:
     input:
         INTERMEDIATE,
         PRODUCTS,
-        "<results>/index.html",
+        rules.write_index.output,
     output:
         sums="<results>/SHA256SUMS",
     log:

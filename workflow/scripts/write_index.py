@@ -1,4 +1,4 @@
-"""The page that leads to all products: results/index.html."""
+"""The page that leads to all products, and the captions with what of the paper fails in each figure."""
 
 import json
 from pathlib import Path
@@ -23,23 +23,31 @@ def figure_entry(caption, statements, scenes):
         "text": text.strip(),
         "held": sum(each["verdict"] == "holds" for each in here),
         "wide": stem in scenes,
-        "failed": [each["statement"] for each in here if each["verdict"] == "fails"],
+        "failed": [
+            f"{each['place']}: {each['statement']}" for each in here if each["verdict"] == "fails"
+        ],
     }
 
 
 with logged(snakemake.log[0]):
     judged = json.loads(Path(snakemake.input.verdicts).read_text(encoding="utf-8"))
+    templates = Path(snakemake.input.page_template), Path(snakemake.input.captions_template)
     environment = jinja2.Environment(
-        autoescape=True, trim_blocks=True, lstrip_blocks=True, undefined=jinja2.StrictUndefined
+        loader=jinja2.FileSystemLoader(templates[0].parent),
+        autoescape=jinja2.select_autoescape(),
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=jinja2.StrictUndefined,
     )
-    template = Path(snakemake.input.template).read_text(encoding="utf-8")
     statements = judged["statements"]
     scenes = {Path(dataset).stem for dataset in snakemake.input.datasets}
-    text = environment.from_string(template).render(
-        figures=[figure_entry(each, statements, scenes) for each in snakemake.input.captions],
-        tables=[Path(table).stem for table in snakemake.input.tables],
-        datasets=[Path(dataset).name for dataset in snakemake.input.datasets],
-        score=judged["score"],
-    )
-    with atomic_write(snakemake.output.page) as part:
-        part.write_text(text, encoding="utf-8")
+    content = {
+        "figures": [figure_entry(each, statements, scenes) for each in snakemake.input.captions],
+        "tables": [Path(table).stem for table in snakemake.input.tables],
+        "datasets": [Path(dataset).name for dataset in snakemake.input.datasets],
+        "score": judged["score"],
+    }
+    with atomic_write(snakemake.output.page, snakemake.output.captions) as parts:
+        for part, template in zip(parts, templates, strict=True):
+            text = environment.get_template(template.name).render(content)
+            part.write_text(text, encoding="utf-8")
