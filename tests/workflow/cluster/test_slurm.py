@@ -13,7 +13,7 @@ PROFILE = ("--profile", "workflow/profiles/slurm")
 QUICK = ("--slurm-init-seconds-before-status-checks", "1", "--max-status-checks-per-second", "1")
 GIVEN = (f"slurm_account={ACCOUNT}", f"slurm_partition={PARTITION}", "runtime=10")
 FIGURE, TABLE = "results/figures/fig03.png", "results/extracted/table1/all.csv"
-SCRIPT = "workflow/scripts/recompute_paper_table.py"
+SCRIPT = "workflow/scripts/recompute_paper_tables.py"
 long = pytest.mark.skipif(os.environ.get("SURVIVAL") != "long", reason="make test-survival")
 # a job that lasts until the test lets it go on
 HELD = """

@@ -1,0 +1,15 @@
+"""The paper's own tables with each derived entry recomputed."""
+
+from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.data.files import atomic_write
+from thirdbody.data.paper_tables import paper_table
+from thirdbody.data.tables import TABLES, write_csv
+from thirdbody.job_log import logged
+from thirdbody.model.parameters import Parameters
+
+with logged(snakemake.log[0]):
+    inputs = Parameters(**snakemake.params.parameters)
+    printed = read_yaml(snakemake.input.printed)
+    with atomic_write(*snakemake.output) as parts:
+        for part, table in zip(parts, snakemake.output.keys(), strict=True):
+            write_csv(part, paper_table(printed[table], inputs), TABLES["paper_table"])
