@@ -161,7 +161,7 @@ class Solution(Tabular):
     def __repr__(self) -> str:
         known = {name: np.asarray(each) for name, each in self.known.items()}
         shape = next(iter(known.values())).shape if known else ()
-        lines = [f"{name:<28}{_told(name, each)}" for name, each in known.items()]
+        lines = [f"{name:<28}{_in_words(name, each)}" for name, each in known.items()]
         return "\n".join([f"Solution of shape {shape}", *lines])
 
 
@@ -172,7 +172,7 @@ WHOLE = (*FLAGS, "separation_count")
 QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bound"))
 
 
-def _told(name, values) -> str:
+def _in_words(name, values) -> str:
     """A number, or the least and the greatest; of a flag the names, each with how many have it."""
     if name in FLAGS:
         words = *FLAG_MEANINGS[name], "none"  # the last of which NO_FLAG finds

@@ -153,7 +153,7 @@ def solve_arrays(
     load, viscosity, diameter, roughness, density = columns
     result = {name: np.empty(load.size, type_of(name)) for name in variables}
     # what cannot be computed gets a status
-    with np.errstate(all="ignore"), Progress(load.size, "points", progress) as shown:
+    with np.errstate(all="ignore"), Progress(load.size, "points", progress) as bar:
         three_body = has_particles(diameter, density)
         kinds = 2 * has_film(viscosity) + three_body
         single = ~three_body | (load <= greatest_single_load(parameters))
@@ -170,7 +170,7 @@ def solve_arrays(
                     values[piece] = found[name]
                 if table_rtol is not None:
                     left[piece] = found["solution_status"] == NOT_CONVERGED
-                shown.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
+                bar.add(piece.size - np.count_nonzero(left[piece]) * (table_rtol is not None))
     solved = {name: values.reshape(shape) for name, values in result.items()}
     newtons = parameters.newtons_per_load
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=newtons)

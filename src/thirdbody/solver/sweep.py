@@ -86,7 +86,7 @@ def sweep(
         for some in (np.argwhere(three_body), np.argwhere(~three_body))
         for start in range(0, len(some), SOLIDS)
     ]
-    with np.errstate(all="ignore"), Progress(unsure.size, "points", progress) as shown:
+    with np.errstate(all="ignore"), Progress(unsure.size, "points", progress) as bar:
         for number, roughness in enumerate(axes["roughness"]):
             surface = _Surface(axes, roughness, parameters)
             for places in groups:
@@ -97,7 +97,7 @@ def sweep(
                     for name, array in values.items():
                         array[at][:dry], array[at][dry:] = states[name]
                     unsure[at][dry:] = states["unsure"]
-                    shown.add(unsure[at].size)
+                    bar.add(unsure[at].size)
         index = np.nonzero(unsure)
         if index[0].size:
             given = {name: axes[name][place] for name, place in zip(ORDER, index, strict=True)}
