@@ -148,7 +148,7 @@ def _hidden_pairs(excess, places, values, noise):
     turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > noise[:, 1:-1])
     point, place = np.nonzero(turns)
     low, high = places[point, place], places[point, place + 2]
-    beyond = (values < -noise)[point] & (np.arange(places.shape[1]) > place[:, None])
+    beyond = (values < -noise)[point] & (np.arange(places.shape[1]) > place[:, None] + 1)
     foot = places[point, np.where(beyond.any(axis=1), beyond.argmax(axis=1), -1)]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
     found = [np.zeros((4, 0))]
