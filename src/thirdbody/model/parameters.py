@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -112,24 +113,24 @@ class Parameters:
             message = f"{name} is {shown(getattr(self, name))}; allowed: {BOUNDS[name]} (SI)"
             raise ValueError(message)
 
-    @property
+    @cached_property
     def elastic_factor(self) -> float:
         """(9 pi^2/4)(H_s1^2/E_sa^2 + H_s2^2/E_ss^2) [1], the weight of elastic particles."""
         particle = self.hardness_surface_1 / self.elastic_modulus_particle
         surface = self.hardness_surface_2 / self.elastic_modulus_surfaces
         return 2.25 * math.pi**2 * (particle**2 + surface**2)  # of Eqs. 4 and 5
 
-    @property
+    @cached_property
     def elastic_weights(self) -> tuple[float, float]:
         """How much both limits of the elastic integral count in A_sa [1]: ``ElasticLimits.weights``."""
         return self.interpretation.elastic_limits.weights(self.elastic_factor)
 
-    @property
+    @cached_property
     def particle_pressure(self) -> float:
         """F_sa*/(A_sa/A_n) [1]: particles press with the hardness of surface 1 (Eqs. 4 and 5)."""
         return self.hardness_surface_1 / self.elastic_modulus_surfaces
 
-    @property
+    @cached_property
     def softer_hardness(self) -> float:
         """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
 
@@ -138,7 +139,7 @@ class Parameters:
         """
         return min(self.hardness_surface_1, self.hardness_surface_2)
 
-    @property
+    @cached_property
     def newtons_per_load(self) -> float:
         """F_t/F_t* = A_n E_ss [N]."""
         return newtons_per_load(self.apparent_area, self.elastic_modulus_surfaces)

@@ -118,8 +118,8 @@ class ParticleLayer:
         """
         limits = self.parameters.interpretation.elastic_limits
         alpha = (separation - self.mean) / self.spread
-        here, here_slope = self.moment(alpha)  # I(d, X_max) over c_1
-        there, there_slope = self.moment(alpha + limits.side * self.depth)
+        both = np.stack([alpha, alpha + limits.side * self.depth])
+        (here, there), (here_slope, there_slope) = self.moment(both)  # here: I(d, X_max) over c_1
         own, other = self.parameters.elastic_weights
         moment = np.maximum(own * here + other * there, 0.0)
         area_factor = self.factor * self.parameters.hardness_surface_2

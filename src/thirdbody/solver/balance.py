@@ -167,7 +167,8 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
         holds = (above[0] | (sure[close] & (a == low[close]))) & (below[1] | (b == high[close]))
         done = holds | final[close]
         finished = active[close[done]]
-        ends[:, :, finished] = np.stack(both)[:, :, done]
+        for end, each in zip(ends, both, strict=True):
+            end[0][finished], end[1][finished] = each[0][done], each[1][done]
         certain[finished] &= holds[done]
         # where a sign is wrong, the search goes on from there
         doubt[close] *= WIDER

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,17 +53,17 @@ class RoughSurfaces:
         """The surfaces of the points that an index or mask ``chosen`` picks."""
         return replace(self, which=self.which[chosen])
 
-    @property
+    @cached_property
     def offset(self):
         """y_s [m]."""
         return self.surfaces.summit_offset[self.which]
 
-    @property
+    @cached_property
     def deviation(self):
         """sigma_s [m]."""
         return self.surfaces.summit_deviation[self.which]
 
-    @property
+    @cached_property
     def error(self):
         """What ln F_ss* and ln A_ss* may be wrong by, beside rounding."""
         if self.table is None:
