@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 from functools import cache
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,18 +21,10 @@ from thirdbody.messages import shown
 
 @dataclass(frozen=True)
 class Unit:
-    """A name for a condition, and its unit.
+    """A name for a condition, such as ``viscosity_cSt``, and its unit.
 
-    Attributes
-    ----------
-    key : str
-        The name, such as ``viscosity_cSt``.
-    condition : str
-        The argument of ``solve`` that it stands for.
-    text : str
-        The unit, spelt as UDUNITS reads it.
-    scale : float
-        The unit in SI; of ``load_N`` 1, because it also needs F_t/F_t*.
+    ``condition`` is the argument of ``solve`` that it stands for, ``text`` the unit as UDUNITS spells it
+    and ``scale`` the unit in SI; of ``load_N`` 1, because it also needs F_t/F_t*.
     """
 
     key: str
@@ -50,7 +42,7 @@ class Unit:
         """
         if self.key == LOAD_IN_NEWTONS:
             return np.multiply(values, 1.0 / newtons_per_load)
-        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale, 12)
+        return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
         """Values in SI in this unit."""
@@ -94,21 +86,14 @@ def unit_of(key: Any) -> Unit:
     return UNITS[key]
 
 
-class Wanted(NamedTuple):
-    """What a condition is: in words, its dimensions and unit as pint reads them."""
-
-    words: str
-    dimensions: str
-    unit: str
-
-
-FORCE = Wanted("a force, as in N", "[force]", "N")
+# what each condition may be as a quantity: a unit, as pint reads it, and in words
+FORCE = "N", "a force, as in N"
 WANTED = {
-    "load": Wanted(f"a number without dimension or {FORCE.words}", "[]", "dimensionless"),
-    "viscosity": Wanted("a kinematic viscosity, as in cSt", "[length] ** 2 / [time]", "m ** 2 / s"),
-    "particle_diameter": Wanted("a length, as in nm", "[length]", "m"),
-    "roughness": Wanted("a length, as in nm", "[length]", "m"),
-    "particle_density": Wanted("a number per area, as in 1/mm**2", "[length] ** -2", "m ** -2"),
+    "load": ("dimensionless", f"a number without dimension or {FORCE[1]}"),
+    "viscosity": ("m ** 2 / s", "a kinematic viscosity, as in cSt"),
+    "particle_diameter": ("m", "a length, as in nm"),
+    "roughness": ("m", "a length, as in nm"),
+    "particle_density": ("m ** -2", "a number per area, as in 1/mm**2"),
 }
 
 
@@ -132,16 +117,17 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
     if not has_unit(given):
         return given
     quantity = given if is_quantity(given) else _of_pint(name, given)
-    wanted = FORCE if name == "load" and quantity.check(FORCE.dimensions) else WANTED[name]
-    if not quantity.check(wanted.dimensions):
+    is_force = name == "load" and quantity.is_compatible_with(FORCE[0])
+    wanted, words = FORCE if is_force else WANTED[name]
+    if not quantity.is_compatible_with(wanted):
         unit = f"{quantity.units:~}" or "no unit"
-        raise ValueError(f"{name} is in {unit}; allowed: {wanted.words}")
+        raise ValueError(f"{name} is in {unit}; allowed: {words}")
     try:
-        numbers = decimal(quantity.to(wanted.unit).magnitude, 1.0, 15)
+        numbers = decimal(quantity.to(wanted).magnitude, digits=15)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
         raise ValueError(f"{name} is a quantity of {kind}; allowed: plain numbers") from None
-    return numbers / newtons_per_load if wanted is FORCE else numbers
+    return numbers / newtons_per_load if is_force else numbers
 
 
 def has_unit(given: Any) -> bool:
@@ -159,16 +145,13 @@ def is_labelled(given: Any) -> bool:
     return hasattr(given, "dims") and hasattr(given, "data")
 
 
-# where astropy, quantities and unyt keep the unit
-ATTRIBUTES = ("unit", "dimensionality", "units")
-
-
 def _unit_text(given: Any) -> str | None:
     """The unit of a quantity of another package than pint, or of an array of xarray."""
     if is_labelled(given):
         attributes = getattr(given, "attrs", None)
         return attributes.get("units") if isinstance(attributes, dict) else None
-    return next((str(getattr(given, name)) for name in ATTRIBUTES if hasattr(given, name)), None)
+    where = ("unit", "dimensionality", "units")  # of astropy, quantities and unyt
+    return next((str(getattr(given, name)) for name in where if hasattr(given, name)), None)
 
 
 def _of_pint(name: str, given: Any) -> Any:
@@ -180,7 +163,7 @@ def _of_pint(name: str, given: Any) -> Any:
         raise
     except Exception:  # pint raises many kinds
         message = f"{name} has the unit {shown(text)}, which is unknown"
-        raise ValueError(f"{message}; allowed: {WANTED[name].words}") from None
+        raise ValueError(f"{message}; allowed: {WANTED[name][1]}") from None
     return registry().Quantity(np.asarray(given), unit)
 
 

@@ -88,7 +88,10 @@ def test_transitions_along_the_load_are_those_of_every_limit(parameters):
         ({"along": "load"}, "load_N: load is searched along; allowed: each axis once"),
         ({"viscosity": 1e-6}, "viscosity is given twice; allowed: each axis once"),
         ({"load_N": None}, "load is missing; allowed: load or load_N"),
-        ({"between": (0.0, 1.0)}, "between is 0 to 1; allowed: positive and increasing"),
+        (
+            {"between": (0.0, 1.0)},
+            r"between is \(0.0, 1.0\); allowed: two numbers, positive and increasing",
+        ),
         ({"count": 1}, "count is 1; allowed: whole numbers from 2 to 1000000"),
         ({"load_N": -5.0}, "load_N is -5; allowed: positive finite numbers"),
         ({"level": 90}, "level of solid_load_fraction is 90; allowed: 0 to 1"),

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
-from numbers import Integral, Real
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -22,29 +21,26 @@ MOST_VALUES = 1_000_000  # of a sweep or a curve
 
 def check_number(name: str, value: Any, positive: bool = True) -> None:
     """Raises ``ValueError`` unless a value is a finite number, ``positive``, or zero or more."""
-    if not _is_number(value) or value < 0.0 or (positive and value == 0.0):
-        least = "positive" if positive else "zero or positive"
-        raise ValueError(f"{name} is {shown(value)}; allowed: {least} numbers")
+    allowed = "positive numbers" if positive else "zero or positive numbers"
+    number = checked_array(name, value, allowed)
+    if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
+        raise ValueError(f"{name} is {shown(value)}; allowed: {allowed}")
 
 
 def check_ends(name: str, ends: Any) -> None:
     """Raises ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
-    several = isinstance(ends, (tuple, list)) or (isinstance(ends, np.ndarray) and ends.ndim == 1)
-    if not several or len(ends) != 2 or not all(map(_is_number, ends)):
-        message = "allowed: two numbers, positive and increasing"
-        raise ValueError(f"{name} is {shown(ends)}; {message}")
-    low, high = map(float, ends)
-    if not 0.0 < low < high:
-        raise ValueError(f"{name} is {low:g} to {high:g}; allowed: positive and increasing")
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, ends, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
 
 
 def check_count(name: str, count: Any) -> None:
     """Raises ``ValueError`` unless a number of values is whole, and at least 2."""
     whole = isinstance(count, Integral) and not isinstance(count, bool)
     if not whole or not 2 <= count <= MOST_VALUES:
-        raise ValueError(
-            f"{name} is {shown(count)}; allowed: whole numbers from 2 to {MOST_VALUES}"
-        )
+        allowed = f"whole numbers from 2 to {MOST_VALUES}"
+        raise ValueError(f"{name} is {shown(count)}; allowed: {allowed}")
 
 
 def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
@@ -52,14 +48,11 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
     if not isinstance(variable, str) or variable not in QUANTITIES:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
-    allowed = f"numbers, in {quantity.units}"
-    levels = checked_array("level", level, allowed)
-    if not np.isfinite(levels).all():
-        raise ValueError(f"level is {shown(level)}; allowed: {allowed}")
-    impossible = levels[(levels < 0.0) | (levels > quantity.largest)]
+    levels = checked_array("level", level, f"numbers, in {quantity.units}")
+    impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]
     if impossible.size:
-        most = f"0 to {quantity.largest:g}" if quantity.largest < math.inf else "zero or positive"
-        raise ValueError(f"level of {variable} is {impossible.flat[0]:g}; allowed: {most}")
+        most = f"0 to {quantity.largest:g}" if quantity.largest < np.inf else "zero or positive"
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {most}")
     return levels
 
 
@@ -75,13 +68,3 @@ def queries(
     check_points(given)
     columns = np.broadcast_arrays(*given.values())
     return columns[0].shape, dict(zip(given, map(np.ravel, columns)))
-
-
-def _is_number(value: Any) -> bool:
-    """Whether a value is a real number, finite as a float."""
-    if not isinstance(value, Real) or isinstance(value, bool):
-        return False
-    try:
-        return math.isfinite(value)
-    except OverflowError:  # an integer of more than 308 digits
-        return False

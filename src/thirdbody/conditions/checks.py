@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Collection, Iterable, Mapping
 from functools import lru_cache
 from itertools import zip_longest
@@ -19,8 +18,6 @@ from thirdbody.model.particles import LEAST
 from thirdbody.units import has_unit, is_labelled, without_unit
 
 NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
-PLAIN_NUMBERS = float, int, np.float64
-MOST = sys.float_info.max
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
@@ -44,16 +41,13 @@ def _published_parameters():
 
 def check_names(argument: str, given: Any, known: Collection[str]) -> None:
     """Raises ``ValueError`` unless an ``argument`` is a collection of names out of ``known``."""
-    if given is known:
-        return
     allowed = f"allowed: a list out of {', '.join(known)}"
     listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
-    if not listed or isinstance(given, bytes):
-        raise ValueError(f"{argument} is a {type(given).__name__}; {allowed}")
-    unknown = [name for name in given if not isinstance(name, str) or name not in known]
-    if isinstance(given, str) or unknown:
-        bad = given if isinstance(given, str) else unknown[0]
-        raise ValueError(f"{argument} has {shown(bad)}; {allowed}")
+    if not listed or isinstance(given, str | bytes):
+        raise ValueError(f"{argument} is {shown(given)}; {allowed}")
+    for name in given:
+        if not isinstance(name, str) or name not in known:
+            raise ValueError(f"{argument} has {shown(name)}; {allowed}")
 
 
 def check_rtol(rtol: Any) -> None:
@@ -66,8 +60,6 @@ def check_points(arrays: Mapping[str, NDArray]) -> None:
     """Raises ``ValueError`` unless ``arrays``, by the names of conditions, broadcast to no more points
     than memory holds."""
     shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
-    if not shapes:
-        return
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):
@@ -98,20 +90,16 @@ def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArra
 
     Quantities are converted; of an array with named dimensions its values are taken.
     """
-    zero_allowed = name not in NEVER_ZERO
-    least = 0.0 if zero_allowed else LEAST
-    if type(values) in PLAIN_NUMBERS and least <= values <= MOST:
-        return np.asarray(float(values))  # the checks below would take longest
     if hasattr(values, "iloc"):
         kind = type(values).__name__
         instead = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
         raise ValueError(f"{name} is a {kind} of pandas; allowed: {instead} of it")
     given = without_unit(name, values, parameters.newtons_per_load)
     array = checked_array(name, given.data if is_labelled(given) else given)
-    if not (array.min(initial=MOST) >= least and array.max(initial=0.0) < np.inf):
-        bad = array[~((array >= least) & np.isfinite(array))].flat[0]
-        sign = "zero or positive" if zero_allowed else "positive"
-        raise ValueError(f"{name} is {bad:g}; allowed: {sign} finite numbers")
+    least, sign = (LEAST, "positive") if name in NEVER_ZERO else (0.0, "zero or positive")
+    wrong = array[~((array >= least) & np.isfinite(array))]
+    if wrong.size:
+        raise ValueError(f"{name} is {wrong[0]:g}; allowed: {sign} finite numbers")
     return array
 
 
@@ -124,18 +112,13 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
         raise ValueError(f"{name} has masked values; allowed: numbers at every point")
     try:
         array = np.asarray(given)
-    except TypeError:
-        raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}") from None
-    except ValueError:
-        raise ValueError(f"{name} is a ragged list; allowed: {allowed} of one shape") from None
+    except (TypeError, ValueError):  # a ragged list, or an object of another package
+        raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}") from None
     check_points({name: array})
-    if array.dtype.kind == "O" and all(type(each) in (int, float) for each in array.flat):
-        try:
-            return array.astype(float)  # of integers that are long
-        except OverflowError:
-            message = "has an integer beyond 1.8e308; allowed: finite numbers"
-            raise ValueError(f"{name} {message}") from None
-    if array.dtype.kind not in "iuf":
-        kind = array.dtype if array.ndim or array.dtype != object else type(given).__name__
-        raise ValueError(f"{name} is of type {kind}; allowed: {allowed}")
-    return np.asarray(array, float)
+    try:
+        if array.dtype.kind in "iuf" or all(type(each) in (int, float) for each in array.flat):
+            return np.asarray(array, float)
+    except OverflowError:
+        message = "has an integer beyond 1.8e308; allowed: finite numbers"
+        raise ValueError(f"{name} {message}") from None
+    raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}")

@@ -22,33 +22,12 @@ def in_si(
     without: str | None = None,
     check: Callable[[str, NDArray], NDArray] = lambda key, values: values,
 ) -> dict[str, NDArray]:
-    """Conditions [SI] by the arguments of ``solve``; warns as ``solve``, in the units that were given.
+    """The ``given`` conditions, numbers or quantities under any of their names, in SI by the arguments of
+    ``solve``; warns as ``solve``, in the units that were given.
 
-    Parameters
-    ----------
-    given : mapping
-        A value of each condition, by its name in SI or in engineering units, or a quantity.
-    parameters : Parameters
-        Inputs of the model.
-    without : str, optional
-        Name of a condition that is not given.
-    check : callable, optional
-        Checks the values [SI] that belong to a name, and returns them.
-
-    Raises
-    ------
-    ValueError
-        If a condition is missing, given twice, unknown, or the one that is not to be given, and for
-        numbers that ``solve`` refuses.
-
-    Examples
-    --------
-    >>> import thirdbody
-    >>> inputs = thirdbody.load_parameters()
-    >>> given = {"load": 1e-5, "roughness_nm": 300, "particle_diameter": 5e-7}
-    >>> given |= {"particle_density": 1e11}
-    >>> {name: float(value) for name, value in in_si(given, inputs, without="viscosity").items()}
-    {'load': 1e-05, 'particle_diameter': 5e-07, 'roughness': 3e-07, 'particle_density': 100000000000.0}
+    The condition ``without`` is not given.  ``check`` gets the values [SI] that belong to a name, and
+    returns them.  Raises ``ValueError`` if a condition is missing, given twice, unknown, or the one that
+    is not to be given, and for numbers that ``solve`` refuses.
     """
     units = {}
     for key in given:
@@ -58,15 +37,13 @@ def in_si(
             reason = "is searched along" if name == without else "is given twice"
             raise ValueError(f"{key}: {name} {reason}; allowed: each axis once")
         units[name] = unit
-    missing = [name for name in CONDITIONS if name not in units and name != without]
-    if missing:
-        name = missing[0]
-        raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
-    found = {
-        name: check(units[name].key, _numbers(units[name], given[units[name].key], parameters))
-        for name in CONDITIONS
-        if name in units
-    }
+    found = {}
+    for name in CONDITIONS:
+        if name in units:
+            key = units[name].key
+            found[name] = check(key, _numbers(units[name], given[key], parameters))
+        elif name != without:
+            raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
     warn_unusual(found, units, parameters.newtons_per_load)
     return found
 
