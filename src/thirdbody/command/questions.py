@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from inspect import Parameter, Signature
+from inspect import Parameter, Signature, signature
 from typing import Annotated, Any
 
 import typer
@@ -40,31 +40,43 @@ def _number(given: Any) -> float:
 
 
 def _option(name: str, text: str, kind: Any = float) -> Any:
-    """The type of an argument that an option gives."""
+    """The type of an argument that the option --``name`` gives."""
     return Annotated[kind, typer.Option(f"--{name}", parser=_number, metavar="NUMBER", help=text)]
 
 
-def _optional(name: str, text: str) -> Any:
-    return _option(name, text, float | None)
+def _optional(texts: Mapping[str, str]) -> dict[str, tuple]:
+    """Options of numbers that may be absent, by the names of their arguments."""
+    return {
+        key: (_option(key.replace("_", "-"), text, float | None), None)
+        for key, text in texts.items()
+    }
 
 
-_CONDITIONS = {
-    "load-N": "normal load [N]",
-    "viscosity-cSt": "kinematic viscosity of the lubricant, 0 when dry [cSt]",
-    "particle-diameter-nm": "x_a, the paper's mean diameter of the particles, 0 without [nm]",
-    "roughness-nm": "equivalent root mean square roughness [nm]",
-    "particle-density-per-m2": "particles per area, 0 without [m-2]",
+CONDITIONS = {
+    "load_N": "normal load [N]",
+    "viscosity_cSt": "kinematic viscosity of the lubricant, 0 when dry [cSt]",
+    "particle_diameter_nm": "x_a, the paper's mean diameter of the particles, 0 without [nm]",
+    "roughness_nm": "equivalent root mean square roughness [nm]",
+    "particle_density_per_m2": "particles per area, 0 without [m-2]",
 }
-Load, Viscosity, Diameter, Roughness, Density = (
-    _option(name, text) for name, text in _CONDITIONS.items()
+# options by the names of their arguments: types and defaults
+EACH = {
+    key: (_option(key.replace("_", "-"), text), Parameter.empty) for key, text in CONDITIONS.items()
+}
+SOME = _optional(CONDITIONS)
+OTHER = _optional({f"other_{key}": f"of the second: {text}" for key, text in CONDITIONS.items()})
+BEARING = _optional(
+    {
+        "ball_radius_mm": "radius R_x [mm]",
+        "speed_m_per_s": "rolling speed u [m/s]",
+        "oil_density_kg_per_m3": "density rho [kg m-3]; goes with the speed",
+        "dynamic_viscosity_mPa_s": "mu_0 [mPa s]; with nu in place of the density",
+        "viscosity_cSt": "nu [cSt]; U is given for it",
+        "pressure_viscosity_per_GPa": "alpha [GPa-1]",
+        "apparent_area_mm2": "A_n [mm2], to which loads refer",
+    }
 )
-AnyLoad, AnyViscosity, AnyDiameter, AnyRoughness, AnyDensity = (
-    _optional(name, text) for name, text in _CONDITIONS.items()
-)
-OtherLoad, OtherViscosity, OtherDiameter, OtherRoughness, OtherDensity = (
-    _optional(f"other-{name}", f"of the second: {text}") for name, text in _CONDITIONS.items()
-)
-CONDITIONS = dict(zip(ENGINEERING, (Load, Viscosity, Diameter, Roughness, Density)))
+SPEED = _optional({"speed_m_per_s": "speed of the inputs, with a column of speeds"})
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
 File = Annotated[str | None, typer.Option(metavar="FILE")]
@@ -76,6 +88,7 @@ Inputs = Annotated[
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
+COMMON = {"inputs": (Inputs, None), "json": (Json, False)}
 
 questions = typer.Typer(
     add_completion=False,
@@ -104,23 +117,32 @@ def _thirdbody(
     """Contact of rough surfaces with hard particles and an oil film between them."""
 
 
-def _question(name: str, example: str | None = None) -> Callable:
-    example = example or EXAMPLES[name]
-    return questions.command(name, epilog=f"\b\nExample:\n  {example}")  # \b: no wrapping
+def _question(name: str, options: dict[str, tuple], example: str | None = None) -> Callable:
+    """Add a function as a question, which has the ``options`` and those of the function."""
+
+    def add(answer: Callable) -> None:
+        def asked(**given: Any) -> tuple[Any, bool]:
+            return answer(**given), given["json"]
+
+        own = signature(answer, eval_str=True).parameters
+        every = options | {
+            key: (own[key].annotation, own[key].default) for key in own if key != "given"
+        }
+        asked.__doc__ = answer.__doc__
+        asked.__signature__ = Signature(
+            Parameter(key, Parameter.KEYWORD_ONLY, annotation=kind, default=default)
+            for key, (kind, default) in every.items()
+        )
+        epilog = f"\b\nExample:\n  {example or EXAMPLES[name]}"  # \b: no wrapping
+        questions.command(name, epilog=epilog)(asked)
+
+    return add
 
 
-@_question("state")
-def _state(
-    load_N: Load,
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
-    inputs: Inputs = None,
-    json: Json = False,
-):
+@_question("state", EACH | COMMON)
+def _state(**given):
     """How load and contact area divide, in which regime and mode."""
-    return _interface(locals()).state(), json
+    return _interface(given).state()
 
 
 # name: the condition along which it searches, the flags that change, the question in words
@@ -137,43 +159,33 @@ CHANGES = {
 }
 
 
+def _without(along: str) -> dict[str, tuple]:
+    return {key: option for key, option in EACH.items() if key != ENGINEERING[along]} | COMMON
+
+
 def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
-    """Add the question at which value of one condition flags change: it has the options of the others."""
+    """Add the question at which value of one condition flags change."""
+    least, most = SEARCHED[along]
 
-    def changes(**given: Any):
-        between = _increasing(given["first"], given["last"])
-        return _interface(given).transitions(along, flags, between), given["json"]
+    def changes(first: First = least, last: Last = most, **given):
+        return _interface(given).transitions(along, flags, _increasing(first, last))
 
-    options = {ENGINEERING[each]: (kind, Parameter.empty) for each, kind in CONDITIONS.items()}
-    del options[ENGINEERING[along]]
-    first, last = SEARCHED[along]
-    options |= {"first": (First, first), "last": (Last, last)}
-    options |= {"inputs": (Inputs, None), "json": (Json, False)}
     changes.__doc__ = text
-    changes.__signature__ = Signature(
-        Parameter(name, Parameter.KEYWORD_ONLY, annotation=kind, default=default)
-        for name, (kind, default) in options.items()
-    )
-    _question(name)(changes)
+    _question(name, _without(along))(changes)
 
 
 for name, question in CHANGES.items():
     _add_changes(name, *question)
 
 
-@_question("turning-point")
+@_question("turning-point", _without("load"))
 def _turning_point(
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
     first: _option("from-N", "first load [N]") = 0.04,  # Table 2
     last: _option("to-N", "last load [N]") = 80.0,
-    inputs: Inputs = None,
-    json: Json = False,
+    **given,
 ):
     """At which load the contact area turns (TPCA), and for which sizes."""
-    return _interface(locals()).turning_point(_increasing(first, last, "-N")), json
+    return _interface(given).turning_point(_increasing(first, last, "-N"))
 
 
 MATERIALS = "steel, silicon-nitride, alumina, or GPa,1,GPa: modulus, Poisson's ratio and hardness"
@@ -205,56 +217,35 @@ Body = Annotated[
 ]
 
 
-@_question("bearing")
+@_question("bearing", BEARING | {"json": COMMON["json"]})
 def _bearing(
-    ball_radius_mm: _optional("ball-radius-mm", "radius R_x [mm]") = None,
-    speed_m_per_s: _optional("speed-m-per-s", "rolling speed u [m/s]") = None,
-    oil_density_kg_per_m3: _optional(
-        "oil-density-kg-per-m3", "density rho [kg m-3]; goes with the speed"
-    ) = None,
-    dynamic_viscosity_mPa_s: _optional(
-        "dynamic-viscosity-mPa-s", "mu_0 [mPa s]; with nu in place of the density"
-    ) = None,
-    viscosity_cSt: _optional("viscosity-cSt", "nu [cSt]; U is given for it") = None,
-    pressure_viscosity_per_GPa: _optional("pressure-viscosity-per-GPa", "alpha [GPa-1]") = None,
-    ball: Body = None,
-    flat: Body = None,
-    particle: Body = None,
-    apparent_area_mm2: _optional("apparent-area-mm2", "A_n [mm2], to which loads refer") = None,
-    write: File = None,
-    json: Json = False,
+    ball: Body = None, flat: Body = None, particle: Body = None, write: File = None, **given
 ):
     """Which inputs follow from another ball, speed, oil or material."""
-    given = {name: value for name, value in locals().items() if name not in ("write", "json")}
     from thirdbody.answers.bearing import bearing, derived
     from thirdbody.configuration.inputs import load_parameters
 
-    inputs = bearing(load_parameters(), **given)
+    numbers = {key: given[key] for key in BEARING}
+    inputs = bearing(load_parameters(), ball=ball, flat=flat, particle=particle, **numbers)
     if write is not None:
         import yaml
 
         _write(write, yaml.safe_dump(inputs.as_dict(), sort_keys=False))
-    return derived(inputs, viscosity_cSt), json
+    return derived(inputs, given["viscosity_cSt"])
 
 
-@_question("curve")
+@_question("curve", SOME | COMMON)
 def _curve(
     along: Annotated[str, typer.Option(metavar="AXIS", help=", ".join(ENGINEERING))],
     first: First,
     last: Last,
-    load_N: AnyLoad = None,
-    viscosity_cSt: AnyViscosity = None,
-    particle_diameter_nm: AnyDiameter = None,
-    roughness_nm: AnyRoughness = None,
-    particle_density_per_m2: AnyDensity = None,
     count: _option("count", "points") = 60,
     csv: File = None,
     plot: File = None,
-    inputs: Inputs = None,
     json: Json = False,
+    **given,
 ):
     """All variables along one axis, as CSV and as a plot."""
-    given = dict(locals())
     if along not in ENGINEERING:
         raise ValueError(f"--along is {along!r}; allowed: {', '.join(ENGINEERING)}")
     for name, key in ENGINEERING.items():
@@ -271,69 +262,43 @@ def _curve(
             plot_curve(found.along, found.points, found.values, found.low, found.high), plot
         )
     written = " and ".join(filter(None, [csv, plot]))
-    return f"{written} written" if written and not json else found, json
+    return f"{written} written" if written and not json else found
 
 
-@_question("compare")
-def _compare(
-    load_N: Load,
-    viscosity_cSt: Viscosity,
-    particle_diameter_nm: Diameter,
-    roughness_nm: Roughness,
-    particle_density_per_m2: Density,
-    other_load_N: OtherLoad = None,
-    other_viscosity_cSt: OtherViscosity = None,
-    other_particle_diameter_nm: OtherDiameter = None,
-    other_roughness_nm: OtherRoughness = None,
-    other_particle_density_per_m2: OtherDensity = None,
-    inputs: Inputs = None,
-    other_inputs: Inputs = None,
-    json: Json = False,
-):
+@_question("compare", EACH | OTHER | COMMON)
+def _compare(other_inputs: Inputs = None, **given):
     """Two interfaces beside each other; the second differs by --other-..."""
-    given = dict(locals())
     one = _interface(given)
     changes = {key: given[f"other_{key}"] for key in ENGINEERING.values()}
     changes["parameters"] = _inputs(other_inputs, "--other-inputs") if other_inputs else None
     other = one.changed(**{key: each for key, each in changes.items() if each is not None})
-    return one.compare(other), json
+    return one.compare(other)
 
 
 MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"
 
 
-@_question("compare-data", MEASURED)
+@_question("compare-data", SOME | SPEED | COMMON, MEASURED)
 def _compare_data(
     file: Annotated[
         str, typer.Argument(metavar="FILE", help="CSV with units in its headings, as load [N]")
     ],
-    load_N: AnyLoad = None,
-    viscosity_cSt: AnyViscosity = None,
-    particle_diameter_nm: AnyDiameter = None,
-    roughness_nm: AnyRoughness = None,
-    particle_density_per_m2: AnyDensity = None,
-    speed_m_per_s: _optional(
-        "speed-m-per-s", "speed of the inputs, with a column of speeds"
-    ) = None,
     boundary_friction: _option("boundary-friction", "of what solids carry [1]") = BOUNDARY_FRICTION,
     film_friction: _option("film-friction", "of what the film carries [1]") = FILM_FRICTION,
     resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = RESISTIVITY_OHM_M,
     csv: File = None,
     plot: File = None,
-    inputs: Inputs = None,
-    json: Json = False,
+    **given,
 ):
     """Your measurements beside the model: residuals, the ensemble's range, a figure."""
-    given = dict(locals())
     from thirdbody.measured.comparison import compare
     from thirdbody.measured.estimates import Assumed
 
     found = compare(
         file,
-        parameters=_inputs(inputs, "--inputs"),
-        speed_m_per_s=speed_m_per_s,
+        parameters=_inputs(given["inputs"], "--inputs"),
         assumed=Assumed(boundary_friction, film_friction, resistivity_ohm_m),
-        **{key: given[key] for key in ENGINEERING.values() if given[key] is not None},
+        **{key: given[key] for key in SOME | SPEED if given[key] is not None},
     )
     if csv is not None:
         _write(csv, found.to_dataframe().to_csv(index=False, float_format="%.10g"))
@@ -341,7 +306,7 @@ def _compare_data(
         from thirdbody.figures.drawing import save_figure
 
         save_figure(found.plot(), plot)
-    return found.answer, json
+    return found.answer
 
 
 def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float]:
