@@ -68,14 +68,11 @@ def changed(config, key, value):
     return result
 
 
-PLAIN = "allowed: plain values"
 STRICT = [
     ("a: 1\nb: 2\na: 3", "line 3: key 'a' stands twice"),
-    ("a: &x [1]\nb: *x", PLAIN),
-    ("a: &x 1", PLAIN),
     ("a: {<<: {b: 1}}", "line 1"),
-    ("a: !!python/object/apply:os.system [ls]", f"python/object/apply:os.system; {PLAIN}"),
-    ("a: !secret b", f"tag !secret; {PLAIN}"),
+    ("a: !!python/object/apply:os.system [ls]", "python/object/apply:os.system'"),
+    ("a: !secret b", "tag '!secret'"),
     ("1: a", "line 1: key 1; allowed: words"),
     ("on: a", "line 1: key True; allowed: words"),
     ("a: 1\n---\nb: 2", "another document"),
@@ -86,7 +83,6 @@ STRICT = [
     ("a: 1".encode("utf-16"), "not UTF-8"),
     ("", "holds NoneType; allowed: keys with values"),
     ("- a", "holds list; allowed: keys with values"),
-    ("[" * 5000, "nested too deeply"),
     ("a: " + "9" * 5000, "digits"),
 ]
 
@@ -105,8 +101,8 @@ def test_a_file_that_cannot_be_read_is_named(tmp_path, path):
 
 
 def test_plain_data_are_read(write):
-    content = "a: 1\nb: [1.5, two]\nc: {d: true}\n"
-    expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True}}
+    content = "a: 1\nb: &b [1.5, two]\nc: {d: true, e: *b}\n"
+    expected = {"a": 1, "b": [1.5, "two"], "c": {"d": True, "e": [1.5, "two"]}}
     assert read_yaml(write(content)) == expected
     assert read_yaml(write(b"\xef\xbb\xbf" + content.encode())) == expected
 

@@ -17,7 +17,7 @@ CASES = {
     "not UTF-8": (CONFIG, b"rtol: \xff\n", (), (CONFIG, "UTF-8")),
     "no configuration": (CONFIG, None, (), (CONFIG, "allowed")),
     "second file": ("mine.yaml", b"rtol: 3\n", SECOND, ("rtol", "3", "at most 0.01")),
-    "alias": ("mine.yaml", b"a: &a [1]\n", SECOND, ("mine.yaml", "anchor a", "plain values")),
+    "key twice in it": ("mine.yaml", b"a: 1\na: 2\n", SECOND, ("mine.yaml", "'a' stands twice")),
     "changes": ("mine.yaml", b"inputs: soft.yaml\n", CHANGES, ("'soft.yaml'", "in config/")),
     "no changes": (CONFIG, b"", CHANGES, ("mine.yaml", "a readable YAML file")),
     "word": (CONFIG, b"", ("--config", "rtol=much"), ("rtol", "'much'", "a number")),

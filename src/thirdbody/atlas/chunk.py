@@ -14,7 +14,7 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.atlas.surfaces import LIMITS, QUANTILES, STATES, solve_surface
-from thirdbody.configuration.axes import axis_values
+from thirdbody.configuration.rules import axis_values
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes, described_grid
 from thirdbody.data.netcdf import declare

@@ -1,4 +1,4 @@
-"""Reading YAML that is plain data: no tags, no anchors, no key twice."""
+"""Reading YAML that is plain data: no tags of Python, no key twice."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ import yaml
 from thirdbody.messages import shown, shown_file
 
 KINDS = {dict: "keys with values", list: "a list"}
-DEEPEST = 100  # lists and mappings in one another
 
 
 class _KeysOnce(yaml.CSafeLoader):
@@ -43,7 +42,6 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     except (TypeError, ValueError):
         raise ValueError(f"{shown(path)} is no path; allowed: that of a YAML file") from None
     try:
-        _require_plain(text)
         content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:
         mark = getattr(error, "problem_mark", None)
@@ -55,18 +53,5 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     return content
 
 
-def _require_plain(text: str) -> None:
-    """Raise ``YAMLError`` where there is a tag, an anchor or an alias, or where it is nested too deeply."""
-    depth = 0
-    for event in yaml.parse(text, yaml.CSafeLoader):
-        depth += isinstance(event, yaml.CollectionStartEvent)
-        depth -= isinstance(event, yaml.CollectionEndEvent)
-        if depth > DEEPEST:
-            raise _fault(event, "nested too deeply")
-        for extra in ("anchor", "tag"):
-            if getattr(event, extra, None):
-                raise _fault(event, f"{extra} {getattr(event, extra)}; allowed: plain values")
-
-
-def _fault(place: yaml.Event | yaml.Node, problem: str) -> yaml.MarkedYAMLError:
+def _fault(place: yaml.Node, problem: str) -> yaml.MarkedYAMLError:
     return yaml.MarkedYAMLError(problem=problem, problem_mark=place.start_mark)

@@ -7,10 +7,8 @@ about.  A rule is a function of that value, which keeps to the rest of its schem
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
-
-from thirdbody.configuration.axes import axis_values
 
 
 class Fault(NamedTuple):
@@ -20,6 +18,23 @@ class Fault(NamedTuple):
     allowed: str
     path: tuple[str | int, ...] = ()
     problem: str = ""
+
+
+def axis_values(axis: Mapping) -> list[float]:
+    """The values [unit of its key] of an axis of ``config/atlas.yaml``, increasing, with twelve digits.
+
+    Examples
+    --------
+    >>> axis_values({"from": 1, "to": 100, "count": 3, "scale": "logarithmic", "also": [0, 50]})
+    [0.0, 1.0, 10.0, 50.0, 100.0]
+    """
+    first, last = float(axis["from"]), float(axis["to"])
+    places = [step / (axis["count"] - 1) for step in range(axis["count"])]
+    if axis["scale"] == "logarithmic":
+        spaced = [first * math.exp(place * math.log(last / first)) for place in places]
+    else:
+        spaced = [first + place * (last - first) for place in places]
+    return sorted({float(f"{value:.12g}") for value in (*spaced, *axis["also"])})
 
 
 def first_below_last(ends: list) -> Iterator[Fault]:

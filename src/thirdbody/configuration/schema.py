@@ -15,9 +15,10 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache, reduce
+from itertools import chain
 from operator import getitem
 from pathlib import Path
 from typing import Any
@@ -29,9 +30,9 @@ from referencing.jsonschema import DRAFT202012
 
 from thirdbody.configuration import rules
 from thirdbody.configuration.plain_yaml import read_yaml
+from thirdbody.configuration.rules import Fault
 from thirdbody.messages import LONGEST, shown, shown_file
 
-SHARED = "conditions"  # what the schemas of several files say of the same quantities
 MOST_NAMED = 16  # keys in a message
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
 TYPES = {
@@ -81,20 +82,15 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
     ``name`` is the file that the content is from.  ``schema`` is a JSON Schema with the keywords ``rules``
     and ``allowed``, and refers to the ``definitions``, schemas that do not lie in a file, by their names.
     """
-    known = {f"{SHARED}.schema.yaml": read_schema(SHARED), **definitions}
+    known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
     validator = _Validator(schema, registry=Registry().with_resources(resources))
     errors = sorted(
-        validator.iter_errors(content), key=lambda each: (len(each.path), each.json_path)
+        validator.iter_errors(content),
+        key=lambda each: (each.validator == "rules", len(each.path), each.json_path),
     )
-    for error in errors:
-        if error.validator != "rules":
-            raise ValueError(f"{name}: {_line(content, error.path, *_explained(error))}")
-    for error in errors:
-        for rule in error.validator_value:
-            for fault in getattr(rules, rule)(error.instance):
-                path = [*error.path, *fault.path]
-                raise ValueError(f"{name}: {_line(content, path, fault.problem, fault.allowed)}")
+    for fault in chain.from_iterable(map(_faults, errors)):
+        raise ValueError(f"{name}: {_line(content, fault)}")
 
 
 def _is_finite_number(checker, value) -> bool:
@@ -117,17 +113,17 @@ _Validator = extend(
 # ---- messages
 
 
-def _line(content: Any, path: Iterable[str | int], problem: str, allowed: str) -> str:
-    """What is wrong at a ``path``: a ``problem`` or, if that is empty, the value itself."""
-    keys = list(path)
+def _line(content: Any, fault: Fault) -> str:
+    """What is wrong where: the problem or, if there is none, the value itself."""
+    keys = list(fault.path)
     entry = content[keys[0]] if isinstance(content, list) and keys else None
     name = entry.get("id") if isinstance(entry, dict) else None
     is_named = isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name)
     places = [name, _dotted(keys[1:])] if is_named else [_dotted(keys)]
     place = ": ".join(filter(None, places))
-    if problem:
-        return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
-    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
+    if fault.problem:
+        return f"{place}: {fault.problem}; allowed: {fault.allowed}".removeprefix(": ")
+    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {fault.allowed}"
 
 
 def _dotted(keys: Sequence[str | int]) -> str:
@@ -136,18 +132,24 @@ def _dotted(keys: Sequence[str | int]) -> str:
     return "".join(parts).removeprefix(".")
 
 
-def _explained(error: ValidationError) -> tuple[str, str]:
-    """The problem, if the value alone does not say it, and what is allowed."""
+def _faults(error: ValidationError) -> Iterator[Fault]:
+    """What is wrong where an error is, or what the rules find there."""
+    if error.validator == "rules":
+        for rule in error.validator_value:
+            for fault in getattr(rules, rule)(error.instance):
+                yield fault._replace(path=(*error.path, *fault.path))
+        return
+    allowed, problem = _allowed(error), ""
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
-        return f"key {missing!r} is missing", "it must be given"
-    if error.validator == "additionalProperties":
+        allowed, problem = "it must be given", f"key {missing!r} is missing"
+    elif error.validator == "additionalProperties":
         known = sorted(error.schema["properties"])
         unknown = next(name for name in error.instance if name not in known)
-        return f"unknown key {shown(unknown)}", _nearest(unknown, known)
-    if "propertyNames" in error.schema_path:
-        return f"unknown key {shown(error.instance)}", _allowed(error)
-    return "", _allowed(error)
+        allowed, problem = _nearest(unknown, known), f"unknown key {shown(unknown)}"
+    elif "propertyNames" in error.schema_path:
+        problem = f"unknown key {shown(error.instance)}"
+    yield Fault(allowed, tuple(error.path), problem)
 
 
 def _allowed(error: ValidationError) -> str:
