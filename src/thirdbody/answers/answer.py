@@ -31,11 +31,9 @@ class Row:
     value : float, str or None
         With the inputs of the interface, in ``unit``; None where it does not occur.
     low, high : float or None
-        The 5 % and 95 % quantiles over the members of the ensemble in which it occurs; None of a
-        name.
+        The 5 % and 95 % quantiles over the members of the ensemble in which it occurs; None of a name.
     agree, members : int
-        How many members have a number where ``value`` is one, or the same name, or nothing; and how
-        many there are.
+        How many members have a number where ``value`` is one, or the same name, or nothing; of how many.
     other : float, str or None
         In a comparison the value of the second interface; the range is that of the difference.
     """
@@ -57,11 +55,10 @@ class Row:
         """The row of a quantity that has the values ``of_members`` over the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
-        if isinstance(value, float):
-            agree = len(numbers)
-        else:
-            agree = sum(each == value for each in of_members)
-        return cls(name, quantity, value, unit, low, high, agree, len(of_members))
+        same = (
+            numbers if isinstance(value, float) else [each for each in of_members if each == value]
+        )
+        return cls(name, quantity, value, unit, low, high, len(same), len(of_members))
 
     @property
     def range_text(self) -> str:
@@ -75,13 +72,7 @@ class Row:
 
 
 def text_of(value: Value) -> str:
-    """A value as a table shows it.
-
-    Examples
-    --------
-    >>> text_of(0.000123456), text_of(None), text_of("mixed")
-    ('0.0001235', 'none', 'mixed')
-    """
+    """A value as a table shows it."""
     if value is None:
         return "none"
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
@@ -105,9 +96,8 @@ def few_particles(per_m2: float, apparent_area: float, name: str = "particles") 
 class Answer(Tabular):
     """What a question gets.
 
-    ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be
-    known: where it was searched, what the equations do not cover; ``found`` says whether what was
-    asked for occurs.
+    ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be known
+    and ``found`` whether what was asked for occurs.
     """
 
     title: str

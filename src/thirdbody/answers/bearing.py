@@ -102,10 +102,8 @@ def bearing(
     ----------
     parameters : Parameters, optional
         Inputs to begin with, by default the published ones.
-    ball_radius_mm : float, optional
-        R_x [mm]; of two balls 1/R_x = 1/R_1 + 1/R_2.
-    speed_m_per_s : float, optional
-        Rolling speed u [m/s].
+    ball_radius_mm, speed_m_per_s : float, optional
+        R_x [mm], of two balls 1/R_x = 1/R_1 + 1/R_2; and the rolling speed u [m/s].
     oil_density_kg_per_m3 : float, optional
         Density rho of the oil [kg m-3]; it is needed with the speed, or the two viscosities are.
     dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
@@ -155,24 +153,23 @@ def bearing(
         if not isinstance(body, Material):
             allowed = f"a Material, as MATERIALS of {', '.join(MATERIALS)}"
             raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
-    modulus = parameters.elastic_modulus_surfaces
-    changes = {}
+    modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:
         ball, flat, particle = (bodies.get(name, MATERIALS["steel"]) for name in BODIES)
-        harder = max(ball.hardness, flat.hardness)
+        softer, harder = sorted((ball.hardness, flat.hardness))
         if "particle" in bodies and particle.hardness < harder:
             raise ValueError(
                 f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least that of "
                 f"both surfaces, {1e-9 * harder:g} GPa, as the model's particles keep their shape"
             )
         modulus = hertz_modulus(ball, flat)
+        surface = max(ball, flat, key=lambda body: body.compliance)
         changes = {
             "elastic_modulus_surfaces": modulus,
-            "elastic_modulus_particle": 1.0
-            / (particle.compliance + max(ball.compliance, flat.compliance)),
+            "elastic_modulus_particle": hertz_modulus(particle, surface),
             "hardness_surface_1": ball.hardness,
             "hardness_surface_2": flat.hardness,
-            "hardness_parameter": min(ball.hardness, flat.hardness) / modulus,
+            "hardness_parameter": softer / modulus,
         }
     radius = parameters.ball_radius if ball_radius_mm is None else 1e-3 * ball_radius_mm
     density = oil_density_kg_per_m3
@@ -183,19 +180,16 @@ def bearing(
             f"speed_m_per_s is {speed_m_per_s} and the oil's density {density}; allowed: both, or "
             "neither (a density, or dynamic_viscosity_mPa_s with viscosity_cSt)"
         )
-    stiffer = modulus / parameters.elastic_modulus_surfaces
-    speed_per_viscosity = parameters.speed_per_viscosity
-    speed_per_viscosity /= stiffer * (radius / parameters.ball_radius)
-    if speed_m_per_s is not None:
-        speed_per_viscosity = density * speed_m_per_s / (modulus * radius)
-    material_parameter = parameters.material_parameter * stiffer
-    if pressure_viscosity_per_GPa is not None:
-        material_parameter = 1e-9 * pressure_viscosity_per_GPa * modulus
+    stiffer, larger = modulus / parameters.elastic_modulus_surfaces, radius / parameters.ball_radius
     changes |= {
         "ball_radius": radius,
-        "speed_per_viscosity": speed_per_viscosity,
-        "material_parameter": material_parameter,
+        "speed_per_viscosity": parameters.speed_per_viscosity / (stiffer * larger),
+        "material_parameter": parameters.material_parameter * stiffer,
     }
+    if speed_m_per_s is not None:
+        changes["speed_per_viscosity"] = density * speed_m_per_s / (modulus * radius)
+    if pressure_viscosity_per_GPa is not None:
+        changes["material_parameter"] = 1e-9 * pressure_viscosity_per_GPa * modulus
     if apparent_area_mm2 is not None:
         changes["apparent_area"] = 1e-6 * apparent_area_mm2
     try:

@@ -16,19 +16,8 @@ from thirdbody.model.parameters import Parameters
 
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
-    """The sets of inputs of the calibration, with what differs in ``parameters`` from the calibrated default.
-
-    It has a set for each member of the calibrated file that ``config/config.yaml`` names; it is empty where
-    nothing is left in which they differ: then there is no ensemble.
-
-    Examples
-    --------
-    >>> from dataclasses import replace
-    >>> import thirdbody
-    >>> inputs = replace(thirdbody.load_parameters(), ball_radius=0.01)
-    >>> members = calibrated_ensemble(inputs)
-    >>> {member.ball_radius for member in members}, len({member.summit_radius for member in members}) > 1
-    ({0.01}, True)
+    """The sets of inputs of the calibrated file that ``config/config.yaml`` names, each with what differs in
+    ``parameters`` from the best one; empty where nothing is left in which they differ.
     """
     parameters = checked_parameters(parameters)
     directory = config_directory()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -127,10 +127,7 @@ class Interface:
         """
         mine, *of_members = self._states()
         rows = tuple(
-            Row.of(
-                name, long_name(name), value, unit_text(name), [each[name] for each in of_members]
-            )
-            for name, value in mine.items()
+            _row(name, value, [each[name] for each in of_members]) for name, value in mine.items()
         )
         found = mine["separation"] is not None
         notes = *_status_notes(mine), *self._common_notes()
@@ -153,8 +150,7 @@ class Interface:
                 changes = [value if pair == (value, theirs[name]) else "" for pair in pairs]
             else:
                 changes = [b - a if None not in (a, b) else None for a, b in pairs]
-            row = Row.of(name, long_name(name), value, unit_text(name), changes)
-            rows.append(replace(row, other=theirs[name]))
+            rows.append(replace(_row(name, value, changes), other=theirs[name]))
         notes = (
             f"first:  {self.described()}",
             f"second: {other.described()}",
@@ -209,11 +205,11 @@ class Interface:
         between = SEARCHED[along] if between is None else between
         others = {name: value for name, value in self.conditions.items() if name != key}
         with without_warnings():
-            found, *of_members = (
+            every = [
                 transitions(key, parameters=each, between=between, **others)
                 for each in self._inputs
-            )
-        mine, *of_members = (_meaningful(each, flags) for each in (found, *of_members))
+            ]
+        mine, *of_members = (_meaningful(each, flags) for each in every)
         unit = UNITS[key].text
         rows = []
         for (before, after, index), value in mine.items():
@@ -234,7 +230,7 @@ class Interface:
             *(
                 f"left out at {each.value:.4g} {unit}, {each.solution_status}: "
                 f"{STATUS_MEANINGS[each.solution_status]}"
-                for each in found
+                for each in every[0]
                 if each.border.flag in flags and each.solution_status in MEANINGLESS
             ),
             *self._size_notes(*(mine.values() if along == "particle_diameter" else [])),
@@ -345,6 +341,15 @@ def _value(name: str, value: NDArray) -> Value:
     return float(LENGTH.from_si(value) if name == "separation" else value)
 
 
+def _row(name: str, value: Value, of_members: Sequence[Value]) -> Row:
+    """The row of a variable."""
+    if name in FLAGS:
+        return Row.of(name, FLAGS[name].long_name, value, "", of_members)
+    quantity = QUANTITIES[name]
+    unit = LENGTH.text if name == "separation" else quantity.units
+    return Row.of(name, f"{quantity.long_name}, {quantity.symbol}", value, unit, of_members)
+
+
 def _status_notes(state: Mapping[str, Value]) -> tuple[str, ...]:
     status = state["solution_status"].replace(" ", "_")
     return () if status == SOLUTION_STATUSES[0] else (f"{status}: {STATUS_MEANINGS[status]}",)
@@ -371,17 +376,3 @@ def _key_of(along: str) -> str:
 
 def _words(name: str) -> str:
     return name.replace("_", " ")
-
-
-def long_name(name: str) -> str:
-    """What a variable is, with its symbol where it is a number."""
-    if name in FLAGS:
-        return FLAGS[name].long_name
-    return f"{QUANTITIES[name].long_name}, {QUANTITIES[name].symbol}"
-
-
-def unit_text(name: str) -> str:
-    """The unit of a variable in answers; none of a name."""
-    if name in FLAGS:
-        return ""
-    return LENGTH.text if name == "separation" else QUANTITIES[name].units
