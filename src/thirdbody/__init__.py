@@ -19,29 +19,6 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 ``thirdbody.solver``: both need numpy and scipy alone.  Other packages say which extra they need.
 """
 
-__all__ = [
-    "Interface",
-    "OutOfRangeWarning",
-    "Parameters",
-    "Solution",
-    "__version__",
-    "bearing",
-    "cleanliness",
-    "compare",
-    "find",
-    "grid",
-    "load_parameters",
-    "oil_viscosity",
-    "open_atlas",
-    "plot",
-    "solve",
-    "stream",
-    "surface",
-    "transitions",
-    "turning_point",
-    "turning_window",
-]
-
 # where each stands, for Python; __init__.pyi says it to editors and type checkers
 _MODULES = {
     "Interface": "answers.interface",
@@ -64,6 +41,7 @@ _MODULES = {
     "turning_point": "answers.turning",
     "turning_window": "answers.turning",
 }
+__all__ = ["__version__", *_MODULES]
 
 
 def __getattr__(name: str):

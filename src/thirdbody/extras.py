@@ -1,6 +1,6 @@
 """One line that says what to install where an optional dependency is missing.
 
-Numpy and scipy are enough for the equations and for solving them.  A room that needs more says so
+Numpy and scipy are enough for the equations and for solving them.  A package that needs more says so
 in its ``__init__``, so that each of its modules, however imported, gives the same line.
 """
 
@@ -10,20 +10,8 @@ from importlib.util import find_spec
 
 
 def require(extra: str, *modules: str) -> None:
-    """Check that what an extra installs is there, without importing it.
-
-    Parameters
-    ----------
-    extra : str
-        Name of the extra in ``pyproject.toml``.
-    *modules : str
-        Names under which its packages are imported.
-
-    Raises
-    ------
-    ModuleNotFoundError
-        In one line that names the missing modules and how to install them.
-    """
+    """Raises ``ModuleNotFoundError``, in one line that says how to install them, unless the modules that
+    an ``extra`` of ``pyproject.toml`` installs are there; imports none of them."""
     missing = [name for name in modules if find_spec(name) is None]
     if missing:
         message = f'needs {", ".join(missing)}: pip install "thirdbody[{extra}]"'

@@ -11,12 +11,8 @@ from pathlib import Path
 def logged(log: str | Path) -> Iterator[None]:
     """Send what a script prints to the file ``log``.
 
-    Raises
-    ------
-    SystemExit
-        With code 1 after ``ValueError``, ``OSError`` and ``MemoryError``, which a user can mend: the
-        log then ends with their message instead of a traceback.  With the message where the log itself
-        cannot be written.
+    After ``ValueError``, ``OSError`` and ``MemoryError``, which a user can mend, the log ends with their
+    message instead of a traceback, and the script with code 1; with a message if there is no room for a log.
     """
     try:
         stream = open(log, "w", encoding="utf-8", buffering=1)  # noqa: SIM115

@@ -37,16 +37,9 @@ class OutOfRangeWarning(UserWarning):
     >>> import warnings
     >>> import thirdbody as tb
     >>> with warnings.catch_warnings(record=True) as caught:
-    ...     point = tb.solve(
-    ...         load=1e-5,
-    ...         viscosity=90,
-    ...         particle_diameter=0.0,
-    ...         roughness=300e-9,
-    ...         particle_density=0.0,
-    ...         parameters=tb.load_parameters(),
-    ...     )
+    ...     inputs = tb.bearing(ball_radius_mm=6350)
     >>> print(caught[0].message)
-    viscosity is 90 m2 s-1; usual: 3e-07 to 0.01 m2 s-1
+    ball_radius_mm is 6350 mm; usual: 0.1 to 1000 mm
     """
 
 
