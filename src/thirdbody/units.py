@@ -97,11 +97,12 @@ WANTED = {
 }
 
 
-def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
+def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
     """Bare numbers in SI of a quantity, a list or an array of some; anything else is returned as it is.
 
-    ``newtons_per_load`` turns a force into a load.  Raises ``ValueError`` for a unit that is unknown or
-    of another dimension, and for uncertainties; ``ModuleNotFoundError`` if pint is not installed.
+    ``unit`` is that of the name under which they are given, ``newtons_per_load`` turns a force into a
+    load.  Raises ``ValueError`` for a unit that is unknown or of another dimension, and for
+    uncertainties; ``ModuleNotFoundError`` if pint is not installed.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data
@@ -112,21 +113,21 @@ def without_unit(name: str, given: Any, newtons_per_load: float) -> Any:
         kinds = set(map(type, parts))
         if not any(map(has_unit, kinds)) and not kinds & {list, tuple}:
             return given
-        found = [without_unit(name, each, newtons_per_load) for each in parts]
+        found = [without_unit(unit, each, newtons_per_load) for each in parts]
         return np.reshape(found, given.shape) if of_objects else found
     if not has_unit(given):
         return given
-    quantity = given if is_quantity(given) else _of_pint(name, given)
-    is_force = name == "load" and quantity.is_compatible_with(FORCE[0])
-    wanted, words = FORCE if is_force else WANTED[name]
+    quantity = given if is_quantity(given) else _of_pint(unit, given)
+    is_force = unit.condition == "load" and quantity.is_compatible_with(FORCE[0])
+    wanted, words = FORCE if is_force else WANTED[unit.condition]
     if not quantity.is_compatible_with(wanted):
-        unit = f"{quantity.units:~}" or "no unit"
-        raise ValueError(f"{name} is in {unit}; allowed: {words}")
+        found = f"{quantity.units:~}" or "no unit"
+        raise ValueError(f"{unit.key} is in {found}; allowed: {words}")
     try:
         numbers = decimal(quantity.to(wanted).magnitude, digits=15)
     except (TypeError, ValueError):
         kind = type(quantity.magnitude).__name__
-        raise ValueError(f"{name} is a quantity of {kind}; allowed: plain numbers") from None
+        raise ValueError(f"{unit.key} is a quantity of {kind}; allowed: plain numbers") from None
     return numbers / newtons_per_load if is_force else numbers
 
 
@@ -154,17 +155,17 @@ def _unit_text(given: Any) -> str | None:
     return next((str(getattr(given, name)) for name in where if hasattr(given, name)), None)
 
 
-def _of_pint(name: str, given: Any) -> Any:
+def _of_pint(unit: Unit, given: Any) -> Any:
     """A quantity of another package as one of pint."""
     text = _unit_text(given)
     try:
-        unit = registry().Unit(text or "dimensionless")
+        found = registry().Unit(text or "dimensionless")
     except ModuleNotFoundError:
         raise
     except Exception:  # pint raises many kinds
-        message = f"{name} has the unit {shown(text)}, which is unknown"
-        raise ValueError(f"{message}; allowed: {WANTED[name][1]}") from None
-    return registry().Quantity(np.asarray(given), unit)
+        message = f"{unit.key} has the unit {shown(text)}, which is unknown"
+        raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
+    return registry().Quantity(np.asarray(given), found)
 
 
 @cache

@@ -10,14 +10,12 @@ from numbers import Real
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
-from thirdbody.model.particles import LEAST
-from thirdbody.units import has_unit, is_labelled, without_unit
+from thirdbody.units import has_unit, is_labelled
 
-NEVER_ZERO = "load", "roughness"  # the other conditions are 0 where there is no oil, or no particle
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
@@ -83,24 +81,6 @@ def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
     if points > MOST_POINTS:
         message = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
         raise ValueError(f"{message} in one call, and thirdbody.stream writes any number to a file")
-
-
-def checked_axis(name: str, values: ArrayLike, parameters: Parameters) -> NDArray:
-    """The values of a condition, float64 in SI; a ``ValueError`` names it and its first bad value.
-
-    Quantities are converted; of an array with named dimensions its values are taken.
-    """
-    if hasattr(values, "iloc"):
-        kind = type(values).__name__
-        instead = ".pint.quantity" if hasattr(values, "pint") else ".to_numpy() or .to_xarray()"
-        raise ValueError(f"{name} is a {kind} of pandas; allowed: {instead} of it")
-    given = without_unit(name, values, parameters.newtons_per_load)
-    array = checked_array(name, given.data if is_labelled(given) else given)
-    least, sign = (LEAST, "positive") if name in NEVER_ZERO else (0.0, "zero or positive")
-    wrong = array[~((array >= least) & np.isfinite(array))]
-    if wrong.size:
-        raise ValueError(f"{name} is {wrong[0]:g}; allowed: {sign} finite numbers")
-    return array
 
 
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:

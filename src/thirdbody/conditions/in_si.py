@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.conditions.checks import checked_axis
+from thirdbody.conditions.checks import checked_array
 from thirdbody.conditions.usual import warn_unusual
 from thirdbody.model.parameters import Parameters
-from thirdbody.units import ENGINEERING, UNITS, Unit, has_unit, unit_of
+from thirdbody.model.particles import LEAST
+from thirdbody.units import ENGINEERING, Unit, has_unit, is_labelled, unit_of, without_unit
 
 CONDITIONS = tuple(ENGINEERING)
+NEVER_ZERO = "load", "roughness"  # the others are 0 where there is no oil, or no particle
 
 
 def in_si(
@@ -48,14 +50,19 @@ def in_si(
     return found
 
 
-def _numbers(unit: Unit, values: Any, parameters: Parameters) -> NDArray:
-    """Values in SI: numbers in ``unit``, or quantities in a unit of their own."""
-    if unit is UNITS[unit.condition] or has_unit(values):
-        return np.array(checked_axis(unit.condition, values, parameters))
-    if isinstance(values, (list, tuple)) and any(map(has_unit, values)):
-        raise ValueError(f"{unit.key} is a list of quantities; allowed: numbers, or one quantity")
-    try:
-        numbers = checked_axis(unit.condition, values, parameters)
-    except ValueError as error:
-        raise ValueError(f"{unit.key}{str(error).removeprefix(unit.condition)}") from None
-    return unit.to_si(numbers, parameters.newtons_per_load)
+def _numbers(unit: Unit, given: Any, parameters: Parameters) -> NDArray:
+    """A copy in SI of numbers in ``unit``, or of quantities in a unit of their own, float64; of an array
+    with named dimensions its values."""
+    key, newtons = unit.key, parameters.newtons_per_load
+    if hasattr(given, "iloc"):
+        instead = ".pint.quantity" if hasattr(given, "pint") else ".to_numpy() or .to_xarray()"
+        raise ValueError(f"{key} is a {type(given).__name__} of pandas; allowed: {instead} of it")
+    if key != unit.condition and isinstance(given, list | tuple) and any(map(has_unit, given)):
+        raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
+    bare = without_unit(unit, given, newtons)
+    array = checked_array(key, bare.data if is_labelled(bare) else bare)
+    least, sign = (LEAST, "positive") if unit.condition in NEVER_ZERO else (0, "zero or positive")
+    wrong = array[~((array >= least) & np.isfinite(array))]
+    if wrong.size:
+        raise ValueError(f"{key} is {wrong[0]:g}; allowed: {sign} finite numbers")
+    return np.array(array if has_unit(given) else unit.to_si(array, newtons))
