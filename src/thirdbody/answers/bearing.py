@@ -11,8 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.usual import warn_outside
 from thirdbody.configuration.inputs import check_ball
 from thirdbody.data.paper_tables import POISSON_RATIO, STEEL_MODULUS

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.answers.arguments import queries
-from thirdbody.answers.find import SWEEP, crossings, sweep_values
+from thirdbody.answers.find import SWEEP, crossings, queries, sweep_values
 from thirdbody.conditions.checks import checked_parameters
 from thirdbody.curves.transitions import LIMITS
 from thirdbody.model.parameters import Parameters

@@ -9,21 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from thirdbody.answers.arguments import check_count, check_ends, checked_levels, queries
-from thirdbody.conditions.checks import check_rtol, checked_parameters
-from thirdbody.conditions.in_si import CONDITIONS
+from thirdbody.conditions.checks import (
+    check_count,
+    check_ends,
+    check_points,
+    check_rtol,
+    checked_array,
+    checked_parameters,
+)
+from thirdbody.conditions.in_si import CONDITIONS, in_si
 from thirdbody.curves.crossings import excess_over, level_roots
+from thirdbody.data.quantities import QUANTITIES
+from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.progress import check_progress
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.tabular import Tabular
-from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, unit_of
+from thirdbody.units import ENGINEERING, SEARCHED, UNITS, Unit, is_labelled, unit_of
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -169,6 +177,33 @@ def find(
     limits = [(variable, others.pop("level"))]
     (found,) = crossings(limits, unit, swept, others, parameters, rtol, progress)
     return Crossings(along, shape, *found)
+
+
+def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
+    """The levels of a variable; ``ValueError`` for an unknown variable, and levels it cannot have."""
+    if not isinstance(variable, str) or variable not in QUANTITIES:
+        raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
+    quantity = QUANTITIES[variable]
+    levels = checked_array("level", level, f"numbers, in {quantity.units}")
+    impossible = levels[~((levels >= 0.0) & (levels <= quantity.largest) & np.isfinite(levels))]
+    if impossible.size:
+        most = f"0 to {quantity.largest:g}" if quantity.largest < np.inf else "zero or positive"
+        raise ValueError(f"level of {variable} is {impossible[0]:g}; allowed: {most}")
+    return levels
+
+
+def queries(
+    conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **more: NDArray
+) -> tuple[tuple[int, ...], dict[str, NDArray]]:
+    """The shape of queries, to which ``more`` columns and the conditions broadcast, and all of them flat,
+    in SI; the condition ``along`` is not given."""
+    for key, values in conditions.items():
+        if is_labelled(values):
+            raise ValueError(f"{key} has named dimensions; allowed: .values of it")
+    given = more | in_si(conditions, parameters, without=along)
+    check_points(given)
+    columns = np.broadcast_arrays(*given.values())
+    return columns[0].shape, dict(zip(given, map(np.ravel, columns)))
 
 
 def sweep_values(

@@ -11,13 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.answers.answer import Answer, Row, Value, few_particles
-from thirdbody.answers.arguments import check_count, check_ends
+from thirdbody.answers.answer import Answer, Curve, Row, Value, few_particles
 from thirdbody.answers.changes import BORDERS, Transition, transitions
-from thirdbody.answers.curve import Curve
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.answers.turning import RATIOS, turning_point, turning_window
-from thirdbody.conditions.checks import check_names, checked_parameters
+from thirdbody.conditions.checks import check_count, check_ends, check_names, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.curves.turning_point import PROMINENCE

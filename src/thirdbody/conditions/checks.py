@@ -1,4 +1,4 @@
-"""The checks of what is given to ``solve``, ``grid`` and ``stream``: one line for each mistake."""
+"""The checks of what is given to the functions of the library: one line for each mistake."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Collection, Iterable, Mapping
 from functools import lru_cache
 from itertools import zip_longest
 from math import prod
-from numbers import Real
+from numbers import Integral, Real
 from typing import Any
 
 import numpy as np
@@ -16,6 +16,7 @@ from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import has_unit, is_labelled
 
+MOST_VALUES = 1_000_000  # of a sweep or a curve
 MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
@@ -102,3 +103,27 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
         message = "has an integer beyond 1.8e308; allowed: finite numbers"
         raise ValueError(f"{name} {message}") from None
     raise ValueError(f"{name} is {shown(given)}; allowed: {allowed}")
+
+
+def check_number(name: str, value: Any, positive: bool = True) -> None:
+    """Raises ``ValueError`` unless a value is a finite number, ``positive``, or zero or more."""
+    allowed = "positive numbers" if positive else "zero or positive numbers"
+    number = checked_array(name, value, allowed)
+    if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
+        raise ValueError(f"{name} is {shown(value)}; allowed: {allowed}")
+
+
+def check_ends(name: str, ends: Any) -> None:
+    """Raises ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
+    allowed = "two numbers, positive and increasing"
+    array = checked_array(name, ends, allowed)
+    if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
+        raise ValueError(f"{name} is {shown(ends)}; allowed: {allowed}")
+
+
+def check_count(name: str, count: Any) -> None:
+    """Raises ``ValueError`` unless a number of values is whole, and at least 2."""
+    whole = isinstance(count, Integral) and not isinstance(count, bool)
+    if not whole or not 2 <= count <= MOST_VALUES:
+        allowed = f"whole numbers from 2 to {MOST_VALUES}"
+        raise ValueError(f"{name} is {shown(count)}; allowed: {allowed}")

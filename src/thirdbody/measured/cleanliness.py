@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from thirdbody.answers.answer import Answer, Row, few_particles
-from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.usual import warn_outside
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters

@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
-from thirdbody.answers.arguments import check_number
 from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
-from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.data.spread import ENDS

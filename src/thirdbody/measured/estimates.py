@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.answers.arguments import check_number
+from thirdbody.conditions.checks import check_number
 from thirdbody.conditions.usual import (
     BOUNDARY_FRICTION,
     FILM_FRICTION,

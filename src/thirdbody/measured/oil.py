@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
-from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.checks import checked_array
+from thirdbody.conditions.checks import check_number, checked_array
 from thirdbody.messages import shown
 
 # ISO 3448: kinematic viscosity at 40 C [cSt] of each grade, +-10 %

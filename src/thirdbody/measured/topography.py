@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.answers.arguments import check_number
-from thirdbody.conditions.checks import checked_parameters
+from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.extras import require
 from thirdbody.messages import shown_file
 from thirdbody.model.parameters import Parameters
