@@ -22,7 +22,7 @@ from thirdbody.conditions.checks import (
     checked_array,
     checked_parameters,
 )
-from thirdbody.conditions.in_si import CONDITIONS, in_si
+from thirdbody.conditions.in_si import in_si
 from thirdbody.curves.crossings import excess_over, level_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
@@ -119,17 +119,13 @@ def find(
         The axis, by its name in the unit that is wanted: ``load`` [1] or ``load_N``, ``viscosity``
         [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
         ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
-    parameters : Parameters, optional
-        Inputs of the model, by default the published ones.
     between : pair of float, optional
         Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
         Number of values of the sweep, from 2 to a million.
-    rtol : float
-        Relative error asked for, as of ``solve``.
-    progress : bool
-        Whether a search that takes long says how far it has come, as ``solve``.
+    parameters, rtol, progress
+        As of ``thirdbody.solve``.
     **conditions : array_like
         The other four axes, by any of the names above, as numbers or quantities; they and ``level``
         broadcast.
@@ -210,16 +206,12 @@ def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
     """The unit of an axis, and the values [SI] at which it is swept; arguments as of ``find``."""
-    unit = unit_of(along)
-    newtons_per_load = parameters.newtons_per_load
+    axis = unit = unit_of(along)
     if between is None:
-        engineering = UNITS[ENGINEERING[unit.condition]]
-        ends = engineering.to_si(SEARCHED[unit.condition], newtons_per_load)
-    else:
-        check_ends("between", between)
-        ends = unit.to_si(between, newtons_per_load)
+        unit, between = UNITS[ENGINEERING[axis.condition]], SEARCHED[axis.condition]
+    check_ends("between", between)
     check_count("count", count)
-    return unit, np.geomspace(*ends, count)
+    return axis, np.geomspace(*unit.to_si(between, parameters.newtons_per_load), count)
 
 
 def crossings(
@@ -243,7 +235,6 @@ def crossings(
         """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries): limit,
         query, whether it rises, and ln of both neighbours."""
         given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
-        given = {name: given[name] for name in CONDITIONS}
         variables = {names[index] for index in wanted}
         found = solve_arrays(given, parameters, rtol, variables, progress)
         log_values = np.broadcast_to(np.log(values), (len(values), query.size))

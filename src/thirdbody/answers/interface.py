@@ -184,15 +184,10 @@ class Interface:
     ) -> Answer:
         """Questions 2 to 6: at which value of one condition regime or mode change.
 
-        Parameters
-        ----------
-        along : str
-            ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or ``particle_density``;
-            the interface's own value of it counts for nothing.
-        flags : collection of str
-            ``lubrication_regime``, ``contact_mode`` or both.
-        between : pair of float, optional
-            Ends of the search, in the unit of the interface; by default those of ``thirdbody.find``.
+        ``along`` is ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or ``particle_density``,
+        of which the interface's own value counts for nothing; ``flags`` are ``lubrication_regime``,
+        ``contact_mode`` or both; ``between`` are the ends of the search, in the unit of the interface, by
+        default those of ``thirdbody.find``.
 
         The answer has a row for each change, with increasing values, and one for each border that is
         not passed; ``found`` if there is a change.  Changes where the equations have no meaning are
@@ -293,14 +288,8 @@ class Interface:
     def curve(self, along: str, low: float, high: float, count: int = 60) -> Curve:
         """Question 9: all variables along one condition, with their ranges over the ensemble.
 
-        Parameters
-        ----------
-        along : str
-            As of ``transitions``.
-        low, high : float
-            Ends of the axis, positive, in the unit of the interface.
-        count : int
-            Number of points, evenly spaced in their logarithm; from 2 to a million.
+        ``along`` is as of ``transitions``; from ``low`` to ``high``, positive, in the unit of the interface,
+        there are ``count`` points, from 2 to a million, evenly spaced in their logarithm.
 
         Examples
         --------

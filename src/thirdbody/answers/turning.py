@@ -34,15 +34,13 @@ def turning_point(
 
     Parameters
     ----------
-    parameters : Parameters, optional
-        Inputs of the model, by default the published ones.
+    parameters, rtol
+        As of ``thirdbody.solve``.
     between_N : pair of float
         First and last load of the curve [N], by default those of the paper (Table 2): the maximum
         has to stand out from the least values on both sides within them.
     count : int
         Number of loads between which maxima are looked for; of two within one step none is seen.
-    rtol : float
-        Relative error asked for.
     **conditions : array_like
         Viscosity, particle diameter, roughness and particle density, in SI (``viscosity``, ...) or in
         engineering units (``viscosity_cSt``, ...); they broadcast.
@@ -89,10 +87,8 @@ def turning_window(
 
     Parameters
     ----------
-    parameters : Parameters, optional
-        Inputs of the model, by default the published ones.
-    between_N : pair of float
-        First and last load of the curves [N], by default those of the paper (Table 2).
+    parameters, between_N
+        As of ``turning_point``.
     **conditions : float
         Roughness and particle density: ``roughness`` [m] or ``roughness_nm``, and
         ``particle_density_per_m2``.
