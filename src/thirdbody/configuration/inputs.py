@@ -99,19 +99,17 @@ HELD_IN = {
 def _warn_of_what_stays(given):
     """Warn of inputs that are changed without the parameters of the film that hold them."""
     for name in HELD_IN.keys() & given.keys():
-        stay = [other for other in HELD_IN[name] if other not in given]
+        stay = ", ".join(other for other in HELD_IN[name] if other not in given)
         if stay:
-            message = f"{name} is changed alone, not with it {', '.join(stay)}"
-            advice = "thirdbody.bearing changes them together"
-            warnings.warn(f"{message}; {advice}", UserWarning, stacklevel=3)
+            message = f"{name} is changed alone, not with it {stay}; thirdbody.bearing changes them together"
+            warnings.warn(message, UserWarning, stacklevel=3)
 
 
 def read_entries(directory: Path | None = None) -> Entries:
     """Entries of the file ``inputs.yaml`` in a folder, the project's ``config/`` unless another is given."""
     path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
-    given = {name: entry for name, entry in entries.items() if "value" in entry}
-    schema.validate(given, _overlay_schema(entries), str(path))
+    schema.validate(entries, _overlay_schema(entries), str(path))
     return entries
 
 
@@ -130,11 +128,10 @@ def choose_inputs(
 ) -> dict[str, Any]:
     """Values of all inputs, as the head of this module says.
 
-    ``given`` is laid over the inputs of the file ``calibrated``: values, or a file of them.  If it is a
-    calibrated file itself, it takes the place of that.  Raises ``ValueError`` in one line.  Returned are
-    ``parameters``, a value of each input, SI; ``calibrated``, the path of the calibrated file, and
-    ``interpretation``, the one that it is of; ``ensemble``, its members with what is laid over them;
-    ``inputs``, the values that are laid over.
+    ``given``, values or a file of them, is laid over the inputs of the file ``calibrated``, or is a calibrated
+    file that takes its place.  Raises ``ValueError`` in one line.  Returned are ``parameters``, a value of each
+    input, SI; ``calibrated``, the path of the calibrated file, and ``interpretation``, the one that it is of;
+    ``ensemble``, its members with what is laid over them; ``inputs``, the values that are laid over.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
@@ -169,9 +166,8 @@ def check_complete(given: Collection[str], entries: Entries, place: str) -> None
     """Raises ``ValueError`` unless every input that has no value of its own is ``given``."""
     for name, entry in entries.items():
         if "value" not in entry and name not in given:
-            raise ValueError(
-                f"{place}: {name} is missing; allowed: a value of each calibrated input"
-            )
+            allowed = "a value of each calibrated input"
+            raise ValueError(f"{place}: {name} is missing; allowed: {allowed}")
 
 
 def check_ball(values: Values, place: str) -> None:
@@ -185,10 +181,7 @@ def check_ball(values: Values, place: str) -> None:
 
 
 def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
-    """The content of a file of ``config/calibrated/``, which ``config/calibrated.schema.yaml`` describes.
-
-    ``entries`` are those of ``read_entries``.  Raises ``ValueError`` in one line.
-    """
+    """The content of a file of ``config/calibrated/``; ``ValueError`` in one line."""
     values = values_schema(entries or read_entries())
     return schema.read_valid(path, "calibrated", input_values=values)
 
@@ -210,19 +203,13 @@ def _value_schema(name: str, entry: Mapping) -> dict:
 
 
 def _overlay_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: each a value, or an entry with a value in the same unit; the entry of a
-    calibrated input may have none, as in ``config/inputs.yaml``."""
+    """JSON Schema of some inputs: each a value, or an entry as in ``config/inputs.yaml``, in the same unit."""
     given = {}
-    calibrated = {"properties": {"source": {"const": "calibrated"}}, "required": ["source"]}
     for name, entry in entries.items():
         value = _value_schema(name, entry)
         unit = {"unit": {"const": entry["unit"]}} if "unit" in entry else {}
         whole = _closed(dict.fromkeys(entry, True) | unit | {"value": value})
-        given[name] = {
-            "if": {"type": "object"},
-            "then": whole | {"if": calibrated, "else": {"required": ["value"]}},
-            "else": value,
-        }
+        given[name] = {"if": {"type": "object"}, "then": whole, "else": value}
     return _closed(given)
 
 
