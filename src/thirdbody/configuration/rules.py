@@ -43,16 +43,6 @@ def first_below_last(ends: list) -> Iterator[Fault]:
         yield Fault("a first value below the last")
 
 
-def value_unless_calibrated(entry: dict) -> Iterator[Fault]:
-    """The value of a calibrated input stands in a file of ``config/calibrated/``, that of any other here."""
-    if entry["source"] != "calibrated" and "value" not in entry:
-        yield Fault("a value", problem="value is missing")
-    if entry["source"] == "calibrated" and "value" in entry:
-        yield Fault(
-            "no value of a calibrated input, which has that of config/calibrated", ("value",)
-        )
-
-
 def particles_fit(conditions: dict) -> Iterator[Fault]:
     """Particles lie side by side: pi/4 x_a^2 eta_a, the area they cover, cannot exceed 1."""
     if "particle_diameter_nm" in conditions:
@@ -115,12 +105,10 @@ def unknowns_are_listed(calibration: dict) -> Iterator[Fault]:
 
 
 def axis_goes_up(axis: dict) -> Iterator[Fault]:
-    """An axis has a first value below the last, which its scale can hold, and all others between."""
+    """An axis has a first value below the last, and all others between."""
     first, last = axis["from"], axis["to"]
     if not first < last:
         yield Fault(f"less than {last:g}, the last value", ("from",))
-    elif axis["scale"] == "logarithmic" and first == 0:
-        yield Fault("above 0 on a logarithmic axis; 0 can stand in also", ("from",))
     for place, value in enumerate(axis["also"]):
         if value and not first <= value <= last:
             yield Fault(f"0, or from {first:g} to {last:g}", ("also", place))
