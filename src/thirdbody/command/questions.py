@@ -82,10 +82,7 @@ Last = _option("to", "last value, in the unit of its option")
 File = Annotated[str | None, typer.Option(metavar="FILE")]
 Inputs = Annotated[
     str | None,
-    typer.Option(
-        metavar="FILE",
-        help="inputs of the model, as `thirdbody bearing --write` makes them; by default the calibrated ones",
-    ),
+    typer.Option(metavar="FILE", help="inputs, as of bearing --write; by default the calibrated"),
 ]
 Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
 COMMON = {"inputs": (Inputs, None), "json": (Json, False)}
@@ -150,11 +147,7 @@ CHANGES = {
     "viscosity": ("viscosity", [REGIME], "Which viscosity leaves boundary lubrication."),
     "size": ("particle_diameter", [MODE], "Which particle size a filter has to keep out."),
     "roughness": ("roughness", [REGIME, MODE], "At which roughness regime or mode change."),
-    "density": (
-        "particle_density",
-        [MODE],
-        "Which density of debris is too much: the mode changes.",
-    ),
+    "density": ("particle_density", [MODE], "Which density of debris is too much."),
     "transitions": ("load", [REGIME, MODE], "At which load the regime or the mode changes."),
 }
 
@@ -269,10 +262,10 @@ def _curve(
 def _compare(other_inputs: Inputs = None, **given):
     """Two interfaces beside each other; the second differs by --other-..."""
     one = _interface(given)
-    changes = {key: given[f"other_{key}"] for key in ENGINEERING.values()}
-    changes["parameters"] = _inputs(other_inputs, "--other-inputs") if other_inputs else None
-    other = one.changed(**{key: each for key, each in changes.items() if each is not None})
-    return one.compare(other)
+    changes = {key: given[f"other_{key}"] for key in SOME if given[f"other_{key}"] is not None}
+    if other_inputs is not None:
+        changes["parameters"] = _inputs(other_inputs, "--other-inputs")
+    return one.compare(one.changed(**changes))
 
 
 MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} --plot compared.svg"
