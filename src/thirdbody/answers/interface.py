@@ -110,12 +110,11 @@ class Interface:
 
     def described(self, without: str = "") -> str:
         """The conditions in words, ``without`` that of one name."""
-        words = {
-            name: f"{getattr(self, key):g} {UNITS[key].text}"
+        return ", ".join(
+            f"{_words(name)} {getattr(self, key):g} {UNITS[key].text}"
             for name, key in ENGINEERING.items()
             if name != without
-        }
-        return ", ".join(f"{_words(name)} {value}" for name, value in words.items())
+        )
 
     def state(self) -> Answer:
         """Question 1: how load and contact area divide, in which regime and mode.
@@ -128,8 +127,7 @@ class Interface:
             _row(name, value, [each[name] for each in of_members]) for name, value in mine.items()
         )
         found = mine["separation"] is not None
-        notes = *_status_notes(mine), *self._common_notes()
-        return Answer(f"State at {self.described()}", rows, notes, found)
+        return Answer(f"State at {self.described()}", rows, self._notes(mine), found)
 
     def compare(self, other: Interface) -> Answer:
         """Question 10: this interface beside an ``other`` one, whose inputs may be others.
@@ -152,17 +150,19 @@ class Interface:
         notes = (
             f"first:  {self.described()}",
             f"second: {other.described()}",
-            *_status_notes(mine),
-            *self._common_notes(),
-            *_status_notes(theirs),
-            *other._common_notes(),
+            *self._notes(mine),
+            *other._notes(theirs),
         )
         found = None not in (mine["separation"], theirs["separation"])
         return Answer("Two interfaces", tuple(rows), notes, found)
 
-    def _common_notes(self) -> tuple[str, ...]:
+    def _notes(self, state: Mapping[str, Value]) -> tuple[str, ...]:
+        """What is to be known of a state."""
+        name = state["solution_status"].replace(" ", "_")
+        status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
+        sizes = self._size_notes(self.particle_diameter_nm)
         few = few_particles(self.particle_density_per_m2, self.parameters.apparent_area)
-        return *self._size_notes(self.particle_diameter_nm), *few, *ensemble_notes(self.members)
+        return *status, *sizes, *few, *ensemble_notes(self.members)
 
     def _size_notes(self, *diameters_nm: float) -> tuple[str, ...]:
         """What each x_a [nm] stands for, where there are particles."""
@@ -335,11 +335,6 @@ def _row(name: str, value: Value, of_members: Sequence[Value]) -> Row:
     quantity = QUANTITIES[name]
     unit = LENGTH.text if name == "separation" else quantity.units
     return Row.of(name, f"{quantity.long_name}, {quantity.symbol}", value, unit, of_members)
-
-
-def _status_notes(state: Mapping[str, Value]) -> tuple[str, ...]:
-    status = state["solution_status"].replace(" ", "_")
-    return () if status == SOLUTION_STATUSES[0] else (f"{status}: {STATUS_MEANINGS[status]}",)
 
 
 def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple, float]:
