@@ -23,7 +23,7 @@ from thirdbody.conditions.checks import (
     checked_parameters,
 )
 from thirdbody.conditions.in_si import in_si
-from thirdbody.curves.crossings import excess_over, level_roots
+from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
@@ -253,14 +253,23 @@ def crossings(
                 pieces.append(enclosed(query[place], finer, [index], depth - 1))
         return tuple(map(np.concatenate, zip(*pieces)))
 
-    queries = np.arange(levels.shape[1])
+    every = np.arange(levels.shape[1])
     limit, query, rises, *ends = enclosed(
-        queries, swept[:, None], range(len(limits)), progress=progress
+        every, swept[:, None], range(len(limits)), progress=progress
     )
-    given = {name: column[query] for name, column in others.items()}
-    asked = names, limit, levels[limit, query], given, parameters, rtol
-    log_value, width = level_roots(unit.condition, ends, *asked)
-    log_error, status = _certain(unit.condition, log_value, 2.0 * (width + rtol), *asked)
+    level = levels[limit, query]
+
+    def excess_at(some, log_value, also=()):
+        """By how much variables exceed their levels, nan without a solution, at ln of the condition for
+        ``some`` of the crossings; and the solution, which has ``also`` other variables."""
+        given = {name: column[query[some]] for name, column in others.items()}
+        given[unit.condition] = np.exp(log_value)
+        found = solve_arrays(given, parameters, rtol, {*names, *also})
+        values = np.choose(limit[some], [getattr(found, name) for name in names])
+        return values - level[some], found
+
+    log_value, width = _roots(excess_at, ends, 0.1 * rtol)
+    log_error, status = _certain(excess_at, level, log_value, 2.0 * (width + rtol))
     value = np.exp(log_value)
     error = value * np.expm1(log_error)
     place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
@@ -270,23 +279,32 @@ def crossings(
     return [tuple(field[places] for field in fields) for places in chosen]
 
 
-def _certain(along, root, error, names, limit, level, given, parameters, rtol):
+def _roots(excess_at, ends, tolerance):
+    """ln of the condition where each variable passes its level between two ``ends``, and how narrowly
+    that is enclosed."""
+    place, value = np.full((2, ends[0].size), np.nan)
+
+    def excess(log_value):
+        moved = np.flatnonzero(log_value != place)  # a root that is found stays where it is
+        place[moved] = log_value[moved]
+        value[moved], _ = excess_at(moved, log_value[moved])
+        return value.copy()
+
+    return bracketed_roots(excess, *ends, tolerance)
+
+
+def _certain(excess_at, level, root, error):
     """How far from ln ``root`` a variable is certain to be above the level on one side and below it on
     the other, from ``error`` on; and the status that far below."""
     left, status = np.arange(root.size), np.zeros(root.size, np.int8)
     for _ in range(ATTEMPTS if root.size else 0):
-        here = {name: column[left] for name, column in given.items()}
         sides = []
-        for sign in (-1.0, 1.0):
-            here[along] = np.exp(root[left] + sign * error[left])
-            excess, also = excess_over(
-                *(names, limit[left], level[left], here, parameters, rtol),
-                ["error_bound", "solution_status"],
-            )
-            if sign < 0.0:
-                status[left] = also["solution_status"]
-            margin = also["error_bound"] * np.abs(excess + level[left])
+        for sign in (1.0, -1.0):
+            there = root[left] + sign * error[left]
+            excess, found = excess_at(left, there, ["error_bound", "solution_status"])
+            margin = found.error_bound * np.abs(excess + level[left])
             sides.append(np.where(np.abs(excess) > margin, np.sign(excess), 0.0))
+        status[left] = found.solution_status
         left = left[~(sides[0] * sides[1] < 0.0)]
         if left.size == 0:
             return error, status
