@@ -27,20 +27,12 @@ WIDTH = 200  # columns of a text that is not on a terminal
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity of an answer.
+    """One quantity of an answer: its name, as other data have it, and what it is in words.
 
-    Attributes
-    ----------
-    name, quantity : str
-        Its name, as other data have it, and what it is in words.
-    value : float, str or None
-        With the inputs of the interface, in ``unit``; None where it does not occur.
-    low, high : float or None
-        The 5 % and 95 % quantiles over the members of the ensemble in which it occurs; None of a name.
-    agree, members : int
-        How many members have a number where ``value`` is one, or the same name, or nothing; of how many.
-    other : float, str or None
-        In a comparison the value of the second interface; the range is that of the difference.
+    ``value`` is that with the inputs of the interface, in ``unit``, None where it does not occur; ``low`` and
+    ``high`` are the 5 % and 95 % quantiles over the members of the ensemble in which it occurs, None of a
+    name.  Of ``members`` so many ``agree``: they have a number too, or the same name, or nothing either.  In a
+    comparison ``other`` is the value of the second interface, and the range that of the difference.
     """
 
     name: str
@@ -154,16 +146,11 @@ class Answer(Tabular):
 
 @dataclass(frozen=True)
 class Curve(Tabular):
-    """What ``Interface.curve`` returns.
+    """What ``Interface.curve`` returns: arrays of shape (n,) over an axis.
 
-    Attributes
-    ----------
-    along : str
-        The axis and its unit, by its name; ``points`` are its values, in that unit.
-    values : mapping
-        Arrays of shape (n,) by the names of variables, SI; nan where there is no solution.
-    low, high : mapping
-        5 % and 95 % quantiles of the ensemble, by the names of numbers; empty without one.
+    ``along`` is the axis by its name with a unit, and ``points`` are its values in that unit.  ``values`` are the
+    variables by their names, SI, nan where there is no solution; ``low`` and ``high`` the 5 % and 95 %
+    quantiles of numbers over the ensemble, empty without one.
     """
 
     along: str

@@ -41,19 +41,10 @@ BORDERS = (  # at each of ``LIMITS``
 class Transition:
     """A change of regime or mode along an axis.
 
-    Attributes
-    ----------
-    query : int
-        Index of the query, in the flat order of the shape to which the other axes broadcast.
-    border : Border
-        The limit that is passed.
-    before, after : str
-        Regime or mode at smaller and at larger values of the axis.
-    value, error : float
-        Where it is, and a bound on the error of that, in the unit of the axis.
-    solution_status : str
-        One of ``thirdbody.model.regimes.SOLUTION_STATUSES``: whether the equations mean something
-        there.
+    ``query`` is the index of the query, in the flat order of the shape to which the other axes broadcast;
+    ``before`` and ``after`` are regime or mode at smaller and at larger values; ``value`` is where it is, with
+    a bound ``error`` on its error, in the unit of the axis; ``solution_status``, one of
+    ``thirdbody.model.regimes.SOLUTION_STATUSES``, whether the equations mean something there.
     """
 
     query: int

@@ -43,27 +43,14 @@ WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
 
 @dataclass(frozen=True)
 class Crossings(Tabular):
-    """Where a variable has levels: one element a crossing, in the order of the queries.
+    """Where a variable has levels: arrays with an element for each crossing, in the order of the queries.
 
-    Attributes
-    ----------
-    along : str
-        The axis, by its name with a unit.
-    shape : tuple of int
-        Shape of the queries: that to which the level and the other axes broadcast.
-    query : array of int, shape (n,)
-        Index of the query, in the flat order of ``shape``.
-    value : array, shape (n,)
-        Where the crossing is, in the unit of ``along``; of one query increasing.
-    error : array, shape (n,)
-        Bound on the error of ``value``, in the same unit: on both sides of it, so far away, the
-        variable has been seen to be above and below the level by more than its ``error_bound``;
-        infinite where float64 cannot tell that.
-    rises : array of bool, shape (n,)
-        Whether the variable rises along the axis there.
-    solution_status : array of int8, shape (n,)
-        Index into ``thirdbody.model.regimes.SOLUTION_STATUSES``: whether the equations mean
-        something there.
+    ``along`` is the axis by its name with a unit, ``shape`` that to which the level and the other axes
+    broadcast, and ``query`` an index in its flat order.  ``value`` is where the crossing is, in the unit of
+    ``along``, increasing of one query; ``rises`` whether the variable rises there, and ``solution_status``
+    an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.  ``error`` bounds the error of ``value``: so
+    far away on both sides the variable has been seen to be above and below the level by more than its
+    ``error_bound``; infinite where float64 cannot tell that.
     """
 
     along: str
