@@ -1,8 +1,11 @@
 """The command ``thirdbody``, also ``python -m thirdbody``."""
 
+import sys
+
 
 def run() -> int:
-    """Answer one question; Ctrl-C ends it quietly while modules are imported, too."""
+    """Answer one question, in any encoding; Ctrl-C ends it quietly while modules are imported, too."""
+    sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command.main import main
 

@@ -17,7 +17,7 @@ import typer
 from thirdbody.command.questions import questions
 
 NAMES = [command.name for command in questions.registered_commands]
-ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130
+ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
 # messages of typer, and the same as messages of the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
@@ -30,28 +30,7 @@ MESSAGES = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Answer one question.
-
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        The command line, by default that of the process.
-
-    Returns
-    -------
-    int
-        0 if there is an answer, 1 if what is asked for does not occur, 2 after one line about what is
-        wrong with the input, 3 if the answer cannot be written, 130 after Ctrl-C.
-
-    Examples
-    --------
-    Without oil and particles nothing changes with the size of particles:
-
-    >>> given = "--load-N 10 --viscosity-cSt 0 --roughness-nm 300 --particle-density-per-m2 0"
-    >>> main(["size", *given.split(), "--json"])  # doctest: +ELLIPSIS
-    {"title": "Changes along the particle diameter at load 10 N, ...
-    1
-    """
+    """Answer the question of a command line, by default that of the process; returns the exit code."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in NAMES)])
     with warnings.catch_warnings(record=True) as caught:
@@ -104,11 +83,9 @@ def _text(answer: Any, as_json: bool) -> str:
 
 
 def _print(name: str, text: str) -> int:
-    """Print a text in any encoding: what it lacks is escaped.  A closed pipe is no error."""
-    encoding = sys.stdout.encoding or "utf-8"
+    """Print a text; a closed pipe is no error."""
     try:
-        print(text.encode(encoding, "backslashreplace").decode(encoding))
-        sys.stdout.flush()
+        print(text, flush=True)
     except OSError as error:
         # What is left in the buffer would be written again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
