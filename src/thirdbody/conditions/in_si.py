@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import checked_array
-from thirdbody.conditions.usual import warn_unusual
+from thirdbody.conditions.usual import USUAL, warn_outside
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import LEAST
 from thirdbody.units import ENGINEERING, Unit, has_unit, is_labelled, unit_of, without_unit
@@ -46,7 +46,12 @@ def in_si(
             found[name] = check(key, _numbers(units[name], given[key], parameters))
         elif name != without:
             raise ValueError(f"{name} is missing; allowed: {name} or {ENGINEERING[name]}")
-    warn_unusual(found, units, parameters.newtons_per_load)
+    typed = {}
+    for name, values in found.items():
+        unit = units[name]
+        both = (unit.from_si(each, parameters.newtons_per_load) for each in (values, USUAL[name]))
+        typed[unit.key] = *both, unit.text
+    warn_outside(typed)
     return found
 
 

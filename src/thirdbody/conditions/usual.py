@@ -13,8 +13,6 @@ from contextlib import contextmanager
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.units import UNITS, Unit
-
 # SI, far wider than the paper's ranges; 0 is no oil, or no particle
 USUAL = {
     "load": (1e-13, 2e-2),
@@ -43,23 +41,9 @@ class OutOfRangeWarning(UserWarning):
     """
 
 
-def warn_unusual(
-    conditions: Mapping[str, NDArray],
-    units: Mapping[str, Unit] = UNITS,
-    newtons_per_load: float = 1.0,
-) -> None:
-    """Issue one ``OutOfRangeWarning``, at the caller of the package, for ``conditions`` [SI] in the
-    ``units`` in which they were given."""
-    given = {}
-    for name, values in conditions.items():
-        unit = units[name]
-        values, ends = (unit.from_si(each, newtons_per_load) for each in (values, USUAL[name]))
-        given[unit.key] = values, ends, unit.text
-    warn_outside(given)
-
-
 def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
-    """Issue one ``OutOfRangeWarning`` for values, by name, outside of usual ends in the same unit."""
+    """Issue one ``OutOfRangeWarning``, at the caller of the package, for values, by name, outside of usual
+    ends in the same unit."""
     found = []
     for name, (values, (least, most), unit) in given.items():
         values = np.ravel(values)
