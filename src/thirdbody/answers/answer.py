@@ -178,11 +178,8 @@ class Curve(Tabular):
         table = {self.along: self.points}
         for name in QUANTITIES:
             table[name] = self.values[name]
-            table |= {
-                f"{name}_{end}": of_ensemble[name]
-                for end, of_ensemble in (("low", self.low), ("high", self.high))
-                if name in of_ensemble
-            }
+            if name in self.low:
+                table |= {f"{name}_low": self.low[name], f"{name}_high": self.high[name]}
         for name, flag in FLAGS.items():
             table[name] = [
                 flag.meanings[index] if index >= 0 else None for index in self.values[name]

@@ -38,31 +38,13 @@ MEANINGLESS = ("outside_film_formula", "area_exceeded")  # statuses of changes t
 class Interface:
     """An interface, and the questions that it answers.
 
-    Attributes
-    ----------
-    load_N : float
-        Normal load F_t [N], positive; as each condition, a number or a quantity.
-    viscosity_cSt : float
-        Kinematic viscosity of the oil [cSt]; 0 where it is dry.
-    particle_diameter_nm : float
-        Mean diameter x_a of the particles [nm]; 0 where there are none.
-    roughness_nm : float
-        Equivalent root mean square roughness sigma [nm], positive.
-    particle_density_per_m2 : float
-        Particles per area eta_a [m-2]; 0 where there are none.
-    parameters : Parameters
-        Materials, ball, film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
+    The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.  The
+    kinematic viscosity [cSt] is 0 where there is no oil, the mean diameter x_a [nm] and the number eta_a [m-2]
+    of particles where there are none.  Each is a number or a quantity.  ``parameters`` are materials, ball and
+    film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
 
-    Raises
-    ------
-    ValueError
-        For a condition that is not a finite number, or not in its range, and inputs that are no
-        ``Parameters``.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        Once, for conditions outside their usual range.
+    Raises ``ValueError`` for a condition that is not a finite number or not in its range, and for inputs
+    that are no ``Parameters``; warns once, ``OutOfRangeWarning``, of conditions outside their usual range.
 
     Examples
     --------
