@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -72,9 +70,7 @@ def turning_point(
     points = {"load": loads[:, None]} | curves
     solved = solve_arrays(points, parameters, rtol, ["separation"])
     found = turning_points(solved.separation, **curves, parameters=parameters, rtol=rtol)
-    return TurningPoints(
-        **{field.name: getattr(found, field.name).reshape(shape) for field in fields(found)}
-    )
+    return TurningPoints(*(column.reshape(shape) for column in vars(found).values()))
 
 
 def turning_window(
@@ -129,5 +125,4 @@ def turning_window(
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
     """First and last load F_t* [1] of a curve, from newtons."""
     check_ends("between_N", between_N)
-    first, last = UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist()
-    return first, last
+    return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())
