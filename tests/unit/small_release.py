@@ -44,7 +44,7 @@ PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n
 def solved(name, parameters):
     """The dataset of one of ``SCENES``."""
     scene = CONFIG["scenes"][name] | {"load_axis": CONFIG["load_axis"]}
-    return scene_dataset(Scene.of(name, scene, parameters.newtons_per_load), parameters)
+    return scene_dataset(Scene.of(scene, parameters.newtons_per_load), parameters)
 
 
 def make_products(folder):

@@ -28,7 +28,7 @@ MEMBERS = [{"participation": 0.03}, {"spread_ratio": 1.5, "summit_radius": 25e-6
 @pytest.fixture(scope="module")
 def dataset(parameters, tmp_path_factory):
     path = tmp_path_factory.mktemp("band") / "scene.nc"
-    scene = Scene.of("scene", SCENE, parameters.newtons_per_load)
+    scene = Scene.of(SCENE, parameters.newtons_per_load)
     write_dataset(scene_dataset(scene, parameters), path)
     return read_dataset(path)
 

@@ -53,7 +53,7 @@ def dataset(parameters):
 
 @pytest.fixture(scope="module")
 def scene(parameters):
-    return Scene.of("test", SCENE, parameters.newtons_per_load)
+    return Scene.of(SCENE, parameters.newtons_per_load)
 
 
 @pytest.fixture(scope="module")

@@ -20,10 +20,9 @@ from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.random_sections import sections
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import State
+from thirdbody.figures.sections import sections, state_of
 from thirdbody.study.claims import load_claims
 from thirdbody.study.printed import printed_rows
 
@@ -66,7 +65,7 @@ def datasets(parameters):
 
 
 def dataset_of(name, scene, parameters):
-    computed = Scene.of(name, scene, parameters.newtons_per_load)
+    computed = Scene.of(scene, parameters.newtons_per_load)
     return xr.decode_cf(scene_dataset(computed, parameters, 1e-4).to_xarray())
 
 
@@ -313,7 +312,7 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     def state(diameter, load, viscosity):
         condition = Condition(viscosity, diameter, 3e-7, 1e11)
         given = condition._asdict() | {"load": load / parameters.newtons_per_load}
-        return State.of(condition, tb.solve(**given, parameters=parameters))
+        return state_of(condition, tb.solve(**given, parameters=parameters))
 
     states = [state(diameter, 2.0, 0.0) for diameter in (1e-7, 1e-6, 3e-7)]
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)

@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.data.model_attribute import model_attribute, parameters_of_attribute
+from thirdbody.data.model_attribute import model_attribute, parameters_on_one_surface
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import INTERPRETATIONS
@@ -68,14 +68,12 @@ def test_each_number_of_the_attribute_is_its_own_input(parameters):
 @pytest.mark.parametrize("index", [0, 1, 2])
 def test_the_attribute_is_read_back_as_it_was_written(interpretation, index):
     roughness = [1e-7, 3e-7, 5e-7]
-    text = model_attribute(interpretation, roughness)
-    again = parameters_of_attribute(text, roughness[index], index)
-    model, found = (
-        json.loads(text),
-        json.loads(model_attribute(again, roughness[index : index + 1])),
-    )
+    model = json.loads(model_attribute(interpretation, roughness))
+    model |= {key: model[key][index] for key in LISTS}
+    again = parameters_on_one_surface(model, roughness[index])
+    found = json.loads(model_attribute(again, roughness[index : index + 1]))
     for key in LISTS:
-        assert_allclose(found.pop(key), [model.pop(key)[index]], rtol=1e-15)
+        assert_allclose(found.pop(key), [model.pop(key)], rtol=1e-15)
     assert found == model
 
 

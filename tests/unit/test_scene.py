@@ -52,7 +52,7 @@ SHOWN = {
 def test_each_figure_shows_the_loads_and_conditions_of_the_paper(defaults, figure):
     configured = read_yaml(SCENES)
     entry = {"load_axis": configured["load_axis"]} | configured["scenes"][figure]
-    shown = Scene.of(figure, entry, defaults.newtons_per_load)
+    shown = Scene.of(entry, defaults.newtons_per_load)
     assert shown.load.size >= 200
     assert set(entry.get("named_loads", [])) <= set(shown.load)
     assert_allclose(shown.load[[0, -1]] * defaults.newtons_per_load, [0.04, 80.0], rtol=1e-11)

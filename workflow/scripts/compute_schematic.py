@@ -2,8 +2,7 @@
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
-from thirdbody.figures.random_sections import sections
-from thirdbody.figures.sections import State, write_sections
+from thirdbody.figures.sections import sections, state_of, write_sections
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
@@ -14,7 +13,7 @@ def solved_state(conditions, parameters):
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
     solution = solve(load=load, **condition._asdict(), parameters=parameters)
-    return State.of(condition, solution)
+    return state_of(condition, solution)
 
 
 with logged(snakemake.log[0]):

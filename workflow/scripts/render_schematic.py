@@ -8,7 +8,7 @@ from thirdbody.data.sizes import sizes_note
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import read_sections
+from thirdbody.figures.sections import condition_of, read_sections
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
@@ -16,7 +16,7 @@ with logged(snakemake.log[0]):
     figure = snakemake.wildcards.schematic
     sections = read_sections(snakemake.input.sections)
     inputs = Parameters(**snakemake.params.parameters)
-    given = [section.state.condition for section in sections]
+    given = [condition_of(section) for section in sections]
     layers = sorted({(each.particle_diameter, each.roughness) for each in given})
     notes = tuple(f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0)
     with matplotlib.style.context(snakemake.input.style, after_reset=True):

@@ -11,7 +11,7 @@ with logged(snakemake.log[0]):
     figure = snakemake.wildcards.scene
     scene = snakemake.params.scene
     inputs = Parameters(**snakemake.params.parameters)
-    points = Scene.of(figure, scene, inputs.newtons_per_load)
+    points = Scene.of(scene, inputs.newtons_per_load)
     solved = scene_dataset(points, inputs, scene["rtol"])
     with atomic_write(snakemake.output.dataset) as part:
         write_dataset(solved, part)

@@ -14,7 +14,7 @@ from pathlib import Path
 import xarray as xr
 
 from thirdbody.data.attributes import identity
-from thirdbody.data.netcdf import unreadable
+from thirdbody.data.files import unreadable
 
 
 def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> None:

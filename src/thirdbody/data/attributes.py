@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,45 +17,9 @@ from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Qu
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
-SCHEMA_VERSION = "1.2"
-PAPER_DOI = "10.3389/fmech.2024.1390335"
-# What ACDD-1.3 asks of every file beside the attributes that depend on its content; the dates are
-# that of this version of the software, so that the same inputs give the same bytes.
-RELEASE_DATE = "2026-11-21"
-DISCOVERY = {
-    "naming_authority": "thirdbody",
-    "history": "computed by thirdbody from the equations of the paper",
-    "comment": (
-        "nan: the point has no values, and solution_status says why; a value beside another status "
-        "than converged is to be taken as the comment of solution_status says"
-    ),
-    "acknowledgement": "Chen & Horng (2024) for the model",
-    "project": "thirdbody",
-    "program": "reproduction of published models",
-    "processing_level": "model result",
-    "institution": "The thirdbody developers",
-    "creator_type": "group",
-    "creator_institution": "The thirdbody developers",
-    "creator_url": f"https://doi.org/{PAPER_DOI}",
-    "creator_email": "not given",
-    "contributor_name": "Chen Y-Y, Horng J-H",
-    "contributor_role": "authors of the model",
-    "publisher_name": "The thirdbody developers",
-    "publisher_type": "group",
-    "publisher_institution": "The thirdbody developers",
-    "publisher_url": f"https://doi.org/{PAPER_DOI}",
-    "publisher_email": "not given",
-    "metadata_link": f"https://doi.org/{PAPER_DOI}",
-    "platform": "model",
-    "platform_vocabulary": "none",
-    "instrument": "none",
-    "instrument_vocabulary": "none",
-    "keywords_vocabulary": "none",
-    "date_created": RELEASE_DATE,
-    "date_issued": RELEASE_DATE,
-    "date_modified": RELEASE_DATE,
-    "date_metadata_modified": RELEASE_DATE,
-}
+# Attributes of a whole dataset in their order, null where they depend on its content.  The dates are that of
+# this version of the software, so that the same inputs give the same bytes.
+EVERYWHERE = json.loads(Path(__file__).with_name("attributes.json").read_text(encoding="utf-8"))
 
 
 def software_version() -> str:
@@ -113,30 +78,12 @@ def global_attributes(
     ``configuration_sha256`` depends on the parameters, ``rtol`` and what was asked for, ``request``.
     """
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
-    canonical = json.dumps(configuration, sort_keys=True)
-    own = identity(canonical)
-    conventions = "CF-1.11, ACDD-1.3"
     return {
-        "Conventions": conventions,
-        "conventions": conventions,
+        **EVERYWHERE,
+        **identity(json.dumps(configuration, sort_keys=True)),
         "title": title,
-        "summary": (
-            "Load and real contact area shared by summits, third particles and a lubricant film "
-            "between two rough surfaces, computed from the equations printed by Chen & Horng "
-            "(2024) with the parameters in model_parameters."
-        ),
-        "keywords": "tribology, three-body contact, mixed lubrication, real contact area",
-        "source": f"doi:{PAPER_DOI}",
-        "references": f"Chen & Horng (2024), Front. Mech. Eng. 10:1390335, doi:{PAPER_DOI}",
-        "license": "CC-BY-4.0",
-        "creator_name": "The thirdbody developers",
-        "standard_name_vocabulary": "CF Standard Name Table v93",
-        "schema_version": SCHEMA_VERSION,
         "software_version": software_version(),
-        "configuration_sha256": own["configuration_sha256"],
-        "rtol": rtol,
-        **DISCOVERY,
-        "id": own["id"],
         "product_version": software_version(),
+        "rtol": rtol,
         "model_parameters": model_attribute(parameters, roughness),
     }

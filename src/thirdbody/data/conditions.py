@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -12,20 +11,24 @@ from numpy.typing import NDArray
 from thirdbody.units import ENGINEERING, UNITS
 
 
-@dataclass(frozen=True)
-class Axis:
-    """One condition: names, symbols and units.
+class Axis(NamedTuple):
+    """One condition.
 
-    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset; ``symbol`` and
-    ``sign`` are the symbol of the paper in plain letters and as figures print it; ``column`` is the
-    column of tables, its name ending with the SI unit; ``long_name`` says what it is in datasets.
+    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset; ``suffix`` the SI
+    unit in names of columns; ``symbol`` and ``sign`` are the symbol of the paper in plain letters and as
+    figures print it; ``long_name`` says what it is in datasets.
     """
 
     name: str
+    suffix: str
     symbol: str
     sign: str
     long_name: str
-    column: str
+
+    @property
+    def column(self) -> str:
+        """Column of tables, its name ending with the SI unit."""
+        return f"{self.name}_{self.suffix}" if self.suffix else self.name
 
     @property
     def units(self) -> str:
@@ -58,13 +61,7 @@ class Axis:
         return float(f"{value * self.scale:.12g}")
 
     def values(self, given: Iterable[float]) -> NDArray[np.float64]:
-        """``given`` values [engineering unit] in SI, shape (n,): increasing, each once.
-
-        Examples
-        --------
-        >>> AXES["viscosity"].values([90, 0, 90.0])
-        array([0.e+00, 9.e-05])
-        """
+        """``given`` values [engineering unit] in SI, shape (n,): increasing, each once."""
         return np.unique(np.array([self.to_si(value) for value in given]))
 
     def from_si(self, value: float) -> float:
@@ -72,63 +69,26 @@ class Axis:
         return value / self.scale
 
 
-AXES = {
-    axis.name: axis
-    for axis in (
-        Axis(
-            name="load",
-            symbol="F_t*",
-            sign="Fₜ*",
-            long_name="dimensionless mean normal load",
-            column="load",
-        ),
-        Axis(
-            name="viscosity",
-            symbol="nu",
-            sign="ν",
-            long_name="kinematic viscosity of the lubricant, 0 when dry",
-            column="viscosity_m2_per_s",
-        ),
-        Axis(
-            name="particle_diameter",
-            symbol="x_a",
-            sign="xₐ",
-            long_name="mean diameter of the third particles, 0 without them",
-            column="particle_diameter_m",
-        ),
-        Axis(
-            name="roughness",
-            symbol="sigma",
-            sign="σ",
-            long_name="equivalent root mean square surface roughness",
-            column="roughness_m",
-        ),
-        Axis(
-            name="particle_density",
-            symbol="eta_a",
-            sign="ηₐ",
-            long_name="number of particles per unit area",
-            column="particle_density_per_m2",
-        ),
-    )
-}
+_AXES = (
+    Axis("load", "", "F_t*", "Fₜ*", "dimensionless mean normal load"),
+    Axis("viscosity", "m2_per_s", "nu", "ν", "kinematic viscosity of the lubricant, 0 when dry"),
+    Axis(
+        "particle_diameter",
+        "m",
+        "x_a",
+        "xₐ",
+        "mean diameter of the third particles, 0 without them",
+    ),
+    Axis("roughness", "m", "sigma", "σ", "equivalent root mean square surface roughness"),
+    Axis("particle_density", "per_m2", "eta_a", "ηₐ", "number of particles per unit area"),
+)
+AXES = {axis.name: axis for axis in _AXES}
 DIMENSIONS = tuple(AXES)  # of every dataset, in this order
 
 
 class Condition(NamedTuple):
-    """What is held along one curve while the load varies, SI.
-
-    Attributes
-    ----------
-    viscosity : float
-        ν [m2/s]; 0 is dry contact.
-    particle_diameter : float
-        Mean x_a [m]; 0 is two-body contact.
-    roughness : float
-        σ [m].
-    particle_density : float
-        η_a [m-2]; 0 is two-body contact.
-    """
+    """What is held along one curve while the load varies, SI: ν [m2/s], 0 in dry contact; mean x_a [m]
+    and η_a [m-2], 0 in two-body contact; σ [m]."""
 
     viscosity: float
     particle_diameter: float
@@ -137,14 +97,7 @@ class Condition(NamedTuple):
 
     @classmethod
     def of(cls, given: Mapping[str, float]) -> Condition:
-        """The condition of a configuration, a number for each key; ``KeyError`` if one is missing.
-
-        Examples
-        --------
-        >>> given = {"viscosity_cSt": 90, "particle_diameter_nm": 500, "roughness_nm": 300}
-        >>> Condition.of(given | {"particle_density_per_m2": 1e11}).particle_diameter
-        5e-07
-        """
+        """The condition of a configuration, a number for each key; ``KeyError`` if one is missing."""
         return cls(*(AXES[name].to_si(given[AXES[name].key]) for name in cls._fields))
 
     @property

@@ -16,7 +16,7 @@ from thirdbody.data.attributes import (
     variable_attributes,
 )
 from thirdbody.data.conditions import AXES, DIMENSIONS
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
@@ -151,11 +151,29 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
 
 
 def described_grid(
-    axes: Axes, values: Mapping[str, NDArray], parameters: Parameters, rtol: float
+    axes: Axes,
+    values: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    title: str = "Three-body contact on a grid",
+    request: Mapping | None = None,
 ) -> PlainDataset:
-    """The dataset of ``grid`` around ``values``, an array over all ``axes`` for each variable."""
-    request = {name: axis.tolist() for name, axis in axes.items()}
-    return _dataset(axes, values, parameters, rtol, "Three-body contact on a grid", request)
+    """The dataset around ``values``, an array over all ``axes`` for each variable: with coordinates and
+    attributes.  Its sum depends on what was asked for, a ``request`` or all of the axes."""
+    variables = {
+        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
+        for name, quantity in VARIABLES.items()
+        if name in values
+    }
+    coordinates = {
+        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
+        for name, axis in axes.items()
+    }
+    newtons = axes["load"] * parameters.newtons_per_load
+    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
+    request = request or _listed(axes)
+    attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
+    return PlainDataset(variables, coordinates, attributes)
 
 
 def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
@@ -176,33 +194,16 @@ def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RT
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)
-    request = {
-        "load": scene.load.tolist(),
-        "groups": [
-            {name: values.tolist() for name, values in group._asdict().items()}
-            for group in scene.groups
-        ],
-    }
-    return _dataset(axes, values, parameters, rtol, scene.title, request)
+    groups = [_listed(group._asdict()) for group in scene.groups]
+    request = {"load": scene.load.tolist(), "groups": groups}
+    return described_grid(axes, values, parameters, rtol, scene.title, request)
+
+
+def _listed(axes: Axes) -> dict[str, list[float]]:
+    return {name: values.tolist() for name, values in axes.items()}
 
 
 def _keep_counts_of_several(values):
     """Drop the counts of separations from ``values`` if no point has several."""
     if not (values[STATUS] == SEVERAL).any():
         del values[SEPARATION_COUNT.name]
-
-
-def _dataset(axes, values, parameters, rtol, title, request) -> PlainDataset:
-    """Coordinates, variables and attributes of the data contract around solved ``values``."""
-    variables = {
-        name: (DIMENSIONS, values[name], variable_attributes(quantity))
-        for name, quantity in VARIABLES.items()
-        if name in values
-    }
-    coordinates = {
-        name: (name, axis, coordinate_attributes(AXES[name])) for name, axis in axes.items()
-    }
-    newtons = axes["load"] * parameters.newtons_per_load
-    coordinates["normal_load"] = ("load", newtons, coordinate_attributes(NORMAL_LOAD))
-    attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
-    return PlainDataset(variables, coordinates, attributes)

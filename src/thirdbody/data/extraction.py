@@ -13,6 +13,8 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
 from thirdbody.solver.solve import solve_arrays
 
+FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turning point
+
 
 def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
     """Rows of the table ``tpca_loads``, one a curve that has a turning point, of the ``dataset`` of a
@@ -24,10 +26,7 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
     return [
         {
             **_place(figure, conditions[:, curve]),
-            "load": found.load[curve],
-            "load_error": found.load_error[curve],
-            "peak_ratio": found.peak_ratio[curve],
-            "solid_load_fraction": found.solid_load_fraction[curve],
+            **{name: getattr(found, name)[curve] for name in FOUND},
             "separation_m": found.separation[curve],
             STATUS: status,
         }

@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all."""
+"""Files that appear whole or not at all, and the error of one that is damaged."""
 
 from __future__ import annotations
 
@@ -22,7 +22,11 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     raises, nothing new appears in any place.
     """
     places = [_place(path) for path in paths]
-    parts = [_part_of(place) for place in places]
+    # names beside the places that no other process uses
+    parts = [
+        place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
+        for place in places
+    ]
     try:
         for place, part in zip(places, parts, strict=True):
             _require_possible(place, part)
@@ -55,14 +59,14 @@ def _place(path: str | Path) -> Path:
     return place
 
 
-def _part_of(place: Path) -> Path:
-    """A name beside ``place`` that no other process uses."""
-    return place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
-
-
 def _require_possible(place: Path, part: Path) -> None:
     """Raise ``OSError`` if ``part``, which will take its ``place``, cannot be made there."""
     if place.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
     part.touch()
     part.unlink()
+
+
+def unreadable(path: str | os.PathLike, reason: object) -> OSError:
+    """The error of a product that is damaged: it says how to make it again."""
+    return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")

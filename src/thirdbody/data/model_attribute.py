@@ -54,20 +54,8 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     return json.dumps(model)
 
 
-def parameters_of_attribute(text: str, roughness: float, index: int = 0) -> Parameters:
-    """The inputs that an attribute ``model_parameters`` describes, for the surface at ``index`` of
-    its lists, whose ``roughness`` is sigma [m].
-
-    The attribute holds the surfaces of some roughnesses, and not the power laws between them: the
-    result has the summits of this surface at ``roughness`` alone.
-    """
-    model = json.loads(text)
-    lists = {key: model[key][index] for key in SURFACE_KEYS.values()}
-    return parameters_on_one_surface(model | lists, roughness)
-
-
 def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
-    """The inputs that ``model`` describes, with one surface at ``roughness`` [m].
+    """The inputs that ``model`` describes, with the summits of one surface at ``roughness`` [m] alone.
 
     ``model`` has values by the keys of ``model_parameters``, numbers or their texts, and no lists.
     Older datasets have no ``particle_plane``, which was that of the surface.

@@ -11,15 +11,15 @@ import netCDF4
 import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS
+from thirdbody.data.files import unreadable
 from thirdbody.data.plain import PlainDataset, Variable
-from thirdbody.data.quantities import QUANTITIES
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
 def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
-    """Write a dataset of points as NetCDF-4: the same dataset gives the same bytes.
+    """Write a dataset as NetCDF-4: the same dataset gives the same bytes.
 
     Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
     missing ones: the nan of an unsolved point stays what it is.  ``OSError`` if there is no room or
@@ -31,32 +31,6 @@ def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> N
         name: compressed | {"chunksizes": variable.values.shape}
         for name, variable in dataset.data_vars.items()
     }
-    write_netcdf(dataset, path, storage)
-
-
-def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """A dataset of ``write_dataset`` as one of xarray; errors as of ``read_plain``."""
-    return read_plain(path).to_xarray()
-
-
-def read_plain(path: str | PathLike) -> PlainDataset:
-    """A dataset of ``write_dataset``, or a range around one, in memory; where it holds no point, nan
-    and ``FILL_FLAG``.  ``OSError`` names a file that is absent, damaged or something else, in one line."""
-    dataset = load(path)
-    missing = [name for name in (*DIMENSIONS, *QUANTITIES) if name not in dataset]
-    if missing and not all(f"{name}_low" in dataset for name in QUANTITIES):
-        raise unreadable(path, f"no {missing[0]}")
-    return dataset
-
-
-def write_netcdf(
-    dataset: PlainDataset | xr.Dataset, path: str | PathLike, storage: Mapping[str, Mapping]
-) -> None:
-    """Write any ``dataset``; ``OSError`` if that fails.
-
-    ``storage`` says how variables are stored, by name, arguments of ``netCDF4.Dataset.createVariable``;
-    what it does not name is stored as it is.
-    """
     try:
         with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
             for name, stored in declare(file, dataset, storage).items():
@@ -69,13 +43,16 @@ def declare(
     file: netCDF4.Dataset, dataset: PlainDataset | xr.Dataset, storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
     """Write all of a dataset to a new file except the values of its variables, which are returned by
-    name, empty, and take values as they are stored; ``storage`` as of ``write_netcdf``."""
+    name, empty, and take values as they are stored.
+
+    ``storage`` has of each variable the arguments of ``netCDF4.Dataset.createVariable`` that say how.
+    """
     file.setncatts(dataset.attrs)
     for name, size in dataset.sizes.items():
         file.createDimension(name, size)
     declared = {}
     for name, variable in dataset.data_vars.items():
-        declared[name] = _added(file, name, variable, **storage.get(name, {}))
+        declared[name] = _added(file, name, variable, **storage[name])
         beside = [  # coordinates along its dimensions that have other names than these
             other
             for other, coordinate in dataset.coords.items()
@@ -92,16 +69,23 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
     """A new variable in a file that has its dimensions."""
     attributes = dict(variable.attrs)
     fill = attributes.pop("_FillValue", None)
-    added = file.createVariable(
-        name, variable.values.dtype, variable.dims, fill_value=fill, **storage
-    )
+    kind = variable.values.dtype
+    added = file.createVariable(name, kind, variable.dims, fill_value=fill, **storage)
     added.setncatts(attributes)
     added.set_auto_maskandscale(False)
     return added
 
 
-def load(path: str | PathLike, needed: Collection[str] = ()) -> PlainDataset:
-    """Any NetCDF file, in memory; ``OSError`` in one line if it cannot be read or lacks a name."""
+def read_dataset(path: str | PathLike) -> xr.Dataset:
+    """A dataset of the five axes as one of xarray; errors as of ``read_plain``."""
+    return read_plain(path).to_xarray()
+
+
+def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
+    """A dataset of ``write_dataset`` in memory; where it holds no point, nan and ``FILL_FLAG``.
+
+    ``OSError`` names a file that is absent, damaged, or lacks what is ``needed``, in one line.
+    """
     try:
         with netCDF4.Dataset(path) as file:
             loaded = _loaded(file)
@@ -126,8 +110,3 @@ def _loaded(file: netCDF4.Dataset) -> PlainDataset:
         variables[name] = Variable(stored.dimensions, values, attributes)
     coords = {name: variables.pop(name) for name in [*variables] if name in coordinates}
     return PlainDataset(variables, coords, file.__dict__)
-
-
-def unreadable(path: str | PathLike, reason: str) -> OSError:
-    """The error of a product that is damaged: it says how to make it again."""
-    return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")

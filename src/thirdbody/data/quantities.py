@@ -7,8 +7,7 @@ which are given and not computed, stand in ``thirdbody.data.conditions``.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,103 +45,67 @@ FILL_FLOAT = 9.969209968386869e36
 FILL_FLAG = np.int8(-127)
 
 
-@dataclass(frozen=True)
-class Quantity:
-    """One variable: how data files describe it.
+class Quantity(NamedTuple):
+    """One variable, a name of datasets and of ``thirdbody.Solution``: how data files describe it.
 
-    Attributes
-    ----------
-    name : str
-        Variable of datasets and attribute of ``thirdbody.Solution``.
-    symbol : str
-        Symbol of the paper in plain letters, ``none`` where it has none.
-    units : str
-        SI unit, spelt as UDUNITS reads it.
-    long_name : str
-        What it is.
-    equation : str
-        Equation or section of the paper that defines it, ``none`` if none does.
-    largest : float
-        It is between 0 and this.
-    meanings : tuple of str
-        Of a flag, what its values 0, 1, ... stand for; empty for a number.
-    comment : str
-        What else there is to say of it, or nothing.
+    ``symbol`` is that of the paper in plain letters, ``equation`` the equation or section that defines it,
+    either ``none`` where there is none; ``units`` are SI, spelt as UDUNITS reads them.  It is between 0 and
+    ``largest``.
     """
 
     name: str
-    symbol: str
-    units: str
     long_name: str
-    equation: str
+    symbol: str = "none"
+    equation: str = "none"
+    units: str = "1"
     largest: float = math.inf
-    meanings: tuple[str, ...] = ()
     comment: str = ""
 
-
-NORMAL_LOAD = Quantity("normal_load", "F_t", "N", "normal load", "1")
-ERROR_BOUND = Quantity(
-    "error_bound",
-    "none",
-    "1",
-    "bound on the relative error of every variable",
-    "none",
-    comment="of numbers above 2.2e-308, below which float64 loses digits",
-)
-SEPARATION_COUNT = Quantity(
-    "separation_count",
-    "none",
-    "1",
-    "at how many separations the forces balance",
-    "1-2",
-    comment=f"0: without values; {FILL_FLAG}: not shown",
-)
+    @property
+    def meanings(self) -> tuple[str, ...]:
+        """What the values 0, 1, ... of a flag stand for; empty for a number."""
+        return FLAG_MEANINGS.get(self.name, ())
 
 
 def _by_name(*quantities: Quantity) -> dict[str, Quantity]:
     return {quantity.name: quantity for quantity in quantities}
 
 
-def _flag(name: str, symbol: str, long_name: str, equation: str, comment: str = "") -> Quantity:
-    return Quantity(name, symbol, "1", long_name, equation, math.inf, FLAG_MEANINGS[name], comment)
-
-
+PARTICLES = "contact area of particles over total real contact area"
+SUMMITS = "contact area of summits over total real contact area"
 QUANTITIES = _by_name(
-    Quantity("total_contact_area", "A_t*", "1", "total real contact area over apparent area", "5"),
+    Quantity("total_contact_area", "total real contact area over apparent area", "A_t*", "5"),
+    Quantity("particle_contact_area_ratio", PARTICLES, "A_sa,t*", "10", largest=1.0),
+    Quantity("surface_contact_area_ratio", SUMMITS, "A_ss,t*", "10", largest=1.0),
     Quantity(
-        "particle_contact_area_ratio",
-        "A_sa,t*",
-        "1",
-        "contact area of particles over total real contact area",
-        "10",
-        largest=1.0,
+        "solid_load_fraction", "fraction of the load carried by the solids", "L_s", "9", largest=1.0
     ),
     Quantity(
-        "surface_contact_area_ratio",
-        "A_ss,t*",
-        "1",
-        "contact area of summits over total real contact area",
-        "10",
-        largest=1.0,
+        "fluid_load_fraction", "fraction of the load carried by the fluid", "L_f", "9", largest=1.0
     ),
-    Quantity(
-        "solid_load_fraction", "L_s", "1", "fraction of the load carried by the solids", "9", 1.0
-    ),
-    Quantity(
-        "fluid_load_fraction", "L_f", "1", "fraction of the load carried by the fluid", "9", 1.0
-    ),
-    Quantity("separation", "d", "m", "mean separation of the two surfaces", "4"),
-    Quantity("film_thickness", "H_c", "1", "central film thickness over ball radius", "7"),
+    Quantity("separation", "mean separation of the two surfaces", "d", "4", "m"),
+    Quantity("film_thickness", "central film thickness over ball radius", "H_c", "7"),
+)
+NORMAL_LOAD = Quantity("normal_load", "normal load", "F_t", "1", "N")
+ERROR_BOUND = Quantity(
+    "error_bound",
+    "bound on the relative error of every variable",
+    comment="of numbers above 2.2e-308, below which float64 loses digits",
+)
+SEPARATION_COUNT = Quantity(
+    "separation_count",
+    "at how many separations the forces balance",
+    equation="1-2",
+    comment=f"0: without values; {FILL_FLAG}: not shown",
 )
 FLAGS = _by_name(
-    _flag("lubrication_regime", "L_s", "lubrication regime", "section 3.1"),
-    _flag("contact_mode", "A_sa,t*", "contact mode", "section 3.2"),
-    _flag(
+    Quantity("lubrication_regime", "lubrication regime", "L_s", "section 3.1"),
+    Quantity("contact_mode", "contact mode", "A_sa,t*", "section 3.2"),
+    Quantity(
         STATUS,
-        "none",
         "status of the solution",
-        "1-8",
-        "; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
+        equation="1-8",
+        comment="; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )
 # numbers and flags of every dataset of a figure, and all that a dataset can hold

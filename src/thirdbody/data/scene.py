@@ -23,57 +23,30 @@ def curve_groups(group: Mapping) -> list[Condition]:
     if RELATIVE_DIAMETER not in group:
         return [Condition(*(axis.values(group[axis.key]) for axis in CONDITION_AXES))]
     roughness, diameter = AXES["roughness"].key, AXES["particle_diameter"].key
-    ratios = group[RELATIVE_DIAMETER]
     absolute = {name: values for name, values in group.items() if name != RELATIVE_DIAMETER}
-    return [
-        found
-        for sigma in group[roughness]
-        for found in curve_groups(
-            absolute | {roughness: [sigma], diameter: [ratio * sigma for ratio in ratios]}
-        )
-    ]
+    found = []
+    for sigma in group[roughness]:
+        diameters = [ratio * sigma for ratio in group[RELATIVE_DIAMETER]]
+        found += curve_groups(absolute | {roughness: [sigma], diameter: diameters})
+    return found
 
 
 @dataclass(frozen=True)
 class Scene:
-    """What a dataset holds: its axes, and which combinations of them are shown.
+    """What a dataset holds: its title, the load axis F_t* [1], shape (n,), increasing, and the groups of
+    curves that are shown, each of arrays as of ``curve_groups``; a combination that stands in several
+    groups is shown once."""
 
-    Attributes
-    ----------
-    name : str
-        Name of the figure, such as ``fig04``.
-    title : str
-        Title of the dataset.
-    load : ndarray, shape (n,)
-        F_t* [1], increasing.
-    groups : tuple of Condition
-        What is shown, each of arrays as of ``curve_groups``; a combination that stands in several groups is shown once.
-    """
-
-    name: str
     title: str
     load: NDArray[np.float64]
     groups: tuple[Condition, ...]
 
     @classmethod
-    def of(cls, name: str, scene: Mapping, newtons_per_load: float) -> Scene:
-        """The scene of a figure of a valid entry of ``config/scenes.yaml``, with its load axis in newtons.
-
-        Examples
-        --------
-        >>> group = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [500], "roughness_nm": [300]}
-        >>> group["particle_density_per_m2"] = [1e11]
-        >>> axis = {"load_N": [1.0, 100.0], "count": 3}
-        >>> given = {"title": "Two viscosities", "load_axis": axis, "curves": [group]}
-        >>> scene = Scene.of("fig", given, newtons_per_load=1e6)
-        >>> scene.load
-        array([1.e-06, 1.e-05, 1.e-04])
-        >>> scene.axis("viscosity"), scene.size
-        (array([0.e+00, 9.e-05]), 6)
-        """
+    def of(cls, scene: Mapping, newtons_per_load: float) -> Scene:
+        """The scene of a valid entry of ``config/scenes.yaml``, with its load axis in newtons."""
         groups = [each for entry in scene["curves"] for each in curve_groups(entry)]
         load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
-        return cls(name, scene["title"], load, tuple(groups))
+        return cls(scene["title"], load, tuple(groups))
 
     @property
     def size(self) -> int:
@@ -99,13 +72,7 @@ def load_values(
     axis: Mapping, named_loads: Iterable[float], newtons_per_load: float
 ) -> NDArray[np.float64]:
     """Values of the load axis [1]: as many as the ``axis`` counts, evenly spaced in their logarithm
-    between its ends [N], joined by those ``named_loads`` [1] of the text that lie between them.
-
-    Examples
-    --------
-    >>> load_values({"load_N": [1.0, 100.0], "count": 3}, [2e-5, 1.0], newtons_per_load=1e6)
-    array([1.e-06, 1.e-05, 2.e-05, 1.e-04])
-    """
+    between its ends [N], joined by those ``named_loads`` [1] of the text that lie between them."""
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
     spaced = np.geomspace(first, last, axis["count"])
     named = [value for value in named_loads if first <= value <= last]

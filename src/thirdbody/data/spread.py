@@ -10,13 +10,7 @@ ENDS = (0.05, 0.95)  # quantiles between which the range lies
 
 
 def spread(values: Iterable[float]) -> tuple[float, float] | None:
-    """Between which two numbers nine in ten of ``values`` lie, None where there are none.
-
-    Examples
-    --------
-    >>> spread([float(value) for value in range(21)])
-    (1.0, 19.0)
-    """
+    """Between which two numbers nine in ten of ``values`` lie, None where there are none."""
     known = [value for value in values if np.isfinite(value)]
     if not known:
         return None

@@ -104,13 +104,8 @@ def stream(
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
             Progress(prod(shape), "points", progress) as progressing,
         ):
-            storage = {
-                "zlib": compression > 0,
-                "complevel": compression,
-                "shuffle": False,
-                "chunksizes": lengths,
-                "chunk_cache": ONE_CHUNK,
-            }
+            storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
+            storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
             stored = declare(file, described, dict.fromkeys(names, storage))
             for block in blocks(shape, lengths):
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
@@ -131,13 +126,8 @@ def _require_room(path: str | PathLike, points: int, bytes_a_point: int) -> None
 
 
 def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
-    """Lengths of blocks of at most ``points`` each, whose points lie together in an array.
-
-    Examples
-    --------
-    >>> block_lengths((10, 20, 30), 100)
-    (1, 3, 30)
-    """
+    """Lengths of blocks of at most ``points`` each, whose points lie together in an array: of an array of
+    shape (10, 20, 30), at most 100 make blocks of shape (1, 3, 30)."""
     lengths = []
     for size in reversed(shape):
         lengths.append(min(size, max(points, 1)))

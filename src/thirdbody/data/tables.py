@@ -5,37 +5,28 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import contextmanager
-from dataclasses import dataclass
 from os import PathLike
 from pathlib import Path
+from typing import NamedTuple
+
+from thirdbody.data.files import unreadable
 
 
-@dataclass(frozen=True)
-class Column:
-    """A column of a table.
-
-    Attributes
-    ----------
-    name : str
-        Heading; it ends with the SI unit where there is one.
-    kind : str
-        Type of the Table Schema: ``number`` or ``string``.
-    unit : str
-        SI unit, ``1`` of a pure number, empty of a text.
-    description : str
-        What stands in it, for the Table Schema.
-    """
+class Column(NamedTuple):
+    """A column of a table: its heading, which ends with the SI unit where there is one; the type of the
+    Table Schema, ``number`` or ``string``; the SI unit, ``1`` of a pure number, empty of a text; and
+    what stands in it."""
 
     name: str
     kind: str
     unit: str
     description: str
 
-    def parse(self, texts: Iterable[str]) -> list[float | str | None]:
-        """The values that fields of a CSV file stand for; None where one is empty."""
-        value = float if self.kind == "number" else str
-        return [None if text == "" else value(text) for text in texts]
+    def parse(self, text: str) -> float | str | None:
+        """The value that a field of a CSV file stands for; None where it is empty."""
+        if text == "":
+            return None
+        return float(text) if self.kind == "number" else text
 
     def format(self, value: float | str | None, digits: int) -> str:
         """Text of ``value``, a number with so many significant digits; empty for None."""
@@ -44,12 +35,12 @@ class Column:
         return f"{value:.{digits}g}" if self.kind == "number" else str(value)
 
 
-def _described_tables() -> dict[str, tuple[Column, ...]]:
+def _described_tables() -> dict[str, list[Column]]:
     tables: dict[str, list[Column]] = {}
     with open(Path(__file__).with_name("columns.csv"), encoding="utf-8", newline="") as stream:
         for row in csv.DictReader(stream):
             tables.setdefault(row.pop("table"), []).append(Column(**row))
-    return {name: tuple(columns) for name, columns in tables.items()}
+    return tables
 
 
 TABLES = _described_tables()
@@ -69,35 +60,27 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
     """Rows of a table of ``write_csv``; ``OSError`` in one line names a file that is damaged or has
     other columns."""
-    names = [column.name for column in columns]
-    with _naming(path):
-        fields = zip(*read_texts(path, columns), strict=True)
-        values = [column.parse(each) for column, each in zip(columns, fields, strict=False)]
-        return [dict(zip(names, row, strict=True)) for row in zip(*values, strict=True)]
+    rows = read_texts(path, columns)
+    try:
+        return [
+            {column.name: column.parse(text) for column, text in zip(columns, row)} for row in rows
+        ]
+    except ValueError as error:
+        raise unreadable(path, error) from None
 
 
 def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str]]:
     """The fields of each row as they stand in the file; ``OSError`` as of ``read_csv``."""
-    names = [column.name for column in columns]
-    with _naming(path), open(path, encoding="utf-8", newline="") as stream:
-        header, *rows = csv.reader(stream)
-        if header != names:
-            raise ValueError(f"its columns are {header}")
-        if any(len(row) != len(names) for row in rows):
-            raise ValueError("a row has other columns")
-        return rows
-
-
-@contextmanager
-def _naming(path):
-    """Context in which what is wrong with a file becomes one line that names it."""
     try:
-        yield
+        with open(path, encoding="utf-8", newline="") as stream:
+            header, *rows = csv.reader(stream)
     except (ValueError, csv.Error) as error:
-        reason = " ".join(str(error).split())
-        raise OSError(
-            f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}"
-        ) from None
+        raise unreadable(path, error) from None
+    if header != [column.name for column in columns]:
+        raise unreadable(path, f"its columns are {header}")
+    if any(len(row) != len(columns) for row in rows):
+        raise unreadable(path, "a row has other columns")
+    return rows
 
 
 def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
@@ -110,9 +93,8 @@ def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
         }
         for column in columns
     ]
-    with open(path, "w", encoding="utf-8") as stream:
-        json.dump({"fields": fields, "missingValues": [""]}, stream, indent=2)
-        stream.write("\n")
+    text = json.dumps({"fields": fields, "missingValues": [""]}, indent=2)
+    Path(path).write_text(f"{text}\n", encoding="utf-8")
 
 
 def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
@@ -122,4 +104,4 @@ def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence
     cells = [[column.format(row[column.name], 6) for column in columns] for row in rows]
     headings = [column.name for column in columns]
     text = tabulate(cells, headings, tablefmt="latex_booktabs", disable_numparse=True)
-    Path(path).write_text(text + "\n", encoding="utf-8")
+    Path(path).write_text(f"{text}\n", encoding="utf-8")

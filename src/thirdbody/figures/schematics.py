@@ -11,10 +11,11 @@ from matplotlib.lines import Line2D
 from thirdbody.figures.curves import CELL, add_key, key_title
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 from thirdbody.figures.naming import label, shared_notes
-from thirdbody.figures.sections import Section
+from thirdbody.figures.sections import PARTICLES, Section, condition_of
+from thirdbody.model.regimes import CONTACT_MODES
 
-INTERFACE, INTERFACE_MARGINS = (7.0, 3.1), (0.1, 0.1, 0.1, 0.3)  # cell of figure 1 [inches]
-MODE, MODE_MARGINS = CELL, (0.1, 0.1, 0.1, 0.3)  # of figure 2
+INTERFACE = 7.0, 3.1  # cell of figure 1 [inches]
+MARGINS = 0.1, 0.1, 0.1, 0.3
 KEY_INCHES = 0.55  # below figure 1
 MICROMETRE = 1e-6
 
@@ -41,17 +42,14 @@ MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid"
 def plot_interface(sections: Sequence[Section]) -> Drawing:
     """Figure 1: one section of the lubricated three-body interface; ``ValueError`` without lubricant or
     particles."""
-    (section,) = sections
-    state, condition = section.state, section.state.condition
+    (condition,) = map(condition_of, sections)
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
-    figure = grid_of_axes(1, INTERFACE, INTERFACE_MARGINS, columns=1, below=KEY_INCHES)
+    figure = grid_of_axes(1, INTERFACE, MARGINS, columns=1, below=KEY_INCHES)
     (axes,) = figure.axes
-    facts = f"d = {state.separation / MICROMETRE:.2f} µm, $L_s$ = {state.solid_load_fraction:.0%}"
-    panel = _panel("A", ", ".join((*shared_notes([condition]), facts)), section)
-    axes.set_title(panel.title, loc="left", y=1.0)
-    _draw_section(axes, section)
-    _draw_arrows(axes, section)
+    panel = _drawn(axes, "A", ", ".join(shared_notes([condition])), *sections)
+    axes.set_title(panel.title, loc="left", y=1.0)  # the only panel has no letter
+    _draw_arrows(axes, *sections)
     add_key(figure, _entries(KEY), "", beside=False)
     return Drawing(figure, (panel,))
 
@@ -59,23 +57,18 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
 def plot_modes(sections: Sequence[Section]) -> Drawing:
     """Figure 2: a section in each of ``MODES``, in this order; ``ValueError`` if the model finds another
     mode than a panel is to show."""
-    figure = grid_of_axes(len(MODES), MODE, MODE_MARGINS)
-    common = shared_notes([section.state.condition for section in sections])
+    figure = grid_of_axes(len(MODES), CELL, MARGINS)
+    common = shared_notes([condition_of(section) for section in sections])
     panels = []
     for letter, axes, section, mode in zip("ABC", figure.axes, sections, MODES, strict=True):
-        state, condition = section.state, section.state.condition
-        if state.contact_mode != mode:
+        condition, found = condition_of(section), CONTACT_MODES[section["contact_mode"]]
+        if found != mode:
             raise ValueError(
                 f"figure 2{letter} shows the {mode} mode; at its conditions "
-                f"({label(condition)}) the model finds {state.contact_mode}"
+                f"({label(condition)}) the model finds {found}"
             )
         own = (text for text in shared_notes([condition]) if text not in common)
-        panels.append(_panel(letter, ", ".join((MODES[mode], *own)), section))
-        _draw_section(axes, section)
-        title_axes(axes, panels[-1])
-        facts = f"d = {state.separation / MICROMETRE:.2f} µm, "
-        facts += f"$A_{{sa,t}}^*$ = {state.particle_contact_area_ratio:.2f}"
-        axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
+        panels.append(_drawn(axes, letter, ", ".join((MODES[mode], *own)), section))
     title = key_title("lengths and heights to one scale", common)
     looks = {text: look for text, look in KEY.items() if text != "lubricant"}
     add_key(figure, _entries(looks), title, beside=True)
@@ -91,50 +84,48 @@ def _entries(looks) -> list[Line2D]:
     return [*entries, Line2D([], [], label="contact of summits", **TOUCHING)]
 
 
-def _panel(letter, title, section) -> Panel:
-    """The lines of a section: surfaces, the contact of summits, outlines of particles."""
-    lines = {"surface 1": section.upper, "surface 2": section.lower}
-    if section.touches.any():
-        lines["contact of summits"] = np.where(section.touches, section.lower, np.nan)
-    series = [Series(CURVE, name, section.position, heights) for name, heights in lines.items()]
-    for particle in section.particles:
-        state = "carries load" if particle.carries_load else "free"
-        name = f"particle of {particle.diameter:.4g} m; {state}"
-        series.append(Series(CURVE, name, *_outline(particle)))
-    return Panel(letter, title, "position", "height", tuple(series))
-
-
-def _outline(particle):
-    """Circle of an undeformed particle, which dents the surfaces where it is held."""
-    angle = np.linspace(0.0, 2.0 * np.pi, 121)
-    radius = 0.5 * particle.diameter
-    return particle.position + radius * np.cos(angle), particle.height + radius * np.sin(angle)
-
-
-def _draw_section(axes: Axes, section: Section) -> None:
-    """Draw a section, lengths and heights to one scale."""
-    position, length = section.position, section.position[-1]
+def _drawn(axes: Axes, letter: str, title: str, section: Section) -> Panel:
+    """Draw a section, lengths and heights to one scale: surfaces, the contact of summits, particles,
+    undeformed though they dent the surfaces where they are held."""
+    position, length = section["position"], section["position"][-1]
     box = axes.get_window_extent()
-    middle, reach = 0.5 * section.state.separation, 0.5 * length * box.height / box.width
+    middle, reach = 0.5 * section["separation"], 0.5 * length * box.height / box.width
     axes.set(xlim=(0.0, length), ylim=(middle - reach, middle + reach), xticks=[], yticks=[])
-    axes.set_facecolor(NO_LUBRICANT if section.state.condition.is_dry else LUBRICANT)
-    bodies = (section.upper, middle + reach, SURFACE_1), (section.lower, middle - reach, SURFACE_2)
-    for heights, edge, colour in bodies:
+    axes.set_facecolor(NO_LUBRICANT if section["viscosity"] == 0.0 else LUBRICANT)
+    lines = {"surface 1": section["upper"], "surface 2": section["lower"]}
+    edges = (middle + reach, SURFACE_1), (middle - reach, SURFACE_2)
+    for heights, (edge, colour) in zip(lines.values(), edges, strict=True):
         axes.fill_between(position, heights, edge, color=colour, linewidth=0)
         axes.plot(position, heights, **OUTLINE)
-    for particle in section.particles:
-        colour, edge, width = (CARRYING if particle.carries_load else FREE).values()
-        look = {"facecolor": colour, "edgecolor": edge, "linewidth": width}
-        axes.fill(*_outline(particle), **look, zorder=2.5)
-    axes.plot(position, np.where(section.touches, section.lower, np.nan), **TOUCHING)
+    if section["surfaces_touch"].any():
+        touching = np.where(section["surfaces_touch"], section["lower"], np.nan)
+        lines["contact of summits"] = touching
+        axes.plot(position, touching, **TOUCHING)
+    series = [Series(CURVE, name, position, heights) for name, heights in lines.items()]
+    angle = np.linspace(0.0, 2.0 * np.pi, 121)
+    for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
+        outline = x + 0.5 * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
+        state, look = ("carries load", CARRYING) if carries_load else ("free", FREE)
+        series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *outline))
+        colour, edge, width = look.values()
+        axes.fill(*outline, facecolor=colour, edgecolor=edge, linewidth=width, zorder=2.5)
     height, end = middle - 0.9 * reach, 0.97 * length
     axes.plot([end - MICROMETRE, end], [height, height], color="black", linewidth=2.0)
     axes.text(end - MICROMETRE, height, "1 µm  ", ha="right", va="center")
+    facts = (
+        f"d = {section['separation'] / MICROMETRE:.2f} µm, "
+        f"$A_{{sa,t}}^*$ = {section['particle_contact_area_ratio']:.2f}, "
+        f"$L_s$ = {section['solid_load_fraction']:.0%}"
+    )
+    axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
+    panel = Panel(letter, title, "position", "height", tuple(series))
+    title_axes(axes, panel)
+    return panel
 
 
 def _draw_arrows(axes, section):
     """The separation of the mean planes, and the load on both surfaces."""
-    length, d = section.position[-1], section.state.separation
+    length, d = section["position"][-1], section["separation"]
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     place = 0.03 * length

@@ -1,128 +1,241 @@
-"""Sections through the three-body interface, and the file that keeps them."""
+"""Random sections through the three-body interface, true to scale, and the file that keeps them.
+
+The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
+planes stand at the solved separation.  The seed is always the same.
+
+A section has values by the names of the variables of its file.  Its state: the condition, d [m],
+A_sa,t*, L_s and the mode of the solution there.  Shape (n,): ``position`` along it, the heights ``lower``
+and ``upper`` of both surfaces [m], equal and flat where ``surfaces_touch``.  Shape (particles,): position
+and height of their centres and their size [m], and ``particle_carries_load``.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtr, ndtri
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
-from thirdbody.data.netcdf import load, write_netcdf
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import read_plain, write_dataset
+from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import FLAGS, QUANTITIES
+from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 
+SEED = 20240507  # the day on which the paper appeared
+LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
+POINTS = 500
+CLEARANCE = 0.12  # fraction of the section that contacts keep from its ends
+ATTEMPTS = 1000
+
+Section = Mapping[str, Any]
+
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
-# fields of a particle, all in m: names in the file and their meaning
-PARTICLE = {
-    "particle_position": "position of the centre of a particle; nan: no particle",
-    "particle_height": "height of the centre of a particle",
-    "particle_size": "diameter of a particle",
+STATE, LINE, PARTICLE = ("panel",), ("panel", "position"), ("panel", "particle")
+
+
+def _metres(meaning: str) -> dict[str, str]:
+    return {"units": "m", "long_name": meaning}
+
+
+PARTICLES = {
+    "particle_position": _metres("position of the centre of a particle; nan: no particle"),
+    "particle_height": _metres("height of the centre of a particle"),
+    "particle_size": _metres("diameter of a particle"),
+    "particle_carries_load": {"long_name": "whether a particle carries load"},
 }
-LINES = {"lower": "height of the lower surface", "upper": "height of the upper surface"}
-TOUCHES, CARRIES_LOAD = "surfaces_touch", "particle_carries_load"
+# dimensions and attributes of the variables of the file
+VARIABLES = (
+    {name: (STATE, coordinate_attributes(AXES[name])) for name in Condition._fields}
+    | {name: (STATE, coordinate_attributes(QUANTITIES[name])) for name in NUMBERS}
+    | {
+        "contact_mode": (STATE, variable_attributes(FLAGS["contact_mode"])),
+        "lower": (LINE, _metres("height of the lower surface")),
+        "upper": (LINE, _metres("height of the upper surface")),
+        "surfaces_touch": (LINE, {"long_name": "whether the surfaces touch"}),
+    }
+    | {name: (PARTICLE, attributes) for name, attributes in PARTICLES.items()}
+)
 
 
-@dataclass(frozen=True)
-class State:
-    """A solved interface: its condition, and d [m], A_sa,t*, L_s and the mode of its solution."""
-
-    condition: Condition
-    separation: float
-    particle_contact_area_ratio: float
-    solid_load_fraction: float
-    contact_mode: str
-
-    @classmethod
-    def of(cls, condition: Condition, solution: Any) -> State:
-        """The state from the ``Solution`` of this one point; ``ValueError`` if there is none."""
-        if not np.isfinite(solution.separation):
-            raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
-        numbers = (float(getattr(solution, name)) for name in NUMBERS)
-        return cls(condition, *numbers, CONTACT_MODES[int(solution.contact_mode)])
+def state_of(condition: Condition, solution: Any) -> dict[str, Any]:
+    """The state of an interface from the ``Solution`` of its ``condition``, one point; ``ValueError`` if
+    there is none."""
+    if not np.isfinite(solution.separation):
+        raise ValueError(f"schematic conditions {condition._asdict()} have no solution")
+    numbers = {name: float(getattr(solution, name)) for name in NUMBERS}
+    return {**condition._asdict(), **numbers, "contact_mode": np.int8(solution.contact_mode)}
 
 
-@dataclass(frozen=True)
-class Particle:
-    """A particle: position and height of its centre and its diameter [m]; does it carry load?"""
-
-    position: float
-    height: float
-    diameter: float
-    carries_load: bool
+def condition_of(section: Section) -> Condition:
+    """The condition of a section, or of a state."""
+    return Condition(*(float(section[name]) for name in Condition._fields))
 
 
-@dataclass(frozen=True)
-class Section:
-    """A section through two rough surfaces with particles between them.
+def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> list[Section]:
+    """The sections of the schematic ``fig01`` or ``fig02``, one for each state; errors as below."""
+    return [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
 
-    ``position`` along it and the heights ``lower`` and ``upper`` of both surfaces have shape (n,) [m];
-    the heights are equal and flat where the surfaces touch, as ``touches`` says.
+
+def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
+    """A section of this ``length`` [m] that meets the contacts which carry the load: summits touch in
+    the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
+
+    ``ValueError`` if no random section is of this kind.
     """
+    random = np.random.default_rng(seed)
+    position = np.linspace(0.0, length, POINTS)
+    mode = CONTACT_MODES[state["contact_mode"]]
+    summits_touch = mode in ("two_body", "surface_surface", "hybrid")
+    particle_carries = mode in ("particle_surface", "hybrid")
+    reach = _reach(state, parameters) if particle_carries else None
+    for _ in range(ATTEMPTS):
+        lower, upper = _surfaces(state, parameters, position, summits_touch, random)
+        touches = lower > upper
+        particles = _particles(state, parameters, position, lower, upper, reach, random)
+        if (
+            touches.any() == summits_touch
+            and particles["particle_carries_load"].any() == particle_carries
+            and _are_apart(particles, position[touches], length)
+        ):
+            middle = 0.5 * (lower + upper)
+            return {
+                **state,
+                "position": position,
+                "lower": np.where(touches, middle, lower),
+                "upper": np.where(touches, middle, upper),
+                "surfaces_touch": touches.astype(np.int8),
+                **particles,
+            }
+    raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
 
-    state: State
-    position: NDArray[np.float64]
-    lower: NDArray[np.float64]
-    upper: NDArray[np.float64]
-    touches: NDArray[np.bool_]
-    particles: tuple[Particle, ...]
+
+def _reach(state, parameters):
+    """By how much a gap may exceed a particle that carries load in it [m]: by the height of the plane
+    that particles meet, and by the elastic zone as printed."""
+    interpretation = parameters.interpretation
+    height = interpretation.particle_plane.height(state["roughness"], parameters)
+    depth = parameters.elastic_depth_ratio * state["particle_diameter"]
+    return height + interpretation.elastic_limits.beyond * depth
+
+
+def _surfaces(state, parameters, position, summits_touch, random):
+    """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
+    sigma, separation = state["roughness"], state["separation"]
+    # the correlation length l of a Gaussian surface with the model's density of summits, which is
+    # 1/(2 pi sqrt(3) l^2) with the autocorrelation exp(-x^2/2l^2): Nayak (1971)
+    # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
+    # cannot both be those of a Gaussian surface
+    length = 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * parameters.surface(sigma).summit_density)
+    # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
+    lower, upper = (sigma / np.sqrt(2.0) * _profile(position, length, random) for _ in range(2))
+    if summits_touch:
+        # a Gaussian process that passes a given height there: a draw plus its regression on the
+        # difference; beyond a high level d it rises sigma^2/d on average
+        place = random.uniform(0.25, 0.4) * position[-1]
+        missing = separation + sigma**2 / separation - np.interp(place, position, lower - upper)
+        rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
+        lower, upper = lower + rise, upper - rise
+    return lower, upper + separation
+
+
+def _profile(position, length, random):
+    """A Gaussian random profile of unit variance and autocorrelation exp(-x^2/2 length^2)."""
+    step = position[1] - position[0]
+    reach = int(3.0 * length / step)
+    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
+    noise = random.standard_normal(position.size + 2 * reach)
+    return np.convolve(noise, kernel, "valid") / np.sqrt(np.sum(kernel**2))
+
+
+def _particles(state, parameters, position, lower, upper, reach, random) -> dict[str, NDArray]:
+    """Particles of a slab as deep as their mean distance.
+
+    With a ``reach`` the first carries load: it lies in the narrowest place on the right, and is larger
+    than the gap there less the reach.
+    """
+    count = round(position[-1] * np.sqrt(state["particle_density"]))
+    places = random.uniform(0.05, 0.95, count) * position[-1]
+    smallest = np.zeros(count)
+    if reach is not None:
+        right = (position > 0.6 * position[-1]) & (position < (1 - CLEARANCE) * position[-1])
+        gap = np.where(right, upper - lower, np.inf)
+        places[0], smallest[0] = position[np.argmin(gap)], max(gap.min() - reach, 0.0)
+    fractions = random.uniform(size=count)
+    sizes = size_quantiles(fractions, smallest, state["particle_diameter"], parameters)
+    settled = [
+        _settled(place, size, position, lower, upper, reach or 0.0)
+        for place, size in zip(places, sizes, strict=True)
+    ]
+    heights, carries = np.reshape(settled, (count, 2)).T
+    return dict(zip(PARTICLES, (places, heights, sizes, carries.astype(np.int8)), strict=True))
+
+
+def size_quantiles(
+    fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
+) -> NDArray:
+    """Sizes [m] below which a ``fraction`` of the particles from ``smallest`` [m] to X_max lies, for a
+    mean ``diameter`` x_a [m]."""
+    mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
+    above = ndtr(parameters.truncation)
+    below = np.minimum(ndtr((smallest - mean) / spread), above)
+    return mean + spread * ndtri(below + (above - below) * fraction)
+
+
+def _settled(place, diameter, position, lower, upper, reach) -> tuple[float, bool]:
+    """Height of a particle at rest on the lower surface, or held where the gap is narrower than it; and
+    whether it carries load, as where the gap exceeds it by no more than the ``reach``."""
+    radius = 0.5 * diameter
+    across = np.abs(position - place) < radius
+    if not across.any():
+        return np.interp(place, position, lower) + radius, False
+    half_chord = np.sqrt(radius**2 - (position[across] - place) ** 2)
+    rests = (lower[across] + half_chord).max()
+    hangs = (upper[across] - half_chord).min()
+    return min(rests, 0.5 * (rests + hangs)), rests + reach > hangs
+
+
+def _are_apart(particles, contacts, length) -> bool:
+    """Whether no particle covers another, a contact of summits, or the ends of the section."""
+    places, radii = particles["particle_position"], 0.5 * particles["particle_size"]
+    distances = np.abs(places[:, None] - places) - radii[:, None] - radii
+    np.fill_diagonal(distances, np.inf)
+    within = (places > radii) & (places < length - radii)
+    clear = np.abs(places[:, None] - contacts) > radii[:, None]
+    return bool((distances > 0.0).all() and within.all() and clear.all())
 
 
 def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     """Write the sections of a schematic to a NetCDF-4 file; ``OSError`` if that fails."""
-    states = [section.state for section in sections]
-    attributes = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
-    attributes |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
-    numbers = np.array(
-        [[*state.condition, *(getattr(state, n) for n in NUMBERS)] for state in states]
-    )
-    variables = {
-        name: ("panel", values, attributes[name])
-        for name, values in zip(attributes, numbers.T, strict=True)
-    }
-    modes = np.array([CONTACT_MODES.index(state.contact_mode) for state in states], dtype=np.int8)
-    variables["contact_mode"] = ("panel", modes, variable_attributes(FLAGS["contact_mode"]))
-    along = ("panel", "position")
-    for name, meaning in LINES.items():
-        heights = [getattr(section, name) for section in sections]
-        variables[name] = (along, heights, {"units": "m", "long_name": meaning})
-    touches = np.array([section.touches for section in sections], dtype=np.int8)
-    variables[TOUCHES] = (along, touches, {"long_name": "whether the surfaces touch"})
-    # panels with fewer particles than others end with nan
-    most = max(len(section.particles) for section in sections)
-    table = np.full((len(sections), most, 4), np.nan)
-    for panel, section in enumerate(sections):
-        for place, one in enumerate(section.particles):
-            table[panel, place] = one.position, one.height, one.diameter, one.carries_load
-    each = ("panel", "particle")
-    for index, (name, meaning) in enumerate(PARTICLE.items()):
-        variables[name] = (each, table[..., index], {"units": "m", "long_name": meaning})
-    carries = (table[..., 3] == 1.0).astype(np.int8)
-    variables[CARRIES_LOAD] = (each, carries, {"long_name": "whether a particle carries load"})
-    position = ("position", sections[0].position, {"units": "m", "long_name": "along the section"})
+    most = max(section["particle_size"].size for section in sections)
+    variables = {}
+    for name, (dims, attributes) in VARIABLES.items():
+        values = [section[name] for section in sections]
+        if dims is PARTICLE:  # panels with fewer particles than others end with nan
+            values = [_padded(each, most) for each in values]
+        variables[name] = Variable(dims, np.array(values), attributes)
+    position = Variable(("position",), sections[0]["position"], _metres("along the section"))
     dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
-    write_netcdf(dataset, path, {})
+    write_dataset(dataset, path)
+
+
+def _padded(values, length):
+    nothing = np.nan if values.dtype == float else 0
+    return np.pad(values, (0, length - values.size), constant_values=nothing)
 
 
 def read_sections(path: str | PathLike) -> list[Section]:
     """The sections of a file of ``write_sections``; ``OSError`` in one line if it cannot be read."""
-    needed = (*Condition._fields, *NUMBERS, *LINES, *PARTICLE, "contact_mode", "position")
-    data = load(path, (*needed, TOUCHES, CARRIES_LOAD))
+    data = read_plain(path, [*VARIABLES, "position"])
     found = []
-    for index in range(data.sizes["panel"]):
-        panel = {name: variable.values[index] for name, variable in data.data_vars.items()}
-        condition = Condition(*(float(panel[name]) for name in Condition._fields))
-        numbers = (float(panel[name]) for name in NUMBERS)
-        state = State(condition, *numbers, CONTACT_MODES[int(panel["contact_mode"])])
-        columns = [panel[name].tolist() for name in PARTICLE]
-        rows = zip(*columns, panel[CARRIES_LOAD].astype(bool).tolist(), strict=True)
-        particles = tuple(Particle(*row) for row in rows if not np.isnan(row[0]))
-        touches = panel[TOUCHES].astype(bool)
-        lines = (panel[name] for name in LINES)
-        found.append(Section(state, data["position"].values, *lines, touches, particles))
+    for panel in range(data.sizes["panel"]):
+        section = {name: variable.values[panel] for name, variable in data.data_vars.items()}
+        is_there = ~np.isnan(section["particle_position"])
+        particles = {name: section[name][is_there] for name in PARTICLES}
+        found.append({**section, **particles, "position": data["position"].values})
     return found

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.data.netcdf import load
+from thirdbody.data.netcdf import read_plain
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import STATUS, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS
@@ -21,7 +21,7 @@ def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
 
     ``kinds`` has the titles of the folders of products, of which ``datasets`` must be one.
     """
-    datasets = {path.name: load(path) for path in sorted(data.glob("datasets/*.nc"))}
+    datasets = {path.name: read_plain(path) for path in sorted(data.glob("datasets/*.nc"))}
     return {
         "kinds": kinds,
         "names": {kind: files_in(data / kind, data / kind) for kind in kinds},

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
@@ -77,14 +77,13 @@ def band(
 
 
 def _variable(values, attributes, shown, extreme):
-    """Dimensions, values and attributes of a variable: ``values`` [load, curve] where conditions are
-    ``shown``, else the fill value."""
+    """A variable: ``values`` [load, curve] where conditions are ``shown``, else the fill value."""
     whole = np.full((len(values), *shown.shape), FILL_FLOAT)
     whole[:, shown] = values
     described = {name: attributes[name] for name in ("units", "symbol", "equation")}
     described["long_name"] = f"{extreme} {attributes['long_name']} of the ensemble"
     described["coverage_content_type"] = "modelResult"
-    return DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT}
+    return Variable(DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT})
 
 
 def _attributes(dataset, ensemble) -> dict:
