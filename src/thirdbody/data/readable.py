@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from functools import partial
 from html import escape
 from itertools import groupby
 from pathlib import Path
 from string import Template
+from typing import NamedTuple
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
 
@@ -39,11 +39,9 @@ CROSSINGS = {  # columns of the transitions: heading, quantity and level
     "Aₛₐ,ₜ* = 0.05 [N]": ("particle_contact_area_ratio", 0.05),
 }
 ARROWS = {"rising": "↑ ", "falling": "↓ "}
-FIGURES, PAPER, STATUS = "figures", "(paper)", "status"  # headings, PAPER the end of some
 
 
-@dataclass(frozen=True)
-class Sheet:
+class Sheet(NamedTuple):
     """A table for reading: a title and a note above it, and rows of texts by their headings."""
 
     title: str
@@ -61,11 +59,6 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
     """``value`` with so many digits, or fewer where ``error`` leaves fewer.
 
     None is empty, and nan is none: what is missing, and what does not exist.
-
-    Examples
-    --------
-    >>> rounded(0.123456), rounded(0.123456, error=0.04), rounded(1234.5)
-    ('0.123', '0.12', '1230')
     """
     if value is None:
         return ""
@@ -77,17 +70,6 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
     if error > 0.0:
         places = min(places, -_exponent(error))
     return f"{round(value, places) + 0.0:.{max(places, 0)}f}"
-
-
-def with_error(value: float, error: float) -> str:
-    """``value`` ± ``error``, which has one digit.
-
-    Examples
-    --------
-    >>> with_error(0.5234, 0.0612)
-    '0.52 ± 0.06'
-    """
-    return f"{rounded(value, error)} ± {rounded(error, digits=1)}"
 
 
 def result_name(row: Mapping) -> str:
@@ -103,9 +85,14 @@ def result_name(row: Mapping) -> str:
 def readable(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> list[Sheet]:
-    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``;
-    ``newtons_per_load`` is F_t/F_t* [N]."""
-    return READABLE[table](rows, printed, newtons_per_load)
+    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``,
+    without columns that are empty; ``newtons_per_load`` is F_t/F_t* [N]."""
+    sheets = []
+    for title, note, lines in READABLE[table](rows, printed, newtons_per_load):
+        kept = [name for name in lines[0] if any(line[name] for line in lines)] if lines else []
+        filled = [{name: line[name] for name in kept} for line in lines]
+        sheets.append(Sheet(title, note if lines else "There are none.", filled))
+    return sheets
 
 
 def markdown(sheets: Sequence[Sheet]) -> str:
@@ -144,83 +131,66 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     lines = []
-    for key, some in _curves(rows):
+    for some, paper in _curves(rows, printed):
         row = some[0]
         load, error = row["load"], row["load_error"]
-        paper = {
-            number["quantity"]: number for number in reversed(printed) if row_key(number) == key
-        }
-        load_paper, ratio_paper, solid_paper = (
-            _spread(paper.get(f"turning_point_{name}"), unit)
-            for name, unit in (("load", LOAD_UNIT), ("ratio", 1.0), ("solid_load_fraction", 0.01))
-        )
+        ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
         lines.append(
             _curve_cells(some)
             | {
                 "F_TPCA* [10⁻⁶]": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
-                f"F_TPCA* {PAPER}": load_paper,
+                "F_TPCA* (paper)": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
                 "F_TPCA [N]": rounded(load * newtons_per_load, error * newtons_per_load),
                 "Aₛₐ,ₜ*": rounded(row["peak_ratio"]),
-                f"Aₛₐ,ₜ* {PAPER}": ratio_paper,
+                "Aₛₐ,ₜ* (paper)": _spread(paper, quantity=ratio),
                 "Lₛ [%]": rounded(100.0 * row["solid_load_fraction"]),
-                f"Lₛ {PAPER}": solid_paper,
+                "Lₛ (paper)": _spread(paper, 0.01, quantity=solid),
                 "d [nm]": rounded(row["separation_m"] / 1e-9),
-                STATUS: _statuses(some),
+                "status": _statuses(some),
             }
         )
     note = "A row is a curve. Beside the model's numbers stand the paper's, with their tolerances."
-    return [_sheet_beside(printed, "Turning points of the contact area", note, lines)]
+    return [Sheet("Turning points of the contact area", note, lines)]
 
 
-def _windows(rows, printed, _) -> list[Sheet]:
-    lines: dict[float, dict] = {}
-    sizes: dict[float, list] = {}
-    for row in rows:
-        roughness, end, ratio = (row[n] for n in ("roughness_m", "end", "diameter_over_roughness"))
-        line = lines.setdefault(roughness, {"σ [nm]": _in_unit("roughness", roughness)})
-        paper = [
-            _spread(number)
-            for number in printed
-            if (number["quantity"], number["roughness_m"]) == (f"window_{end}", roughness)
-        ]
-        line[f"{end} end of xₐ/σ"] = rounded(ratio, row["error"])
-        line[f"{end} end {PAPER}"] = "; ".join(dict.fromkeys(paper))
-        size = rounded(ratio * roughness / 1e-9, row["error"] * roughness / 1e-9)
-        sizes.setdefault(roughness, []).append(size)
+def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
+    lines = []
+    for roughness, ends in groupby(rows, key=lambda row: row["roughness_m"]):
+        line, sizes = {"σ [nm]": _in_unit("roughness", roughness)}, []
+        for row in ends:
+            end, ratio, error = (row[n] for n in ("end", "diameter_over_roughness", "error"))
+            paper = _spread(printed, quantity=f"window_{end}", roughness_m=roughness)
+            line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
+            sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
+        lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
     note = (
         "It occurs between two ends of xₐ/σ. Beside them stand the paper's, with their tolerances."
     )
-    title = "Windows of the turning point in dry contact"
-    rows = [line | {"xₐ [nm]": " to ".join(sizes[key])} for key, line in lines.items()]
-    return [Sheet(title, note, rows)]
+    return [Sheet("Windows of the turning point in dry contact", note, lines)]
 
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
     lines = []
-    for key, some in _curves(rows):
+    for some, paper in _curves(rows, printed):
         line = _curve_cells(some)
-        for heading, crossing in CROSSINGS.items():
+        for heading, (quantity, level) in CROSSINGS.items():
             found = {
                 rounded(row["load"] * newtons_per_load): ARROWS[row["direction"]]
                 for row in some
-                if (row["quantity"], row["level"]) == crossing
+                if (row["quantity"], row["level"]) == (quantity, level)
             }
-            paper = [
-                f"(paper: {_spread(number, 1.0 / newtons_per_load)})"
-                for number in printed
-                if number["quantity"] == "load"
-                and row_key(number) == key
-                and (number["at_quantity"], number["at_level"]) == crossing
-            ]
-            line[heading] = ", ".join([arrow + load for load, arrow in found.items()] + paper)
-        lines.append(line | {STATUS: _statuses(some)})
+            texts = [arrow + load for load, arrow in found.items()]
+            at = {"quantity": "load", "at_quantity": quantity, "at_level": level}
+            spread = _spread(paper, 1.0 / newtons_per_load, **at)
+            line[heading] = ", ".join([*texts, f"(paper: {spread})"] if spread else texts)
+        lines.append(line | {"status": _statuses(some)})
     note = "A row is a curve. ↓ the quantity falls with the load, ↑ it rises."
-    return [_sheet_beside(printed, "Loads at which the regime or mode changes", note, lines)]
+    return [Sheet("Loads at which the regime or mode changes", note, lines)]
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
     given = [row for row in rows if row["input"]]
-    results = list(dict.fromkeys(map(result_name, given)))
+    results = dict.fromkeys(map(result_name, given))
     sheets = []
     for measure, title in MEASURES.items():
         cells = [
@@ -247,15 +217,12 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
 
     def cell(row) -> str:
         ends = dict.fromkeys((text(row["low"]), text(row["high"])))
-        status = _statuses([row])
-        return f"{text(row['limit'])} ({' to '.join(ends)})" + (f", {status}" if status else "")
+        limit = f"{text(row['limit'])} ({' to '.join(ends)})"
+        return ", ".join(filter(None, [limit, _statuses([row])]))
 
     held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
     loads = [f"{row['load_N']:g} N" for row in rows]
-    conditions = [
-        {_heading(axis): _in_unit(axis.name, row[axis.column]) for axis in held} for row in rows
-    ]
-    cells = zip(conditions, loads, map(cell, rows), strict=True)
+    cells = zip([_conditions(row, held) for row in rows], loads, map(cell, rows), strict=True)
     note = (
         "At the load of each column; in brackets between which values nine in ten members of "
         f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
@@ -264,29 +231,19 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
     return [Sheet(title, note, _pivoted(cells, loads))]
 
 
+TABLE1 = "Table 1. Properties of the materials, as printed and recomputed"
+TABLE2 = "Table 2. Operating conditions, as printed and recomputed"
+LARGEST = "Largest particles that stay out of the particle-surface mode [nm]"
+LEAST = "Least viscosity that leaves boundary lubrication [cSt]"
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
-    "table1": partial(
-        _paper_table, "Table 1. Properties of the materials, as printed and recomputed"
-    ),
-    "table2": partial(_paper_table, "Table 2. Operating conditions, as printed and recomputed"),
+    "table1": partial(_paper_table, TABLE1),
+    "table2": partial(_paper_table, TABLE2),
     "tpca_loads": _turning_points,
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
-    "largest_particle": partial(
-        _chart,
-        "Largest particles that stay out of the particle-surface mode [nm]",
-        "particle_diameter",
-        "none",
-        "all",
-    ),
-    "least_viscosity": partial(
-        _chart,
-        "Least viscosity that leaves boundary lubrication [cSt]",
-        "viscosity",
-        "all",
-        "none",
-    ),
+    "largest_particle": partial(_chart, LARGEST, "particle_diameter", "none", "all"),
+    "least_viscosity": partial(_chart, LEAST, "viscosity", "all", "none"),
 }
 
 
@@ -299,38 +256,23 @@ def _pivoted(cells, columns) -> list[dict[str, str]]:
     return [*lines.values()]
 
 
-def _sheet_beside(printed, title, note, lines) -> Sheet:
-    """A table of curves, without columns that are empty because nothing is printed of the curves, or
-    because all have converged."""
-    if not lines:
-        return Sheet(title, "There are none.", [])
-    kept = [
-        name
-        for name in lines[0]
-        if (printed or not (name == FIGURES or name.endswith(PAPER)))
-        and (name != STATUS or any(line[STATUS] for line in lines))
-    ]
-    return Sheet(title, note, [{name: line[name] for name in kept} for line in lines])
-
-
-def _curves(rows):
-    """Rows by curve, some of which figures share."""
+def _curves(rows, printed):
+    """Rows by curve, some of which figures share, and what the paper prints of each."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
-    return [(key, [*some]) for key, some in groupby(ordered, key=row_key)]
+    for key, some in groupby(ordered, key=row_key):
+        yield [*some], [number for number in printed if row_key(number) == key]
 
 
 def _curve_cells(rows) -> dict[str, str]:
+    """Figures of the paper that show a curve, and its conditions."""
     numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in rows)
     figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
-    conditions = {
-        _heading(axis): _in_unit(axis.name, rows[0][axis.column]) for axis in CONDITION_AXES
-    }
-    return {FIGURES: figures} | conditions
+    return {"figures": figures, **_conditions(rows[0], CONDITION_AXES)}
 
 
-def _heading(axis) -> str:
-    return f"{axis.sign} [{axis.unit}]"
+def _conditions(row, axes) -> dict[str, str]:
+    return {f"{axis.sign} [{axis.unit}]": _in_unit(axis.name, row[axis.column]) for axis in axes}
 
 
 def _in_unit(name, value) -> str:
@@ -357,20 +299,21 @@ def _ends(low, high) -> str:
 
 def _response(row) -> str:
     """A sensitivity: an elasticity to hundredths, a Sobol index with its error."""
-    value, error = row["sensitivity"], row["error"] or 0.0
+    value, error = row["sensitivity"], max(row["error"] or 0.0, NEGLIGIBLE)
     if abs(value) < NEGLIGIBLE:
         return "0"
-    if row["measure"] == "elasticity":
-        return rounded(value, max(error, NEGLIGIBLE))
-    return with_error(value, max(error, NEGLIGIBLE))
+    text = rounded(value, error)
+    return text if row["measure"] == "elasticity" else f"{text} ± {rounded(error, digits=1)}"
 
 
-def _spread(number, unit=1.0) -> str:
-    """A printed number and its tolerance, in ``unit``; empty if there is none."""
-    if number is None:
-        return ""
-    value, reach = number["value"] / unit, (number["high"] - number["low"]) / (2.0 * unit)
-    return f"{value:.3g} ± {reach:.2g}"
+def _spread(printed, unit=1.0, **fields) -> str:
+    """The printed numbers that have these ``fields``, with their tolerances, in ``unit``."""
+    found = [number for number in printed if fields.items() <= number.items()]
+    texts = (
+        f"{number['value'] / unit:.3g} ± {(number['high'] - number['low']) / (2.0 * unit):.2g}"
+        for number in found
+    )
+    return "; ".join(dict.fromkeys(texts))
 
 
 def _exponent(value) -> int:
