@@ -73,24 +73,23 @@ class CurveFigure:
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and
         ``windows`` are rows of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
-        curves = [one for one in curves_in(data) if self.two_body or not one.condition.is_two_body]
+        curves = curves_in(with_relative_area(data), turning_points)
+        if not self.two_body:
+            curves = [one for one in curves if not one.condition.is_two_body]
         # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
         common = shared_notes(conditions)
-        data = with_relative_area(data)
         panels: list[Panel] = []
-        for content in self._contents(data, curves):
+        for content in self._contents(curves):
             chosen = _on_surface(curves, data, content.surface)
-            points = marks.turning_points_of(chosen, turning_points)
             if content.x == "diameter_ratio":
-                series = _window_series(chosen[0].condition.roughness, points, windows, printed)
+                series = tuple(_window_series(chosen, windows, printed))
             else:
-                series = _curve_series(data, content, chosen, points, ensemble_range, printed)
-            found = tuple(series)
-            if found:
+                series = tuple(_curve_series(content, chosen, ensemble_range, printed))
+            if series:
                 letter, title = ascii_uppercase[len(panels)], _title(content, chosen, common)
-                panels.append(Panel(letter, title, content.x, content.y, found))
+                panels.append(Panel(letter, title, content.x, content.y, series))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
@@ -103,43 +102,41 @@ class CurveFigure:
         figure = draw_panels(panels, styles.of_series, newtons_per_load, entries, title)
         return Drawing(figure, tuple(panels))
 
-    def _contents(self, data, curves) -> list[Content]:
-        """The contents for which ``data`` have values along ``curves``."""
+    def _contents(self, curves) -> list[Content]:
+        """The contents for which there are values along ``curves``."""
 
         def has(name):
-            return name in data and any(
-                np.isfinite(each.values(data, name)).any() for each in curves
-            )
+            return name in curves[0].data and any(np.isfinite(c.values(name)).any() for c in curves)
 
-        sizes = len({each.condition.diameter_ratio for each in curves})
+        sizes = {each.condition.diameter_ratio for each in curves}
         contents = [
             each
             for each in self.contents
-            if (sizes > 1 if each.x == "diameter_ratio" else has(each.x) and has(each.y))
+            if (len(sizes) > 1 if each.x == "diameter_ratio" else has(each.x) and has(each.y))
         ]
         if not self.each_surface:
             return contents
-        indices = range(data.sizes["roughness"])
+        indices = range(curves[0].data.sizes["roughness"])
         return [replace(each, surface=index) for each in contents for index in indices]
 
 
-def _curve_series(data, content, curves, points, ranges, printed) -> Iterator[Series]:
+def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
     """All that a panel of curves shows."""
     x, y = content.x, content.y
     for curve in curves:
-        values = (curve.values(data, name) for name in (x, y))
-        yield Series(CURVE, curve.label, *values, curve.condition)
-    yield from marks.status_series(data, x, y, curves)
+        yield Series(CURVE, curve.label, curve.values(x), curve.values(y), curve.condition)
+    yield from marks.status_series(x, y, curves)
     if content.locus:
-        yield from marks.turning_point_series(data, x, y, points, marks.LOCUS)
+        yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
     if content.locus or y == RATIO:
-        yield from marks.turning_point_series(data, x, y, points, marks.TURNING_POINTS)
-    yield from printed_series(data, x, y, curves, printed, points)
+        yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
+    yield from printed_series(x, y, curves, printed)
     if ranges is not None and x == "load" and f"{y}_low" in ranges:
         for curve in curves:
-            low, high = (curve.values(ranges, f"{y}_{end}") for end in ("low", "high"))
-            some = np.unique([*range(0, low.size, BAND_STEP), low.size - 1])
-            outline = range_outline(ranges["load"].values[some], low[some], high[some])
+            around = replace(curve, data=ranges)
+            load, low, high = map(around.values, ("load", f"{y}_low", f"{y}_high"))
+            some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
+            outline = range_outline(load[some], low[some], high[some])
             yield Series(marks.BAND, curve.label, *outline, curve.condition)
 
 
@@ -150,23 +147,25 @@ def range_outline(x, low, high):
     return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
 
 
-def _window_series(roughness, turning_points, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ, and the computed and printed ends of the range where they occur.
-
-    The ends have no height: their ``y`` is 0.
-    """
-    if turning_points:
-        ratios = np.array([curve.condition.diameter_ratio for curve, _ in turning_points])
-        peaks = np.array([row["peak_ratio"] for _, row in turning_points])
+def _window_series(curves, windows, printed) -> Iterator[Series]:
+    """Turning points over x_a/σ on one surface, and the computed and printed ends of the range where they
+    occur, which have no height: their ``y`` is 0."""
+    marked = [curve for curve in curves if curve.turning_point]
+    if marked:
+        ratios = np.array([curve.condition.diameter_ratio for curve in marked])
+        peaks = np.array([curve.turning_point["peak_ratio"] for curve in marked])
         yield Series(marks.TURNING_POINTS, "", ratios, peaks)
-    ends = [
-        row["diameter_over_roughness"]
-        for row in windows
-        if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
-        and np.isfinite(row["diameter_over_roughness"])
-    ]
-    if ends:
-        yield Series(marks.WINDOW, "", np.array(ends), np.zeros(len(ends)))
+    roughness = curves[0].condition.roughness
+    ends = np.array(
+        [
+            row["diameter_over_roughness"]
+            for row in windows
+            if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
+            and np.isfinite(row["diameter_over_roughness"])
+        ]
+    )
+    if ends.size:
+        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
     yield from printed_window_series(printed, roughness)
 
 

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from os import PathLike
 
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.dataset_curves import Curve
@@ -53,46 +52,34 @@ BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
     """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load`` and
     ``peak_ratio`` of each; ``OSError`` in one line if the file is damaged."""
+    columns = {axis.name: axis.column for axis in CONDITION_AXES}
+    columns |= {"load": "load", "peak_ratio": "peak_ratio"}
     return [
-        {axis.name: row[axis.column] for axis in CONDITION_AXES}
-        | {name: row[name] for name in ("load", "peak_ratio")}
+        {name: row[column] for name, column in columns.items()}
         for row in read_csv(path, TABLES["tpca_loads"])
     ]
 
 
-def turning_points_of(
-    curves: Sequence[Curve], turning_points: Iterable[Mapping]
-) -> list[tuple[Curve, Mapping]]:
-    """Pairs of a curve and its turning point, where it has one."""
-    found = {
-        condition_key(point[name] for name in Condition._fields): point for point in turning_points
-    }
-    keys = [condition_key(curve.condition) for curve in curves]
-    return [(curve, found[key]) for curve, key in zip(curves, keys, strict=True) if key in found]
+def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:
+    """The turning points of ``curves`` in a panel of ``x`` and ``y`` as one series, if there are any."""
+    marked = [curve for curve in curves if curve.turning_point]
+    if marked:
+        places = [[one.at(name, one.turning_point["load"]) for one in marked] for name in (x, y)]
+        yield Series(kind, "", *np.array(places))
 
 
-def turning_point_series(
-    data: PlainDataset, x: str, y: str, marked: Sequence[tuple[Curve, Mapping]], kind: str
-) -> list[Series]:
-    """The turning points in a panel of ``x`` and ``y`` as one series, if there are any."""
-    if not marked:
-        return []
-    places = [[curve.at(data, name, point["load"]) for curve, point in marked] for name in (x, y)]
-    return [Series(kind, "", *np.array(places))]
-
-
-def status_series(data: PlainDataset, x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
+def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points whose status is not ``converged``, and ends of curves without values."""
     for status in STATUS_MARKS:
         for curve in curves:
-            marked = curve.values(data, STATUS) == SOLUTION_STATUSES.index(status)
+            marked = curve.values(STATUS) == SOLUTION_STATUSES.index(status)
             if status in WITHOUT_VALUES:
                 beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
-                marked = beside & np.isfinite(curve.values(data, y))
+                marked = beside & np.isfinite(curve.values(y))
             places = np.flatnonzero(marked)
             if places.size:
                 ends = np.unique(places[[0, -1]])
-                points = (curve.values(data, name)[ends] for name in (x, y))
+                points = (curve.values(name)[ends] for name in (x, y))
                 yield Series(status, curve.label, *points, curve.condition)
 
 

@@ -7,12 +7,11 @@ other number that the paper prints of this place, or else where the curve has it
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from thirdbody.data.conditions import Condition, condition_key, row_key
-from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Series
 from thirdbody.figures.marks import PRINTED, TOLERANCE
@@ -20,20 +19,23 @@ from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 
 RATIO, SOLID, AREA = "particle_contact_area_ratio", "solid_load_fraction", "total_contact_area"
-# panels over the load that show a number which is no variable of theirs
-DRAWN_ON = {
-    "turning_point_load": (RATIO,),
-    "turning_point_ratio": (RATIO,),
-    "turning_point_solid_load_fraction": (SOLID,),
-    "turning_point_solid_load": (SOLID,),
+MIXED = "bend_load_over_mixed_load"
+# panels over the load that show a number which is no variable of theirs: loads of a bend or a reversal, and
+# what belongs to a turning point
+LOADS = {
     "bend_load": (AREA,),
-    "bend_load_over_mixed_load": (AREA,),
+    MIXED: (AREA,),
     "total_contact_area_reversal_load": (AREA, AREA_OVER_TWO_BODY),
+}
+AT_TURNING_POINT = {
+    "turning_point_load": RATIO,
+    "turning_point_ratio": RATIO,
+    "turning_point_solid_load_fraction": SOLID,
+    "turning_point_solid_load": SOLID,
 }
 
 
-@dataclass(frozen=True)
-class Mark:
+class Mark(NamedTuple):
     """A printed number in a panel: its place, and the ends of its tolerance along ``x`` or ``y``."""
 
     x: float
@@ -41,108 +43,89 @@ class Mark:
     ends: tuple[float, float]
     along: str
 
-    def series(self, name: str, is_fraction: bool = False, condition: Condition | None = None):
-        """Its place and its tolerance as series; that of a fraction ends at 0 and 1."""
-        low, high = np.clip(self.ends, 0.0, 1.0) if is_fraction and self.along == "y" else self.ends
-        bar = ((low, high), (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, (low, high))
+    def series(self, name: str, condition: Condition | None = None) -> Iterator[Series]:
+        """Its place and its tolerance."""
+        bar = (self.ends, (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, self.ends)
         yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
         yield Series(TOLERANCE, name, *np.array(bar), condition)
 
 
 def printed_series(
-    data: PlainDataset,
-    x: str,
-    y: str,
-    curves: Sequence[Curve],
-    printed: Sequence[Mapping],
-    turning_points: Sequence[tuple[Curve, Mapping]],
+    x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
-    """Printed numbers of ``curves`` that a panel of ``x`` and ``y`` can show.
-
-    ``printed`` are rows of the table of this name, ``turning_points`` pairs of ``turning_points_of``.
-    """
-    rows_of: dict[tuple, list] = {}
-    for row in printed:
-        rows_of.setdefault(row_key(row), []).append(row)
-    turning = {curve.place: point for curve, point in turning_points}
-    drawn = set()
+    """Printed numbers of ``curves``, rows of the table ``printed``, that a panel of ``x`` and ``y`` can
+    show: each place once, however many curves have it."""
+    drawn: set[Mark] = set()
     for curve in curves:
-        rows = rows_of.get(condition_key(curve.condition), ())
-        places = _Places(data, curve, rows, turning.get(curve.place, {}))
-        before = set(drawn)
-        for row in rows:
-            mark = places.mark(row, x, y)
-            if mark is not None and mark not in before:
-                drawn.add(mark)
-                yield from mark.series(row["id"], SCALES[y].is_fraction, curve.condition)
+        key = condition_key(curve.condition)
+        rows = [row for row in printed if row_key(row) == key]
+        numbers = {row["quantity"]: row["value"] for row in reversed(rows)}
+        marks = [(row["id"], _mark(curve, row, numbers, x, y)) for row in rows]
+        new = [(name, mark) for name, mark in marks if mark and mark not in drawn]
+        for name, mark in new:
+            yield from mark.series(name, curve.condition)
+            drawn.add(mark)
 
 
-class _Places:
-    """Where the printed ``rows`` of one curve belong, which has this turning point or none."""
+def _mark(curve, row, numbers, x, y) -> Mark | None:
+    """The mark of ``row`` in a panel of these quantities, None if they do not show it; ``numbers`` are all
+    that are printed of the curve."""
+    quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
+    if x == quantity == "film_thickness":
+        return Mark(value, curve.at(y, _extreme(curve, row)), ends, "x")
+    if x != "load":
+        return None
+    if y == quantity:
+        if SCALES[y].is_fraction:
+            ends = tuple(np.clip(ends, 0.0, 1.0))
+        return Mark(_load_of(curve, row), value, ends, "y")
+    if quantity == "load" and y == row["at_quantity"]:
+        return Mark(value, row["at_level"], ends, "x")
+    if y in LOADS.get(quantity, ()):
+        unit = _falls_to(curve, SOLID, BOUNDARY_LIMIT) if quantity == MIXED else 1.0
+        load, low, high = (unit * each for each in (value, *ends))
+        return Mark(load, curve.at(y, load), (low, high), "x")
+    if y != AT_TURNING_POINT.get(quantity):
+        return None
+    if quantity == "turning_point_load":
+        found = curve.turning_point.get("peak_ratio", curve.at(y, value))
+        return Mark(value, numbers.get("turning_point_ratio", found), ends, "x")
+    highest = float(curve.values("load")[np.argmax(curve.values(RATIO))])
+    load = numbers.get("turning_point_load", curve.turning_point.get("load", highest))
+    # L_s = L_s F_t*/F_t*
+    unit = 1.0 / load if quantity == "turning_point_solid_load" else 1.0
+    low, high = np.clip([unit * end for end in ends], 0.0, 1.0)
+    return Mark(load, unit * value, (low, high), "y")
 
-    def __init__(self, data, curve, rows, turning_point):
-        self.data, self.curve = data, curve
-        self.load = data["load"].values
-        self.printed = {row["quantity"]: row["value"] for row in reversed(rows)}
-        self.turning_point = turning_point
 
-    def mark(self, row, x_name, y_name) -> Mark | None:
-        """The mark of ``row`` in a panel of these quantities, None if they do not show it."""
-        quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
-        if x_name == quantity == "film_thickness":
-            return Mark(value, self.at(y_name, self.extreme(row)), ends, "x")
-        if x_name != "load":
-            return None
-        if y_name == quantity:
-            return Mark(self.load_of(row), value, ends, "y")
-        if quantity == "load" and y_name == row["at_quantity"]:
-            return Mark(value, row["at_level"], ends, "x")
-        if y_name not in DRAWN_ON.get(quantity, ()):
-            return None
-        if quantity == "bend_load_over_mixed_load":
-            mixed = self.falls_to(SOLID, BOUNDARY_LIMIT)
-            x, low, high = (mixed * factor for factor in (value, *ends))
-            return Mark(x, self.at(y_name, x), (low, high), "x")
-        if quantity == "turning_point_load":
-            found = self.turning_point.get("peak_ratio", self.at(y_name, value))
-            return Mark(value, self.printed.get("turning_point_ratio", found), ends, "x")
-        if quantity in ("bend_load", "total_contact_area_reversal_load"):
-            return Mark(value, self.at(y_name, value), ends, "x")
-        highest = self.load[np.argmax(self.curve.values(self.data, RATIO))]
-        found = self.turning_point.get("load", float(highest))
-        x = self.printed.get("turning_point_load", found)
-        # L_s = L_s F_t*/F_t*
-        scale = 1.0 / x if quantity == "turning_point_solid_load" else 1.0
-        return Mark(x, scale * value, (scale * ends[0], scale * ends[1]), "y")
+def _load_of(curve, row) -> float:
+    """The load at which the number of ``row`` is printed."""
+    if row["at_quantity"] == "load":
+        return row["at_level"]
+    if row["at_quantity"]:
+        return _falls_to(curve, row["at_quantity"], row["at_level"])
+    return _extreme(curve, row)
 
-    def at(self, name, load) -> float:
-        return self.curve.at(self.data, name, load)
 
-    def load_of(self, row) -> float:
-        """The load at which the number of ``row`` is printed."""
-        if row["at_quantity"] == "load":
-            return row["at_level"]
-        if row["at_quantity"]:
-            return self.falls_to(row["at_quantity"], row["at_level"])
-        return self.extreme(row)
+def _falls_to(curve, name, level) -> float:
+    """The load at which the variable ``name`` last falls below ``level``, or the last load."""
+    below = curve.values(name) < level
+    falls = np.flatnonzero(below[1:] & ~below[:-1])
+    return float(curve.values("load")[falls[-1] + 1 if falls.size else -1])
 
-    def falls_to(self, name, level) -> float:
-        """The load at which the variable ``name`` last falls below ``level``, or the last load."""
-        below = self.curve.values(self.data, name) < level
-        falls = np.flatnonzero(below[1:] & ~below[:-1])
-        return float(self.load[falls[-1] + 1 if falls.size else -1])
 
-    def extreme(self, row) -> float:
-        """The load of the extreme of the curve that ``row`` names."""
-        within = self.load <= (row["load_max"] or np.inf)
-        within &= self.data["normal_load"].values <= (row["load_max_N"] or np.inf)
-        values = self.curve.values(self.data, row["quantity"])[within]
-        wanted = values.min() if row["extreme"] == "minimum" else values.max()
-        found = np.flatnonzero(values == wanted)
-        # A constant curve has it everywhere.  The paper speaks of loads up to the last one, and
-        # fractions of the solid and of particles fall with the load.
-        is_last = row["load_max"] or row["extreme"] == "minimum"
-        return float(self.load[found[-1 if is_last else 0]])
+def _extreme(curve, row) -> float:
+    """The load of the extreme of the curve that ``row`` names."""
+    load = curve.values("load")
+    within = load <= (row["load_max"] or np.inf)
+    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
+    values = curve.values(row["quantity"])[within]
+    wanted = values.min() if row["extreme"] == "minimum" else values.max()
+    found = np.flatnonzero(values == wanted)
+    # A constant curve has it everywhere.  The paper speaks of loads up to the last one, and
+    # fractions of the solid and of particles fall with the load.
+    is_last = row["load_max"] or row["extreme"] == "minimum"
+    return float(load[found[-1 if is_last else 0]])
 
 
 def printed_window_series(printed: Sequence[Mapping], roughness: float) -> Iterator[Series]:
