@@ -15,7 +15,7 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.data.scene import Scene
 from thirdbody.figures import charts
-from thirdbody.figures.captions import CONCLUSIONS, caption
+from thirdbody.figures.captions import WORDS, caption
 from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
@@ -367,7 +367,7 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
     title = datasets[name].attrs["title"]
     text = caption(name, drawing.panels, title).markdown()
     assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
-    assert text.count(f"The paper: {CONCLUSIONS[name]}") == 1
+    assert text.count(f"The paper: {WORDS[name]['conclusion']}") == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text
