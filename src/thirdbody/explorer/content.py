@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
+from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_texts
@@ -41,7 +41,7 @@ def page_content(
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
 ) -> dict[str, Any]:
-    """Gather what the page shows, as plain values for JSON.
+    """Gather what the page shows, as plain values for JSON; ``OSError`` in one line names a damaged file.
 
     ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves; ``claims`` those
     of ``thirdbody.study.claims``, ``verdicts`` the content of ``claims.json``.  ``inputs`` has of each input
@@ -49,16 +49,7 @@ def page_content(
     number that is not printed, perhaps ``bounds`` and ``scale`` of the search for it.  ``interpretations`` are
     inputs by the name of each calibrated one, ``ensemble`` those that differ from the default in each
     member, ``ranges`` the first and last value of each condition in the paper, by its symbol, in engineering
-    units.  Raises ``OSError`` if a file is damaged: one line names it.
-
-    Examples
-    --------
-    >>> ranges = {"F_t": [0.04, 80], "nu": [0, 150], "x_a": [0, 1000], "sigma": [100, 500]}
-    >>> ranges["eta_a"] = [1e10, 5e12]
-    >>> verdicts = {"interpretation": "mine", "statements": []}
-    >>> content = page_content([], [], verdicts, {}, {}, [], ranges)
-    >>> content["axes"][0]["key"], content["axes"][0]["range"]
-    ('load_N', [0.04, 80.0])
+    units.
     """
     found = {row["id"]: row for row in verdicts["statements"]}
     return {
@@ -66,7 +57,7 @@ def page_content(
         "quantities": list(QUANTITIES),
         "statuses": dict(STATUS_MEANINGS),
         "quadrature": _quadrature(),
-        "inputs": {name: _input(name, entry) for name, entry in inputs.items()},
+        "inputs": {name: {**entry, **_bounds(name)} for name, entry in inputs.items()},
         "interpretation": verdicts["interpretation"],
         "interpretations": dict(interpretations),
         "ensemble": list(ensemble),
@@ -90,9 +81,8 @@ def _quadrature():
     return np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist()
 
 
-def _input(name, entry):
-    bounds = {"least": BOUNDS[name].least, "most": BOUNDS[name].most} if name in BOUNDS else {}
-    return dict(entry) | bounds
+def _bounds(name):
+    return {"least": BOUNDS[name].least, "most": BOUNDS[name].most} if name in BOUNDS else {}
 
 
 def _claim(claim, verdict):
@@ -117,21 +107,8 @@ def _claim(claim, verdict):
 def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
     """What the page shows of a figure of curves: ``points`` drawn (.csv), and its ``caption`` (.md).
 
-    It has a ``name``, ``title`` and ``caption``; ``curves``, the conditions [SI] of all that it shows; and
-    ``panels``, each with the indices of its curves, their ensemble ranges and the numbers that the paper
-    prints.
-
-    Examples
-    --------
-    >>> import tempfile
-    >>> drawn = "A,nu = 0 cSt; x_a = 0 nm; sigma = 300 nm; eta_a = 0 m-2,load,1e-5,separation,4e-7"
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     points, caption = Path(folder, "fig03.csv"), Path(folder, "fig03.md")
-    ...     _ = points.write_text("panel,curve,x_name,x,y_name,y\\n" + drawn)
-    ...     _ = caption.write_text("**Figure 3. Title.** What it tells.")
-    ...     figure = figure_content(points, caption)
-    >>> figure["title"], figure["curves"][0]["roughness"], figure["panels"][0]["curves"]
-    ('Figure 3. Title', 3e-07, [0])
+    Its ``curves`` are the conditions [SI] of all that it shows; each of the ``panels`` has the indices of its
+    curves, their ensemble ranges and the numbers that the paper prints.
     """
     panels: dict[str, dict] = {}
     for letter, label, x_name, x, y_name, y in read_texts(points, DRAWN_POINTS):
@@ -147,7 +124,7 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
         "name": Path(points).stem,
         "title": title.rstrip("."),
         "caption": text,
-        "curves": [_condition(label)._asdict() for label in labels],
+        "curves": [_condition(label) for label in labels],
         "panels": [_panel(letter, panel, places) for letter, panel in panels.items()],
     }
 
@@ -183,9 +160,9 @@ def _marks(name, drawn):
 
 def _condition(label):
     values = map(float, CURVE.fullmatch(label).groups())
-    return Condition(
-        *(axis.to_si(value) for axis, value in zip(CONDITION_AXES, values, strict=True))
-    )
+    return {
+        axis.name: axis.to_si(value) for axis, value in zip(CONDITION_AXES, values, strict=True)
+    }
 
 
 def _rounded(points):

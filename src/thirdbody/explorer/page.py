@@ -15,16 +15,8 @@ EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
 
 
 def page_text(content: Mapping[str, Any]) -> str:
-    """The page as HTML, which needs no other file and no network.
-
-    ``content`` is what ``thirdbody.explorer.content.page_content`` gathers.
-
-    Examples
-    --------
-    >>> text = page_text({"figures": []})
-    >>> text.startswith("<!doctype html>"), '"figures":[]' in text
-    (True, True)
-    """
+    """The page as HTML, which needs no other file and no network, of the ``content`` that
+    ``thirdbody.explorer.content.page_content`` gathers."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
         "style.css": _read("page/style.css"),

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.files import atomic_write
 from thirdbody.data.quantities import VARIABLES
-from thirdbody.data.tables import DRAWN_POINTS
+from thirdbody.data.tables import DRAWN_POINTS, write_csv
 
 if TYPE_CHECKING:
     from thirdbody.figures.captions import Caption
@@ -126,9 +126,10 @@ def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
 def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
     """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError`` if
     there is no room or no right to write."""
-    if drawing.figure.get_layout_engine() is not None:
-        drawing.figure.get_layout_engine().execute(drawing.figure)
-        drawing.figure.set_layout_engine(None)  # once for all formats
+    layout = drawing.figure.get_layout_engine()
+    if layout is not None:  # once for all formats
+        layout.execute(drawing.figure)
+        drawing.figure.set_layout_engine(None)
     with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
         for image, kind in zip(images, FORMATS, strict=True):
             drawing.figure.savefig(image, format=kind, **FORMATS[kind])
@@ -146,19 +147,20 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
 
 
 def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
-    """Write every point drawn as a row of ``DRAWN_POINTS``, in SI, with ten significant digits."""
-    with open(path, "w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow(column.name for column in DRAWN_POINTS)
-        for panel in panels:
-            for series in panel.series:
-                known = np.isfinite(series.x) & np.isfinite(series.y)
-                x, y = (values[known].tolist() for values in (series.x, series.y))
-                label = series.label
-                writer.writerows(
-                    (panel.letter, label, panel.x, f"{a:.10g}", panel.y, f"{b:.10g}")
-                    for a, b in zip(x, y, strict=True)
-                )
+    """Write every point drawn as a row of ``DRAWN_POINTS``, in SI."""
+    rows = []
+    for panel in panels:
+        for series in panel.series:
+            names = {
+                "panel": panel.letter,
+                "curve": series.label,
+                "x_name": panel.x,
+                "y_name": panel.y,
+            }
+            known = np.isfinite(series.x) & np.isfinite(series.y)
+            points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
+            rows += [names | {"x": x, "y": y} for x, y in points]
+    write_csv(path, rows, DRAWN_POINTS)
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:
