@@ -18,8 +18,8 @@ import pytest
 import small_release
 
 import thirdbody as tb
+from thirdbody.data.files import digest
 from thirdbody.data.netcdf import write_dataset
-from thirdbody.data.sums import digest
 from thirdbody.release.bag import pack, seal
 from thirdbody.release.crate import crate
 from thirdbody.release.datapackage import data_package

@@ -10,8 +10,7 @@ from datetime import UTC, datetime
 from importlib.metadata import distributions
 from pathlib import Path
 
-from thirdbody.data.files import atomic_write
-from thirdbody.data.sums import digest
+from thirdbody.data.files import atomic_write, digest
 from thirdbody.job_log import logged
 from thirdbody.release.bag import pack
 

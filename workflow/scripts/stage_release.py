@@ -3,7 +3,7 @@
 import json
 from pathlib import Path
 
-from thirdbody.data.sums import require_sums
+from thirdbody.data.files import require_sums
 from thirdbody.job_log import logged
 from thirdbody.release.citation import Release
 from thirdbody.release.staging import stage

@@ -1,7 +1,6 @@
 """The sums of all products."""
 
-from thirdbody.data.files import atomic_write
-from thirdbody.data.sums import sums_text
+from thirdbody.data.files import atomic_write, sums_text
 from thirdbody.job_log import logged
 
 with logged(snakemake.log[0]):

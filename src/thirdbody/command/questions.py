@@ -251,9 +251,7 @@ def _curve(
         from thirdbody.figures.drawing import save_figure
         from thirdbody.figures.plot import plot_curve
 
-        save_figure(
-            plot_curve(found.along, found.points, found.values, found.low, found.high), plot
-        )
+        save_figure(plot_curve(found), plot)
     written = " and ".join(filter(None, [csv, plot]))
     return f"{written} written" if written and not json else found
 

@@ -1,11 +1,12 @@
-"""Files that appear whole or not at all, and the error of one that is damaged."""
+"""Files that appear whole or not at all, the error of one that is damaged, and SHA-256 sums of files."""
 
 from __future__ import annotations
 
 import errno
+import hashlib
 import os
 import secrets
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
@@ -70,3 +71,27 @@ def _require_possible(place: Path, part: Path) -> None:
 def unreadable(path: str | os.PathLike, reason: object) -> OSError:
     """The error of a product that is damaged: it says how to make it again."""
     return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")
+
+
+def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
+    """A line for each product, as ``sha256sum --check`` reads it: its sum, and its name in ``folder``."""
+    lines = (f"{digest(product)}  {Path(product).relative_to(folder)}\n" for product in products)
+    return "".join(sorted(lines, key=lambda line: line.split("  ", 1)[1]))
+
+
+def require_sums(path: str | Path) -> None:
+    """Require that all products are what the file of ``sums_text`` in their folder says; ``ValueError``
+    names one that is missing or differs, and the command that makes it again."""
+    for line in Path(path).read_text(encoding="utf-8").splitlines():
+        expected, name = line.split("  ", 1)
+        product = Path(path).parent / name
+        if not product.is_file() or digest(product) != expected:
+            raise ValueError(
+                f"{product} is not as it was made; remake it: snakemake -c2 --force {product}"
+            )
+
+
+def digest(path: str | os.PathLike, algorithm: str = "sha256") -> str:
+    """The sum of a file, in hexadecimal digits."""
+    with open(path, "rb") as content:
+        return hashlib.file_digest(content, algorithm).hexdigest()

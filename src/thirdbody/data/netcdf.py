@@ -82,31 +82,27 @@ def read_dataset(path: str | PathLike) -> xr.Dataset:
 
 
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """A dataset of ``write_dataset`` in memory; where it holds no point, nan and ``FILL_FLAG``.
+    """Any NetCDF file in memory, with nan for the fill values of numbers.
 
     ``OSError`` names a file that is absent, damaged, or lacks what is ``needed``, in one line.
     """
+    coordinates, variables = set(), {}
     try:
         with netCDF4.Dataset(path) as file:
-            loaded = _loaded(file)
+            file.set_auto_maskandscale(False)
+            coordinates.update(file.dimensions)
+            for name, stored in file.variables.items():
+                attributes = dict(stored.__dict__)
+                coordinates.update(attributes.pop("coordinates", "").split())
+                values, fill = stored[...], attributes.pop("_FillValue", None)
+                if fill is not None:
+                    values[values == fill] = np.nan
+                variables[name] = Variable(stored.dimensions, values, attributes)
+            attributes = dict(file.__dict__)
     except Exception as error:  # each kind of damage has an exception of its own below
         raise unreadable(path, type(error).__name__) from None
     for name in needed:
-        if name not in loaded:
+        if name not in variables:
             raise unreadable(path, f"no {name}")
-    return loaded
-
-
-def _loaded(file: netCDF4.Dataset) -> PlainDataset:
-    """All of ``file``, with nan for the fill values of numbers."""
-    file.set_auto_maskandscale(False)
-    coordinates, variables = set(file.dimensions), {}
-    for name, stored in file.variables.items():
-        attributes = dict(stored.__dict__)
-        coordinates.update(attributes.pop("coordinates", "").split())
-        values, fill = stored[...], attributes.pop("_FillValue", None)
-        if fill is not None:
-            values[values == fill] = np.nan
-        variables[name] = Variable(stored.dimensions, values, attributes)
     coords = {name: variables.pop(name) for name in [*variables] if name in coordinates}
-    return PlainDataset(variables, coords, file.__dict__)
+    return PlainDataset(variables, coords, attributes)

@@ -8,7 +8,6 @@ from string import ascii_uppercase
 
 import numpy as np
 from matplotlib import rcParams
-from matplotlib.lines import Line2D
 
 from thirdbody.figures.claims import score_of
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
@@ -20,7 +19,7 @@ BELOW = 0.75  # inches for the labels of the axes and the key
 LETTERS = 30  # of a title in a line
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
 ABOVE = 25.0  # the objective is drawn up to so much above the least
-DASHES = ("-", (0, (4, 1.5)))  # two turns through the colours
+FIRST, OTHERS = {"linewidth": 1.6, "zorder": 3}, {"linewidth": 0.9, "zorder": 2}
 
 
 def plot(interpretations: Sequence[Mapping]) -> Drawing:
@@ -33,8 +32,9 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
         series = tuple(_front(each, statement) for each in interpretations)
         title = "\n".join(textwrap.wrap(statement, LETTERS))
         panels.append(Panel(letter, title, "score", "objective_without_it", series))
-        for place, front in enumerate(series):
-            axes.plot(front.x, front.y, drawstyle="steps-post", **_look(place))
+        for front in series:
+            look = FIRST if front is series[0] else OTHERS
+            axes.plot(front.x, front.y, drawstyle="steps-post", label=front.name, **look)
         axes.axvline(1.0, color="black", linewidth=0.7, zorder=1.5)
         axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
         least = min(front.y.min() for front in series if front.y.size)
@@ -44,20 +44,8 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
     bottom = BELOW / figure.get_figheight()
     figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
     figure.supylabel("objective of all other statements", x=0.008, **style)
-    entries = [
-        Line2D([], [], label=each["interpretation"], **_look(place))
-        for place, each in enumerate(interpretations)
-    ]
-    figure.legend(handles=entries, loc="lower center", ncols=2)
+    figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncols=2)
     return Drawing(figure, tuple(panels))
-
-
-def _look(place) -> dict:
-    """Line properties of an interpretation: the first is heavy."""
-    colours = rcParams["axes.prop_cycle"].by_key()["color"]
-    turn, colour = divmod(place, len(colours))
-    look = {"linewidth": 1.6, "zorder": 3} if place == 0 else {"linewidth": 0.9, "zorder": 2}
-    return look | {"color": colours[colour], "linestyle": DASHES[turn % 2]}
 
 
 def _front(interpretation, statement) -> Series:

@@ -6,19 +6,19 @@ from collections.abc import Mapping, Sequence
 from itertools import product
 from os import PathLike
 from pathlib import Path
+from typing import Any
 
 import matplotlib.style
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
 from thirdbody.figures.curves import draw_panels, key_title, range_outline
-from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series
+from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series, ShownFigure
 from thirdbody.figures.marks import BAND, read_turning_points
 from thirdbody.figures.naming import note
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
@@ -142,29 +142,52 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     return draw_panels(panels, lambda one: looks[one.name], None, entries, key_title("", common))
 
 
-def plot_curve(
-    along: str,
-    points: NDArray,
-    values: Mapping[str, NDArray],
-    low: Mapping[str, NDArray],
-    high: Mapping[str, NDArray],
-) -> Figure:
-    """Draw the curve of one interface over an axis that is named with its unit, and its range.
-
-    ``values``, ``low`` and ``high`` are arrays in the shape of ``points`` by the names of variables; the
-    last two may be empty.
-    """
+def plot_curve(curve: Any) -> Figure:
+    """Draw what ``Interface.curve`` returns, and its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
-    name, unit = units.get(along, ("normal_load", 1.0))
-    x = unit * np.asarray(points)
+    name, unit = units.get(curve.along, ("normal_load", 1.0))
+    x = unit * np.asarray(curve.points)
     panels = []
     for letter, variable in zip("ABCD", DRAWN, strict=True):
-        series = [Series(CURVE, "", x, values[variable])]
-        if variable in low:
-            series.append(Series(BAND, "", *range_outline(x, low[variable], high[variable])))
+        series = [Series(CURVE, "", x, curve.values[variable])]
+        if variable in curve.low:
+            outline = range_outline(x, curve.low[variable], curve.high[variable])
+            series.append(Series(BAND, "", *outline))
         panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, lambda series: {"color": BLUE})
+
+
+def plot_comparison(comparison: Any) -> Figure:
+    """Draw a ``Comparison``: measurements over one condition, a panel for each variable, with the model's
+    curve and the range of its ensemble; without a curve, the model is a mark beside each measurement."""
+    names = comparison.variables
+    with matplotlib.style.context(STYLE, after_reset=True):
+        figure = ShownFigure(figsize=(3.4 * len(names), 2.8), layout="constrained")
+        for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
+            _draw_compared(axes, comparison, name)
+        figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    return figure
+
+
+def _draw_compared(axes, comparison, name):
+    along, curve = comparison.along, comparison.curve
+    table = comparison.table.sort_values(along)
+    model = curve if len(curve) else table
+    x = model[along]
+    look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
+    axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
+    if f"{name}_low" in model:
+        low, high, label = model[f"{name}_low"], model[f"{name}_high"], "90 % of the ensemble"
+        if len(curve):
+            axes.fill_between(x, low, high, color=BLUE, alpha=0.2, linewidth=0.0, label=label)
+        else:
+            axes.vlines(x, low, high, color=BLUE, alpha=0.4, label=label)
+    axes.plot(table[along], table[name], "o", color="black", label="measured")
+    if 0.0 < 10.0 * table[along].min() < table[along].max():
+        axes.set_xscale("log")
+    axes.set_xlabel(along.replace("_", " "))
+    axes.set_ylabel(name.replace("_", " "))
 
 
 def _note(data, name, value) -> str:

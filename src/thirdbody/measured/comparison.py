@@ -93,9 +93,9 @@ class Comparison(Tabular):
 
     def plot(self) -> Any:
         """A figure of matplotlib: measurements, the model and its range, a panel for each variable."""
-        from thirdbody.figures.comparison import draw
+        from thirdbody.figures.plot import plot_comparison
 
-        return draw(self.table, self.curve, self.along, self.variables)
+        return plot_comparison(self)
 
     def __str__(self) -> str:
         return str(self.answer)

@@ -13,7 +13,7 @@ from datetime import date
 from os import PathLike
 from pathlib import Path
 
-from thirdbody.data.sums import digest
+from thirdbody.data.files import digest
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in
 from thirdbody.release.texts import render

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from thirdbody.data.sums import digest
+from thirdbody.data.files import digest
 from thirdbody.data.tables import DRAWN_POINTS, TABLES
 from thirdbody.release.citation import Release
 from thirdbody.release.files import files_in, media_type
