@@ -127,7 +127,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         assert [one.y.max() for one in ranges] == highest
     figure = drawing.figure
     assert "ensemble range" in key_of(figure)
-    assert "Shaded: ensemble range." in caption(name, drawing.panels).notes
+    assert "Shaded: ensemble range." in caption(name, drawing.panels)
     figure.draw_without_rendering()
     width, height = figure.bbox.size
     box = figure.get_tightbbox().extents * figure.dpi  # [inches]
@@ -237,7 +237,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values(name)[places])
     assert meaning in key_of(drawing.figure)
-    assert meaning in caption("fig11", drawing.panels).markdown()
+    assert meaning in caption("fig11", drawing.panels)
     assert meaning not in key_of(plotted("fig11", datasets).figure)
 
 
@@ -355,7 +355,7 @@ def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, 
     assert chosen.parameter == parameter
     drawing = chosen.plot(data)
     assert [len(panel.of_kind(CURVE)) for panel in drawing.panels] == [curves] * panels
-    written = caption("mine", drawing.panels, "a *b* <script>\n# c").markdown()
+    written = caption("mine", drawing.panels, "a *b* <script>\n# c")
     assert written.startswith(r"**a \*b\* \<script\> # c.** (A) ")  # a title is no markup
 
 
@@ -365,9 +365,9 @@ def test_captions_describe_what_is_drawn(name, datasets, printed):
 
     drawing = plotted(name, datasets, printed=printed[name])
     title = datasets[name].attrs["title"]
-    text = caption(name, drawing.panels, title).markdown()
+    text = caption(name, drawing.panels, title)
     assert text.startswith(f"**Figure {int(name[3:])}. {title}.** (A) ")
-    assert text.count(f"The paper: {WORDS[name]['conclusion']}") == 1
+    assert text.count(f"{WORDS[name]['text']}") == 1
     for panel in drawing.panels:
         curves = panel.of_kind(CURVE)
         assert f"({panel.letter}) " in text

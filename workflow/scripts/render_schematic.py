@@ -1,7 +1,5 @@
 """Draw one schematic, true to scale, from its sections; nothing is solved here."""
 
-from dataclasses import replace
-
 import matplotlib.style
 
 from thirdbody.data.sizes import sizes_note
@@ -18,11 +16,11 @@ with logged(snakemake.log[0]):
     inputs = Parameters(**snakemake.params.parameters)
     given = [condition_of(section) for section in sections]
     layers = sorted({(each.particle_diameter, each.roughness) for each in given})
-    notes = tuple(f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0)
+    notes = [f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0]
     with matplotlib.style.context(snakemake.input.style, after_reset=True):
         save(
             SCHEMATICS[figure](sections),
             snakemake.output.png.removesuffix(".png"),
-            replace(caption(figure), notes=notes),
+            caption(figure, notes=notes),
         )
     print(f"{figure}: drawn")

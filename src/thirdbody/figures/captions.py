@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -32,33 +31,20 @@ MEANINGS = {
 } | {kind: f"Crosses: {text}." for kind, (text, _) in marks.STATUS_MARKS.items()}
 
 
-@dataclass(frozen=True)
-class Caption:
-    """What is written below a figure: its title, what to look for or what the paper concludes from it,
-    and the text for those who cannot see it; and notes on panels, conditions and marks."""
-
-    title: str
-    text: str = ""
-    alternative: str = ""
-    notes: tuple[str, ...] = ()
-
-    def markdown(self) -> str:
-        """Caption and alternative text, two paragraphs of Markdown or reStructuredText."""
-        title = MARKUP.sub(r"\\\g<0>", " ".join(self.title.split()))
-        caption = " ".join(filter(None, [f"**{title}.**", *self.notes, self.text]))
-        return f"{caption}\n\n**Alternative text.** {self.alternative}\n"
-
-
-def caption(name: str, panels: Sequence[Panel] = (), title: str = "") -> Caption:
-    """Caption of a figure: its words, or those of a scene with this ``title`` and ``panels``."""
+def caption(
+    name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
+) -> str:
+    """Caption and alternative text of a figure, two paragraphs of Markdown or reStructuredText; a figure
+    of curves takes them from the ``title`` of its scene and from its ``panels``."""
     words = WORDS.get(name, {})
-    if "title" in words:
-        return Caption(**words)
-    text = ""
-    if words:
-        title = f"Figure {int(name.removeprefix('fig'))}. {title}"
-        text = f"The paper: {words['conclusion']}"
-    return Caption(title, text, " ".join(map(_description, panels)), tuple(_notes(panels)))
+    if "title" not in words:
+        number = f"Figure {int(name.removeprefix('fig'))}. " if words else ""
+        described = " ".join(map(_description, panels))
+        words = {"title": number + title, "text": "", "alternative": described} | words
+        notes = _notes(panels)
+    plain = MARKUP.sub(r"\\\g<0>", " ".join(words["title"].split()))
+    sentences = " ".join(filter(None, [f"**{plain}.**", *notes, words["text"]]))
+    return f"{sentences}\n\n**Alternative text.** {words['alternative']}\n"
 
 
 def _content(panel) -> str:

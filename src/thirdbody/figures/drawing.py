@@ -10,7 +10,6 @@ from io import BytesIO
 from itertools import zip_longest
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import matplotlib.style
 import numpy as np
@@ -22,9 +21,6 @@ from thirdbody.data.conditions import AXES, Condition
 from thirdbody.data.files import atomic_write
 from thirdbody.data.quantities import VARIABLES
 from thirdbody.data.tables import DRAWN_POINTS, write_csv
-
-if TYPE_CHECKING:
-    from thirdbody.figures.captions import Caption
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
 # without dates, so that the same figure gives the same bytes
@@ -123,7 +119,7 @@ def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
     axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
 
 
-def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
+def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError`` if
     there is no room or no right to write."""
     layout = drawing.figure.get_layout_engine()
@@ -134,7 +130,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: Caption) -> None:
         for image, kind in zip(images, FORMATS, strict=True):
             drawing.figure.savefig(image, format=kind, **FORMATS[kind])
         write_points(drawing.panels, data)
-        Path(text).write_text(caption.markdown(), encoding="utf-8")
+        Path(text).write_text(caption, encoding="utf-8")
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
