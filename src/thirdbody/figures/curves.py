@@ -19,7 +19,7 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axe
 from thirdbody.figures.naming import parameter_title, shared_notes
 from thirdbody.figures.printed import printed_series, printed_window_series
 from thirdbody.figures.scales import SCALES, set_scales
-from thirdbody.figures.styles import Styles, band_style
+from thirdbody.figures.styles import band_style, curve_styles, key_entries
 
 RATIO = "particle_contact_area_ratio"
 BAND_STEP = 2  # every second load is fine enough for the edge of a range
@@ -93,13 +93,17 @@ class CurveFigure:
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
-        styles = Styles(conditions, self.parameter)
+        styles = curve_styles(conditions, self.parameter, data.sizes["load"])
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        entries = styles.key() + marks.mark_entries(panels)
+        entries = key_entries(styles, self.parameter) + marks.mark_entries(panels)
         title = key_title(parameter_title(self.parameter), common)
-        figure = draw_panels(panels, styles.of_series, newtons_per_load, entries, title)
+
+        def style_of(series):
+            return styles.get(series.condition, {})
+
+        figure = draw_panels(panels, style_of, newtons_per_load, entries, title)
         return Drawing(figure, tuple(panels))
 
     def _contents(self, curves) -> list[Content]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import matplotlib
 import numpy as np
@@ -11,7 +11,6 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
-from thirdbody.figures.drawing import CURVE, Series
 from thirdbody.figures.naming import value_text
 
 MARKERS = "osD^vPX"  # every second one is hollow: levels next to each other look different
@@ -41,58 +40,52 @@ def band_style(colour) -> dict:
     return {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
 
 
-class Styles:
-    """Line styles of curves at ``conditions`` that differ in one ``parameter``.
+def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict[Condition, dict]:
+    """Line properties of ``curves`` of so many points that differ in one ``parameter``.
 
-    Each level of the parameter has a colour and a marker.  Two-body contact is black or grey.  Beside
-    lubricated contact, dry contact is dashed, or dotted without particles, and has no markers.
+    Each level of the parameter has a colour and a marker, at other points than the next level.  Two-body
+    contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
+    particles, and has no markers.
     """
+    all_dry = all(each.is_dry for each in curves)
+    levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
+    step = max(size // MARKERS_PER_CURVE, 1)
+    looks = {
+        level: look | {"markevery": (int(step * (place + 0.5) / len(levels)), step)}
+        for place, (level, look) in enumerate(zip(levels, level_styles(len(levels)), strict=True))
+    }
+    looks[0.0] = {"color": "black"}
+    styles = {}
+    for each in curves:
+        look = looks[getattr(each, parameter)]
+        if each.is_dry and parameter == "viscosity" and each.is_two_body:
+            look = DRY_TWO_BODY
+        elif each.is_dry and not all_dry:
+            look = look | DRY | {"marker": "none"}
+        styles[each] = look
+    return styles
 
-    def __init__(self, conditions: Sequence[Condition], parameter: str):
-        self.conditions, self.parameter = conditions, parameter
-        media = {condition.is_dry for condition in conditions}
-        self.compares_media = parameter != "viscosity" and len(media) == 2
-        self.all_dry = media == {True}
-        levels = sorted({getattr(each, parameter) for each in conditions} - {0.0})
-        self.levels = dict(zip(levels, level_styles(len(levels)), strict=True))
 
-    def of(self, condition: Condition) -> dict:
-        """Line properties of the curve at ``condition``."""
-        dashed = condition.is_dry and not self.all_dry
-        level = getattr(condition, self.parameter)
-        if level == 0.0:
-            if condition.is_two_body and self.parameter == "viscosity":
-                return DRY_TWO_BODY
-            return {"color": "black"} | (DRY if dashed else {})
-        return self.levels[level] | (DRY | {"marker": "none"} if dashed else {})
+def key_entries(styles: Mapping[Condition, dict], parameter: str) -> list[Line2D]:
+    """Entries of the key for ``curve_styles``: the levels, then dry and lubricated contact where the curves
+    compare them."""
+    compares_media = parameter != "viscosity" and len({each.is_dry for each in styles}) == 2
+    entries = {
+        _level_text(each, parameter): look
+        for each, look in styles.items()
+        if not (compares_media and each.is_dry)
+    }
+    if compares_media:
+        for viscosity in sorted({each.viscosity for each in styles}, reverse=True):
+            text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
+            entries[text] = ({} if viscosity else DRY) | {"color": GREY}
+    return [Line2D([], [], label=text, **look) for text, look in entries.items()]
 
-    def of_series(self, series: Series) -> dict:
-        """Line properties of the curve of a series, with a few markers at other points than the
-        next level."""
-        if series.condition is None:
-            return {}
-        style = self.of(series.condition)
-        if series.kind == CURVE and "marker" in style:
-            level = list(self.levels).index(getattr(series.condition, self.parameter))
-            step = max(series.x.size // MARKERS_PER_CURVE, 1)
-            style = style | {"markevery": (int(step * (level + 0.5) / len(self.levels)), step)}
-        return style
 
-    def key(self) -> list[Line2D]:
-        """Entries of the key: the levels, then dry and lubricated contact where both are drawn."""
-        entries = {
-            self._text(each): self.of(each)
-            for each in self.conditions
-            if not (self.compares_media and each.is_dry)
-        }
-        if self.compares_media:
-            for each in sorted(self.conditions, key=lambda condition: -condition.viscosity):
-                text = "dry" if each.is_dry else f"{value_text('viscosity', each.viscosity)} cSt"
-                entries[text] = (DRY if each.is_dry else {}) | {"color": GREY}
-        return [Line2D([], [], label=text, **look) for text, look in entries.items()]
-
-    def _text(self, condition):
-        level = getattr(condition, self.parameter)
-        if self.parameter == "viscosity" and condition.is_dry:
-            return "dry, two-body" if condition.is_two_body else "dry"
-        return "none (two-body)" if level == 0.0 else value_text(self.parameter, level)
+def _level_text(condition, parameter):
+    level = getattr(condition, parameter)
+    if level:
+        return value_text(parameter, level)
+    if parameter == "viscosity":
+        return "dry, two-body" if condition.is_two_body else "dry"
+    return "none (two-body)"
