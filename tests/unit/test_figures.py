@@ -276,7 +276,7 @@ def test_areas_are_compared_with_dry_two_body_contact(name, datasets):
     }
     for series in plotted(name, datasets).panels[-1].of_kind(CURVE):
         area = curves[series.name].values(AREA)
-        expected = area / references[series.condition.roughness]
+        expected = area / references[series.curve.roughness]
         np.testing.assert_allclose(series.y, expected, rtol=1e-14)
     without = data.where(data["particle_diameter"] > 0.0)
     assert OVER not in [panel.y for panel in CURVE_FIGURES[name].plot(without).panels]

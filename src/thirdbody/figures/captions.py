@@ -61,7 +61,7 @@ def _quantity(name) -> str:
 
 def _notes(panels) -> list[str]:
     """Sentences on the panels, the axis of loads, the conditions, and what marks and lines mean."""
-    conditions = {curve.condition for panel in panels for curve in panel.of_kind(CURVE)}
+    conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     kinds = {series.kind for panel in panels for series in panel.series}
     sentences = ["; ".join(map(_content, panels)) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
@@ -93,12 +93,12 @@ def _description(panel) -> str:
     if curves:
         y = np.concatenate([curve.y for curve in curves])
         parts.append(f"{len(curves)} curves of {_quantity(panel.y)} {_range(y)}")
-        taken = zip(*(curve.condition for curve in curves), strict=True)
+        taken = zip(*(curve.curve for curve in curves), strict=True)
         varying = [name for name, values in zip(Condition._fields, taken) if len({*values}) > 1]
         for curve in dict.fromkeys((curves[0], curves[-1])):
-            own = ", ".join(note(name, getattr(curve.condition, name)) for name in varying)
+            own = ", ".join(note(name, getattr(curve.curve, name)) for name in varying)
             ends = f"{curve.y[0]:.2g} to {curve.y[-1]:.2g}"
-            parts.append(f"the curve at {own or label(curve.condition)} runs from {ends}")
+            parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
     for kind, (text, _) in marks.MARKS.items():
         places = [series.x for series in panel.of_kind(kind)]
         if places and kind != marks.LOCUS:

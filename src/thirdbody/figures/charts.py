@@ -39,7 +39,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
     ]
     entries.append(Line2D([], [], label=RANGE, color="0.82", linewidth=6.0))
     title = parameter_title("roughness")
-    figure = draw_panels(panels, lambda one: looks[one.name], newtons_per_load, entries, title)
+    figure = draw_panels(panels, looks, newtons_per_load, entries, title)
     for axes, panel, chart in zip(figure.axes, panels, charts, strict=True):
         axes.set_xlim(*chart["load"].values[[0, -1]])
         if not any(np.isfinite(one.y).any() for one in panel.series):
@@ -63,9 +63,9 @@ def _series(chart, names) -> Iterator[Series]:
         surface = chart.isel(roughness=index)
         limit = surface["limit"].values
         known = np.isfinite(limit) & (limit > 0.0)
-        yield Series(CURVE, name, load, np.where(known, limit, np.nan))
+        yield Series(CURVE, name, load, np.where(known, limit, np.nan), name)
         low, high = np.clip(surface["range"].values[[0, -1]], *chart.attrs["ends"])
         places = np.flatnonzero(low < high)
         for run in np.split(places, np.flatnonzero(np.diff(places) > 1) + 1):
             if run.size > 1:
-                yield Series(BAND, name, *range_outline(load[run], low[run], high[run]))
+                yield Series(BAND, name, *range_outline(load[run], low[run], high[run]), name)

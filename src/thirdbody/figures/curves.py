@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from string import ascii_uppercase
 
@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 
+from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
 from thirdbody.figures.dataset_curves import curves_in, with_relative_area
@@ -99,11 +100,7 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         entries = key_entries(styles, self.parameter) + marks.mark_entries(panels)
         title = key_title(parameter_title(self.parameter), common)
-
-        def style_of(series):
-            return styles.get(series.condition, {})
-
-        figure = draw_panels(panels, style_of, newtons_per_load, entries, title)
+        figure = draw_panels(panels, styles, newtons_per_load, entries, title)
         return Drawing(figure, tuple(panels))
 
     def _contents(self, curves) -> list[Content]:
@@ -190,15 +187,14 @@ def _title(content, curves, common) -> str:
 
 def draw_panels(
     panels: Sequence[Panel],
-    style_of: Callable[[Series], dict],
+    styles: Mapping[Condition | str, dict],
     newtons_per_load: float | None = None,
     entries: Sequence[Line2D] = (),
     key_title: str = "",
 ) -> Figure:
     """Draw panels of curves, and a key in the cell that they leave free or below them.
 
-    ``style_of`` gives line properties of the curve that a series is or belongs to, or an empty dict.
-    With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
+    ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
     """
     beside = len(panels) % 2 == 1
     rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
@@ -207,7 +203,7 @@ def draw_panels(
     for axes, panel in zip(figure.axes, panels, strict=True):
         draw = _draw_vertical if panel.is_over_sizes else _draw_series
         for series in panel.series:
-            draw(axes, series, style_of(series))
+            draw(axes, series, styles.get(series.curve, {}))
         title_axes(axes, panel, TITLE_PAD)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:

@@ -36,14 +36,14 @@ SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] that a panel shows under one name, and the condition of the curve that they are or
-    belong to.  Their kind is ``CURVE``, "band", "turning points", "printed", ..."""
+    """Points [SI] that a panel shows under one name, and the curve that they are or belong to: its
+    condition, or its name.  Their kind is ``CURVE``, "band", "turning points", "printed", ..."""
 
     kind: str
     name: str
     x: NDArray[np.float64]
     y: NDArray[np.float64]
-    condition: Condition | None = None
+    curve: Condition | str | None = None
 
     @property
     def label(self) -> str:

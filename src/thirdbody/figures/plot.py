@@ -131,7 +131,7 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
             over,
             name,
             tuple(
-                Series(CURVE, label, data[over].values, curve[name].values.astype(float))
+                Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
                 for label, curve in curves.items()
             ),
         )
@@ -139,23 +139,23 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     ]
     looks = dict(zip(curves, level_styles(len(curves)), strict=True))
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
-    return draw_panels(panels, lambda one: looks[one.name], None, entries, key_title("", common))
+    return draw_panels(panels, looks, None, entries, key_title("", common))
 
 
 def plot_curve(curve: Any) -> Figure:
     """Draw what ``Interface.curve`` returns, and its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     name, unit = units.get(curve.along, ("normal_load", 1.0))
-    x = unit * np.asarray(curve.points)
+    along, x = curve.along, unit * np.asarray(curve.points)
     panels = []
     for letter, variable in zip("ABCD", DRAWN, strict=True):
-        series = [Series(CURVE, "", x, curve.values[variable])]
+        series = [Series(CURVE, "", x, curve.values[variable], along)]
         if variable in curve.low:
             outline = range_outline(x, curve.low[variable], curve.high[variable])
-            series.append(Series(BAND, "", *outline))
+            series.append(Series(BAND, "", *outline, along))
         panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, lambda series: {"color": BLUE})
+        return draw_panels(panels, {along: {"color": BLUE}})
 
 
 def plot_comparison(comparison: Any) -> Figure:
