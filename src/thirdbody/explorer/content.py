@@ -52,11 +52,21 @@ def page_content(
     units.
     """
     found = {row["id"]: row for row in verdicts["statements"]}
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
     return {
-        "axes": [_axis(axis, ranges[axis.symbol.rstrip("*")]) for axis in AXES.values()],
+        "axes": [
+            {
+                "name": axis.name,
+                "key": "load_N" if axis.name == "load" else axis.key,
+                "scale": axis.scale,
+                "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
+            }
+            for axis in AXES.values()
+        ],
         "quantities": list(QUANTITIES),
         "statuses": dict(STATUS_MEANINGS),
-        "quadrature": _quadrature(),
+        # nodes and weights of Gauss and Legendre on the interval from 0 to 1
+        "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
         "inputs": {name: {**entry, **_bounds(name)} for name, entry in inputs.items()},
         "interpretation": verdicts["interpretation"],
         "interpretations": dict(interpretations),
@@ -64,21 +74,6 @@ def page_content(
         "figures": [figure_content(*paths) for paths in figures],
         "claims": [_claim(claim, found[claim.id]) for claim in claims],
     }
-
-
-def _axis(axis, ends):
-    return {
-        "name": axis.name,
-        "key": "load_N" if axis.name == "load" else axis.key,
-        "scale": axis.scale,
-        "range": [float(end) for end in ends],
-    }
-
-
-def _quadrature():
-    """Nodes and weights of Gauss and Legendre on the interval from 0 to 1."""
-    nodes, weights = np.polynomial.legendre.leggauss(NODES)
-    return np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist()
 
 
 def _bounds(name):
@@ -114,41 +109,40 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
     for letter, label, x_name, x, y_name, y in read_texts(points, DRAWN_POINTS):
         panel = panels.setdefault(letter, {"x": x_name, "y": y_name, "drawn": {}})
         panel["drawn"].setdefault(label, []).append((x, y))
-    labels = dict.fromkeys(
-        label for panel in panels.values() for label in panel["drawn"] if CURVE.fullmatch(label)
-    )
-    places = {label: place for place, label in enumerate(labels)}
+    drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
+    curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
     first, _, _ = Path(caption).read_text(encoding="utf-8").strip().partition("\n\n")
     title, _, text = first.removeprefix("**").partition("** ")
     return {
         "name": Path(points).stem,
         "title": title.rstrip("."),
         "caption": text,
-        "curves": [_condition(label) for label in labels],
-        "panels": [_panel(letter, panel, places) for letter, panel in panels.items()],
+        "curves": [
+            {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
+            for found in curves.values()
+        ],
+        "panels": [_panel(letter, panel, [*curves]) for letter, panel in panels.items()],
     }
 
 
-def _panel(letter, panel, places):
+def _panel(letter, panel, labels):
     drawn = panel["drawn"]
-    ranges, printed = (
-        [label.removeprefix(kind) for label in drawn if label.startswith(kind)]
-        for kind in (RANGE, PRINTED)
-    )
+    ranges = {place: drawn.get(RANGE + label) for place, label in enumerate(labels)}
+    printed = [label.removeprefix(PRINTED) for label in drawn if label.startswith(PRINTED)]
     return {
         "letter": letter,
         "x": panel["x"],
         "y": panel["y"],
-        "curves": [places[label] for label in drawn if label in places],
-        "ranges": {places[label]: _outline(drawn[RANGE + label]) for label in ranges},
+        "curves": [place for place, label in enumerate(labels) if label in drawn],
+        "ranges": {
+            place: _rounded([*outline[:-1:RANGE_STEP], outline[-1]])
+            for place, outline in ranges.items()
+            if outline
+        },
         "printed": [mark for name in printed for mark in _marks(name, drawn)],
         "turning_points": "turning points" in drawn,
         "locus": "locus of the turning points" in drawn,
     }
-
-
-def _outline(points):
-    return _rounded([*points[:-1:RANGE_STEP], points[-1]])
 
 
 def _marks(name, drawn):
@@ -156,13 +150,6 @@ def _marks(name, drawn):
     ends = _rounded(drawn[TOLERANCE + name])
     for place, point in enumerate(_rounded(drawn[PRINTED + name])):
         yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
-
-
-def _condition(label):
-    values = map(float, CURVE.fullmatch(label).groups())
-    return {
-        axis.name: axis.to_si(value) for axis, value in zip(CONDITION_AXES, values, strict=True)
-    }
 
 
 def _rounded(points):
