@@ -51,13 +51,7 @@ class Axis(NamedTuple):
         return UNITS[self.key].scale
 
     def to_si(self, value: float) -> float:
-        """The float in SI that is nearest to the decimal ``value`` [engineering unit].
-
-        Examples
-        --------
-        >>> AXES["roughness"].to_si(300)
-        3e-07
-        """
+        """The float in SI that is nearest to the decimal ``value`` [engineering unit]: 300 nm are 3e-07 m."""
         return float(f"{value * self.scale:.12g}")
 
     def values(self, given: Iterable[float]) -> NDArray[np.float64]:

@@ -49,25 +49,24 @@ RECOMPUTED = {  # how an entry derives from the others, and what to say of it
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
     """Rows of the table ``paper_table``: those of a table of ``config/paper_tables.yaml``, in the same
     order, with each entry that derives from ``inputs`` recomputed."""
-    return [_judged(row, inputs) for row in rows]
-
-
-def _judged(row: dict, inputs: Parameters) -> dict:
-    printed = row["printed"]
-    result = {name: row[name] for name in ("property", "symbol", "unit")}
-    result |= _ends("printed", printed)
-    if "recompute" not in row:
-        return result | _ends("recomputed", []) | {"verdict": "input", "remark": ""}
-    function, remark = RECOMPUTED[row["recompute"]]
-    recomputed = function(inputs)
-    disagreements = [
-        f"printed {a:g} against {b:.{row['digits'] + 1}g}"
-        for a, b in zip(printed, recomputed, strict=True)
-        if float(f"{b:.{row['digits']}g}") != a
-    ]
-    verdict = "differs" if disagreements else "agrees"
-    remark = "; ".join([*disagreements, remark])
-    return result | _ends("recomputed", recomputed) | {"verdict": verdict, "remark": remark}
+    judged = []
+    for row in rows:
+        printed, recomputed = row["printed"], []
+        verdict, remark = "input", ""
+        if "recompute" in row:
+            function, origin = RECOMPUTED[row["recompute"]]
+            recomputed = function(inputs)
+            disagreements = [
+                f"printed {a:g} against {b:.{row['digits'] + 1}g}"
+                for a, b in zip(printed, recomputed, strict=True)
+                if float(f"{b:.{row['digits']}g}") != a
+            ]
+            verdict = "differs" if disagreements else "agrees"
+            remark = "; ".join([*disagreements, origin])
+        known = {name: row[name] for name in ("property", "symbol", "unit")}
+        known |= _ends("printed", printed) | _ends("recomputed", recomputed)
+        judged.append(known | {"verdict": verdict, "remark": remark})
+    return judged
 
 
 def _ends(name: str, values: list) -> dict:

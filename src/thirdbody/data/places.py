@@ -8,13 +8,8 @@ FIGURE = re.compile(r"Figures? (\d+)")
 
 
 def part_of_paper(place: str) -> str:
-    """The first part of the paper that the ``place`` of a claim in ``config/claims.yaml`` names.
-
-    Examples
-    --------
-    >>> part_of_paper("Figures 4B and 4C, section 3.3"), part_of_paper("Conclusion 7")
-    ('Figure 4', 'Conclusions')
-    """
+    """The first part of the paper that the ``place`` of a claim in ``config/claims.yaml`` names: Figure 4 of
+    "Figures 4B and 4C, section 3.3"."""
     figure = FIGURE.match(place)
     if figure:
         return f"Figure {figure[1]}"

@@ -83,13 +83,18 @@ class CurveFigure:
         common = shared_notes(conditions)
         panels: list[Panel] = []
         for content in self._contents(curves):
-            chosen = _on_surface(curves, data, content.surface)
+            chosen = curves
+            if content.surface is not None:
+                roughness = data["roughness"].values[content.surface]
+                chosen = [one for one in curves if one.condition.roughness == roughness]
             if content.x == "diameter_ratio":
-                series = tuple(_window_series(chosen, windows, printed))
+                series = tuple(_window_series(content, chosen, windows, printed))
             else:
                 series = tuple(_curve_series(content, chosen, ensemble_range, printed))
             if series:
-                letter, title = ascii_uppercase[len(panels)], _title(content, chosen, common)
+                shared = shared_notes([curve.condition for curve in chosen])
+                own = ", ".join(text for text in shared if text not in common)
+                letter, title = ascii_uppercase[len(panels)], own or SCALES[content.y].title
                 panels.append(Panel(letter, title, content.x, content.y, series))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
@@ -148,41 +153,17 @@ def range_outline(x, low, high):
     return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
 
 
-def _window_series(curves, windows, printed) -> Iterator[Series]:
+def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     """Turning points over x_a/σ on one surface, and the computed and printed ends of the range where they
     occur, which have no height: their ``y`` is 0."""
-    marked = [curve for curve in curves if curve.turning_point]
-    if marked:
-        ratios = np.array([curve.condition.diameter_ratio for curve in marked])
-        peaks = np.array([curve.turning_point["peak_ratio"] for curve in marked])
-        yield Series(marks.TURNING_POINTS, "", ratios, peaks)
+    yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
     roughness = curves[0].condition.roughness
-    ends = np.array(
-        [
-            row["diameter_over_roughness"]
-            for row in windows
-            if np.isclose(row["roughness_m"], roughness, rtol=1e-9)
-            and np.isfinite(row["diameter_over_roughness"])
-        ]
-    )
+    here = [row for row in windows if np.isclose(row["roughness_m"], roughness, rtol=1e-9)]
+    ends = np.array([row["diameter_over_roughness"] for row in here])
+    ends = ends[np.isfinite(ends)]
     if ends.size:
         yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
     yield from printed_window_series(printed, roughness)
-
-
-def _on_surface(curves, data, surface):
-    """Those of ``curves`` on the surface with this index among the roughnesses of ``data``."""
-    if surface is None:
-        return curves
-    roughness = data["roughness"].values[surface]
-    return [curve for curve in curves if curve.condition.roughness == roughness]
-
-
-def _title(content, curves, common) -> str:
-    """What the curves of a panel share beyond the others, or else its quantity."""
-    shared = shared_notes([curve.condition for curve in curves])
-    own = [text for text in shared if text not in common]
-    return ", ".join(own) or SCALES[content.y].title
 
 
 def draw_panels(
@@ -201,9 +182,8 @@ def draw_panels(
     below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
     figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
     for axes, panel in zip(figure.axes, panels, strict=True):
-        draw = _draw_vertical if panel.is_over_sizes else _draw_series
         for series in panel.series:
-            draw(axes, series, styles.get(series.curve, {}))
+            _draw_series(axes, panel, series, styles.get(series.curve, {}))
         title_axes(axes, panel, TITLE_PAD)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:
@@ -228,30 +208,25 @@ def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool)
     figure.legend(handles=entries, title=title or None, ncols=columns, **place)
 
 
-def _draw_series(axes: Axes, series: Series, style: dict) -> None:
-    """Draw a series in the ``style`` of its curve."""
+def _draw_series(axes: Axes, panel: Panel, series: Series, style: dict) -> None:
+    """Draw a series in the ``style`` of its curve; what has no height as vertical lines and areas."""
     colour = {"color": style["color"]} if style else {}
-    if series.kind == marks.BAND:
+    is_limit = panel.is_over_sizes and series.kind != marks.TURNING_POINTS
+    if series.kind == CURVE:
+        axes.plot(series.x, series.y, **style)
+    elif series.kind == marks.BAND:
         # not `fill`, which finds limits of the axes from each edge
         area = np.column_stack([series.x, series.y])
         axes.add_artist(Polygon(area, **band_style(style["color"])))
         axes.update_datalim(area)
-    elif series.kind == CURVE:
-        axes.plot(series.x, series.y, **style)
+    elif series.kind == marks.TOLERANCE and is_limit:
+        axes.axvspan(*series.x, color="black", alpha=0.07, linewidth=0)
     elif series.kind == marks.TOLERANCE:
         axes.plot(series.x, series.y, **TOLERANCE_LOOK, **colour)
-    else:
-        look = marks.MARKS[series.kind][1]
-        axes.plot(series.x, series.y, **(look | colour if series.kind == marks.PRINTED else look))
-
-
-def _draw_vertical(axes: Axes, series: Series, style: dict) -> None:
-    """Draw turning points, and what has no height as vertical lines and their tolerances as areas."""
-    if series.kind == marks.TURNING_POINTS:
-        _draw_series(axes, series, style)
-    elif series.kind == marks.TOLERANCE:
-        axes.axvspan(*series.x, color="black", alpha=0.07, linewidth=0)
-    else:
+    elif is_limit:
         look = marks.PRINTED_LIMIT if series.kind == marks.PRINTED else marks.MARKS[series.kind]
         for end in series.x:
             axes.axvline(end, **look[1])
+    else:
+        look = marks.MARKS[series.kind][1]
+        axes.plot(series.x, series.y, **(look | colour if series.kind == marks.PRINTED else look))

@@ -38,7 +38,12 @@ class Curve:
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
     def at(self, name: str, load: float) -> float:
-        """The variable ``name`` at a ``load``, interpolated over its logarithm."""
+        """The variable ``name`` at a ``load``, interpolated over its logarithm; or one of the two numbers
+        of a panel of turning points, which are the same at all loads."""
+        if name == "diameter_ratio":
+            return self.condition.diameter_ratio
+        if name == "turning_point_ratio":
+            return self.turning_point["peak_ratio"]
         loads = np.log(self.values("load"))
         return float(np.interp(np.log(load), loads, self.values(name)))
 

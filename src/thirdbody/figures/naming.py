@@ -11,13 +11,7 @@ NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # i
 
 
 def power_text(value: float) -> str:
-    """``value`` as a power of ten, four digits at most.
-
-    Examples
-    --------
-    >>> power_text(5e10), power_text(1e11)
-    ('5×10¹⁰', '10¹¹')
-    """
+    """``value`` as a power of ten, four digits at most: 5×10¹⁰, 10¹¹."""
     mantissa, exponent = f"{value:.3e}".split("e")
     power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
@@ -45,13 +39,7 @@ def value_text(parameter: str, value: float) -> str:
 
 
 def note(parameter: str, value: float) -> str:
-    """``value`` [SI] of a condition with its symbol and unit.
-
-    Examples
-    --------
-    >>> note("roughness", 3e-7), note("viscosity", 0.0)
-    ('σ = 300 nm', 'dry')
-    """
+    """``value`` [SI] of a condition with its symbol and unit: σ = 300 nm, dry."""
     if parameter == "viscosity" and value == 0.0:
         return "dry"
     unit = "" if parameter == "load" else f" {unit_text(parameter)}"

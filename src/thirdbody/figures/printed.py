@@ -76,7 +76,7 @@ def _mark(curve, row, numbers, x, y) -> Mark | None:
     if x != "load":
         return None
     if y == quantity:
-        if SCALES[y].is_fraction:
+        if SCALES[y].limits:  # a fraction
             ends = tuple(np.clip(ends, 0.0, 1.0))
         return Mark(_load_of(curve, row), value, ends, "y")
     if quantity == "load" and y == row["at_quantity"]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib import rcParams
@@ -18,13 +18,9 @@ LABEL_PLACES = {"x": (0.5, -0.11), "y": (-0.18, 0.5)}
 POWERS = FuncFormatter(lambda value, _: power_text(value))
 
 
-@dataclass(frozen=True)
-class Scale:
-    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI.
-
-    A quantity with ``limits`` between regimes or contact modes, and ``zones``, the names of these from
-    below, is a fraction.
-    """
+class Scale(NamedTuple):
+    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI; of a fraction
+    the ``limits`` between regimes or contact modes, and the names of these ``zones`` from below."""
 
     title: str
     label: str
@@ -32,11 +28,6 @@ class Scale:
     unit: float = 1.0
     limits: tuple[float, ...] = ()
     zones: tuple[str, ...] = ()
-
-    @property
-    def is_fraction(self) -> bool:
-        """Whether the quantity runs from 0 to 1."""
-        return bool(self.limits)
 
 
 MODES = {"limits": (SURFACE_LIMIT, PARTICLE_LIMIT), "zones": ("s-s", "hybrid", "p-s")}
@@ -96,7 +87,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())
-    if SCALES[y].is_fraction:
+    if SCALES[y].limits:
         highest = axes.dataLim.y1
         top = highest if 0.0 < highest < 0.5 else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
