@@ -92,15 +92,9 @@ def grid(
     Examples
     --------
     >>> import thirdbody as tb
-    >>> points = tb.grid(
-    ...     load_N=[1, 10],
-    ...     viscosity_cSt=[0, 90],
-    ...     particle_diameter_nm=300,
-    ...     roughness_nm=300,
-    ...     particle_density_per_m2=1e11,
-    ...     parameters=tb.load_parameters(),
-    ...     variables=["solid_load_fraction"],
-    ... )
+    >>> oil = dict(viscosity_cSt=[0, 90], roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> points = tb.grid(load_N=[1, 10], **oil, **debris, variables=["solid_load_fraction"])
     >>> points["solid_load_fraction"].squeeze().shape
     (2, 2)
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 POINT = "point"  # a dimension along which several conditions vary, or none
 
@@ -59,9 +57,7 @@ def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:
     others = [name for name in flat.coords if name not in labels]
     frame = flat.to_dataframe().reset_index()[[*labels, *others, *flat.data_vars]]
     for name in FLAGS.keys() & flat.data_vars.keys():
-        meanings = FLAGS[name].meanings
-        named = frame[name].astype("category").cat.rename_categories(dict(enumerate(meanings)))
-        frame[name] = named.cat.set_categories(meanings)
+        frame[name] = pd.Categorical.from_codes(frame[name], FLAGS[name].meanings)
     frame.attrs["units"] = {
         name: flat[name].attrs["units"] for name in frame.columns if "units" in flat[name].attrs
     }

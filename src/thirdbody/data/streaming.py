@@ -71,16 +71,10 @@ def stream(
     >>> import tempfile
     >>> import xarray as xr
     >>> import thirdbody as tb
+    >>> oil = dict(viscosity_cSt=0, roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     tb.stream(
-    ...         f"{folder}/grid.nc",
-    ...         load_N=[1, 10],
-    ...         viscosity_cSt=0,
-    ...         particle_diameter_nm=300,
-    ...         roughness_nm=300,
-    ...         particle_density_per_m2=1e11,
-    ...         parameters=tb.load_parameters(),
-    ...     )
+    ...     tb.stream(f"{folder}/grid.nc", load_N=[1, 10], **oil, **debris)
     ...     written = xr.load_dataset(f"{folder}/grid.nc")
     >>> written["separation"].squeeze().shape
     (2,)

@@ -81,14 +81,9 @@ def plot(
     --------
     >>> import numpy as np
     >>> import thirdbody as tb
-    >>> points = tb.grid(
-    ...     load=np.geomspace(1e-6, 1e-4, 20),
-    ...     viscosity=[0.0, 50e-6, 90e-6],
-    ...     particle_diameter=3e-7,
-    ...     roughness=3e-7,
-    ...     particle_density=1e11,
-    ...     parameters=tb.load_parameters(),
-    ... )
+    >>> oils = dict(viscosity_cSt=[0, 50, 90], roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> points = tb.grid(load=np.geomspace(1e-6, 1e-4, 20), **oils, **debris)
     >>> figure = tb.plot(points)
     >>> [axes.get_title(loc="left") for axes in figure.axes[:2]]
     ['(A)  Contact area ratio of particles', '(B)  Real contact area']
