@@ -14,41 +14,30 @@ from thirdbody.units import ENGINEERING, UNITS
 class Axis(NamedTuple):
     """One condition.
 
-    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset; ``suffix`` the SI
-    unit in names of columns; ``symbol`` and ``sign`` are the symbol of the paper in plain letters and as
-    figures print it; ``long_name`` says what it is in datasets.
+    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset, ``column`` the column
+    of tables; ``symbol`` and ``sign`` are the symbol of the paper in plain letters and as figures print it;
+    ``long_name`` says what it is in datasets.  ``units`` are SI, spelt as UDUNITS reads them; ``key`` is the
+    key of configuration and claims, in the engineering unit ``unit``, which is ``scale`` in SI.
     """
 
     name: str
-    suffix: str
+    column: str
     symbol: str
     sign: str
     long_name: str
+    units: str
+    key: str
+    unit: str
+    scale: float
 
-    @property
-    def column(self) -> str:
-        """Column of tables, its name ending with the SI unit."""
-        return f"{self.name}_{self.suffix}" if self.suffix else self.name
-
-    @property
-    def units(self) -> str:
-        """SI unit, spelt as UDUNITS reads it."""
-        return UNITS[self.name].text
-
-    @property
-    def key(self) -> str:
-        """Key of configuration and claims, its name ending with the engineering unit."""
-        return self.name if self.name == "load" else ENGINEERING[self.name]
-
-    @property
-    def unit(self) -> str:
-        """Engineering unit of ``key``, spelt like ``units``."""
-        return UNITS[self.key].text
-
-    @property
-    def scale(self) -> float:
-        """Engineering unit in SI."""
-        return UNITS[self.key].scale
+    @classmethod
+    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Axis:
+        """The axis whose column ends with this ``suffix``, the SI unit."""
+        key = ENGINEERING[name] if suffix else name
+        column = f"{name}_{suffix}" if suffix else name
+        unit = UNITS[key]
+        units = UNITS[name].text
+        return cls(name, column, symbol, sign, long_name, units, key, unit.text, unit.scale)
 
     def to_si(self, value: float) -> float:
         """The float in SI that is nearest to the decimal ``value`` [engineering unit]: 300 nm are 3e-07 m."""
@@ -64,17 +53,17 @@ class Axis(NamedTuple):
 
 
 _AXES = (
-    Axis("load", "", "F_t*", "Fₜ*", "dimensionless mean normal load"),
-    Axis("viscosity", "m2_per_s", "nu", "ν", "kinematic viscosity of the lubricant, 0 when dry"),
-    Axis(
+    Axis.of("load", "", "F_t*", "Fₜ*", "dimensionless mean normal load"),
+    Axis.of("viscosity", "m2_per_s", "nu", "ν", "kinematic viscosity of the lubricant, 0 when dry"),
+    Axis.of(
         "particle_diameter",
         "m",
         "x_a",
         "xₐ",
         "mean diameter of the third particles, 0 without them",
     ),
-    Axis("roughness", "m", "sigma", "σ", "equivalent root mean square surface roughness"),
-    Axis("particle_density", "per_m2", "eta_a", "ηₐ", "number of particles per unit area"),
+    Axis.of("roughness", "m", "sigma", "σ", "equivalent root mean square surface roughness"),
+    Axis.of("particle_density", "per_m2", "eta_a", "ηₐ", "number of particles per unit area"),
 )
 AXES = {axis.name: axis for axis in _AXES}
 DIMENSIONS = tuple(AXES)  # of every dataset, in this order

@@ -27,25 +27,20 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     missing = dict.fromkeys(result_name(row) for row in rows if not row["input"])
     rows = [row for row in rows if row["input"]]
     inputs = _by_weight(rows)
-    results = list(dict.fromkeys(result_name(row) for row in rows))
+    results = list(dict.fromkeys(map(result_name, rows)))
     cell = WIDTH, ROW * len(inputs) + MARGINS[2] + MARGINS[3]
     figure = grid_of_axes(2, cell, MARGINS, columns=1, below=BELOW)
     panels = []
     for letter, axes, (measure, title) in zip("AB", figure.axes, MEASURES.items(), strict=True):
-        cells = {
-            (inputs.index(row["input"]), results.index(result_name(row))): row["sensitivity"]
-            for row in rows
-            if row["measure"] == measure and row["sensitivity"] is not None
-        }
-        names = {place: f"{results[place[1]]}; {inputs[place[0]]}" for place in cells}
-        series = (
-            Series(CURVE, f"{names[place]}; {value:.10g}", *(CORNERS + place[::-1]).T)
-            for place, value in cells.items()
-        )
-        panels.append(Panel(letter, title, "result", measure, tuple(series)))
         values = np.full((len(inputs), len(results)), np.nan)
-        for place, value in cells.items():
-            values[place] = value
+        series = []
+        for row in rows:
+            if row["measure"] == measure and row["sensitivity"] is not None:
+                place = inputs.index(row["input"]), results.index(result_name(row))
+                values[place] = row["sensitivity"]
+                name = f"{results[place[1]]}; {row['input']}; {row['sensitivity']:.10g}"
+                series.append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
+        panels.append(Panel(letter, title, "result", measure, tuple(series)))
         _draw_cells(axes, values, measure)
         axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
         axes.set_xticks([])
