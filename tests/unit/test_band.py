@@ -8,10 +8,9 @@ from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
-from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.dataset import Scene, scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, QUANTITIES
-from thirdbody.data.scene import Scene
 from thirdbody.solver.solve import solve
 from thirdbody.study.band import BAND_RTOL, band
 

@@ -13,10 +13,9 @@ from small_release import KEYS
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.dataset import crossed, scene_dataset
+from thirdbody.data.dataset import Scene, crossed, scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, FLAGS, NUMBERS
-from thirdbody.data.scene import Scene
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
 ROOT = Path(__file__).parents[2]

@@ -11,9 +11,8 @@ from matplotlib.colors import to_rgb
 
 import thirdbody as tb
 from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
-from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.dataset import Scene, scene_dataset
 from thirdbody.data.quantities import QUANTITIES
-from thirdbody.data.scene import Scene
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
 from thirdbody.figures.dataset_curves import curves_in

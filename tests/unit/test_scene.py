@@ -9,7 +9,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.data.scene import Scene, curve_groups, load_values
+from thirdbody.data.dataset import Scene, curve_groups, load_values
 
 NEWTONS = 7.0e5
 AXIS = {"load_N": [0.04, 80.0], "count": 240}

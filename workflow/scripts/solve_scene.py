@@ -1,9 +1,8 @@
 """Solve one scene: the dataset of a figure."""
 
-from thirdbody.data.dataset import scene_dataset
+from thirdbody.data.dataset import Scene, scene_dataset
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
-from thirdbody.data.scene import Scene
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 

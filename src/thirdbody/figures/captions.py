@@ -16,8 +16,7 @@ import numpy as np
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Panel
-from thirdbody.figures.naming import label, note, unit_text, value_text
-from thirdbody.figures.scales import SCALES
+from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
 WORDS = tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # letters that Markdown takes for markup

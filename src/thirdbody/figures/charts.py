@@ -13,7 +13,7 @@ from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.figures.curves import draw_panels, range_outline
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 from thirdbody.figures.marks import BAND
-from thirdbody.figures.naming import note, parameter_title, value_text
+from thirdbody.figures.scales import note, parameter_title, value_text
 from thirdbody.figures.styles import level_styles
 
 MARK_EVERY = 12  # loads

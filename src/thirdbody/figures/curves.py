@@ -17,12 +17,9 @@ from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
 from thirdbody.figures.dataset_curves import curves_in, with_relative_area
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
-from thirdbody.figures.naming import parameter_title, shared_notes
-from thirdbody.figures.printed import printed_series, printed_window_series
-from thirdbody.figures.scales import SCALES, set_scales
+from thirdbody.figures.scales import SCALES, parameter_title, set_scales, shared_notes
 from thirdbody.figures.styles import band_style, curve_styles, key_entries
 
-RATIO = "particle_contact_area_ratio"
 BAND_STEP = 2  # every second load is fine enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
@@ -134,9 +131,9 @@ def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
     yield from marks.status_series(x, y, curves)
     if content.locus:
         yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
-    if content.locus or y == RATIO:
+    if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
-    yield from printed_series(x, y, curves, printed)
+    yield from marks.printed_series(x, y, curves, printed)
     if ranges is not None and x == "load" and f"{y}_low" in ranges:
         for curve in curves:
             around = replace(curve, data=ranges)
@@ -163,7 +160,7 @@ def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     ends = ends[np.isfinite(ends)]
     if ends.size:
         yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
-    yield from printed_window_series(printed, roughness)
+    yield from marks.printed_window_series(printed, roughness)
 
 
 def draw_panels(

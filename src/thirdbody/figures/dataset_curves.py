@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import curves_of
-from thirdbody.figures.naming import label
+from thirdbody.figures.scales import label
 
 AREA = "total_contact_area"
 AREA_OVER_TWO_BODY = "total_contact_area_over_two_body"

@@ -1,19 +1,26 @@
-"""What panels show beside curves: turning points of the contact area (TPCA), statuses of points."""
+"""What panels show beside curves: turning points of the contact area (TPCA), statuses of points, and the
+numbers that the paper prints, with their tolerances, where curves should pass through them.
+
+A printed number that stands for a place on a curve (``A_sa,t*`` at the turning point, say) is drawn at the
+other number that the paper prints of this place, or else where the curve has it.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
+from typing import NamedTuple
 
 import numpy as np
 from matplotlib.lines import Line2D
 
-from thirdbody.data.conditions import CONDITION_AXES
+from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.dataset_curves import Curve
+from thirdbody.figures.dataset_curves import AREA, AREA_OVER_TWO_BODY, Curve
 from thirdbody.figures.drawing import Panel, Series
-from thirdbody.model.regimes import SOLUTION_STATUSES, WITHOUT_VALUES
+from thirdbody.figures.scales import SCALES
+from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
@@ -47,6 +54,22 @@ MARKS = {
 }
 PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
 BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
+
+RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
+MIXED = "bend_load_over_mixed_load"
+# panels over the load that show a number which is no variable of theirs: loads of a bend or a reversal, and
+# what belongs to a turning point
+LOADS = {
+    "bend_load": (AREA,),
+    MIXED: (AREA,),
+    "total_contact_area_reversal_load": (AREA, AREA_OVER_TWO_BODY),
+}
+AT_TURNING_POINT = {
+    "turning_point_load": RATIO,
+    "turning_point_ratio": RATIO,
+    "turning_point_solid_load_fraction": SOLID,
+    "turning_point_solid_load": SOLID,
+}
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
@@ -91,3 +114,106 @@ def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
     entries += [PRINTED_LIMIT] if PRINTED in limits else []
     entries += [BAND_ENTRY] if BAND in kinds else []
     return [Line2D([], [], label=text, **look) for text, look in entries]
+
+
+class Mark(NamedTuple):
+    """A printed number in a panel: its place, and the ends of its tolerance along ``x`` or ``y``."""
+
+    x: float
+    y: float
+    ends: tuple[float, float]
+    along: str
+
+    def series(self, name: str, condition: Condition | None = None) -> Iterator[Series]:
+        """Its place and its tolerance."""
+        bar = (self.ends, (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, self.ends)
+        yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
+        yield Series(TOLERANCE, name, *np.array(bar), condition)
+
+
+def printed_series(
+    x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
+) -> Iterator[Series]:
+    """Printed numbers of ``curves``, rows of the table ``printed``, that a panel of ``x`` and ``y`` can
+    show: each place once, however many curves have it."""
+    drawn: set[Mark] = set()
+    for curve in curves:
+        key = condition_key(curve.condition)
+        rows = [row for row in printed if row_key(row) == key]
+        numbers = {row["quantity"]: row["value"] for row in reversed(rows)}
+        marks = [(row["id"], _mark(curve, row, numbers, x, y)) for row in rows]
+        new = [(name, mark) for name, mark in marks if mark and mark not in drawn]
+        for name, mark in new:
+            yield from mark.series(name, curve.condition)
+            drawn.add(mark)
+
+
+def _mark(curve, row, numbers, x, y) -> Mark | None:
+    """The mark of ``row`` in a panel of these quantities, None if they do not show it; ``numbers`` are all
+    that are printed of the curve."""
+    quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
+    if x == quantity == "film_thickness":
+        return Mark(value, curve.at(y, _extreme(curve, row)), ends, "x")
+    if x != "load":
+        return None
+    if y == quantity:
+        if SCALES[y].limits:  # a fraction
+            ends = tuple(np.clip(ends, 0.0, 1.0))
+        return Mark(_load_of(curve, row), value, ends, "y")
+    if quantity == "load" and y == row["at_quantity"]:
+        return Mark(value, row["at_level"], ends, "x")
+    if y in LOADS.get(quantity, ()):
+        unit = _falls_to(curve, SOLID, BOUNDARY_LIMIT) if quantity == MIXED else 1.0
+        load, low, high = (unit * each for each in (value, *ends))
+        return Mark(load, curve.at(y, load), (low, high), "x")
+    if y != AT_TURNING_POINT.get(quantity):
+        return None
+    if quantity == "turning_point_load":
+        found = curve.turning_point.get("peak_ratio", curve.at(y, value))
+        return Mark(value, numbers.get("turning_point_ratio", found), ends, "x")
+    highest = float(curve.values("load")[np.argmax(curve.values(RATIO))])
+    load = numbers.get("turning_point_load", curve.turning_point.get("load", highest))
+    # L_s = L_s F_t*/F_t*
+    unit = 1.0 / load if quantity == "turning_point_solid_load" else 1.0
+    low, high = np.clip([unit * end for end in ends], 0.0, 1.0)
+    return Mark(load, unit * value, (low, high), "y")
+
+
+def _load_of(curve, row) -> float:
+    """The load at which the number of ``row`` is printed."""
+    if row["at_quantity"] == "load":
+        return row["at_level"]
+    if row["at_quantity"]:
+        return _falls_to(curve, row["at_quantity"], row["at_level"])
+    return _extreme(curve, row)
+
+
+def _falls_to(curve, name, level) -> float:
+    """The load at which the variable ``name`` last falls below ``level``, or the last load."""
+    below = curve.values(name) < level
+    falls = np.flatnonzero(below[1:] & ~below[:-1])
+    return float(curve.values("load")[falls[-1] + 1 if falls.size else -1])
+
+
+def _extreme(curve, row) -> float:
+    """The load of the extreme of the curve that ``row`` names."""
+    load = curve.values("load")
+    within = load <= (row["load_max"] or np.inf)
+    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
+    values = curve.values(row["quantity"])[within]
+    wanted = values.min() if row["extreme"] == "minimum" else values.max()
+    found = np.flatnonzero(values == wanted)
+    # A constant curve has it everywhere.  The paper speaks of loads up to the last one, and
+    # fractions of the solid and of particles fall with the load.
+    is_last = row["load_max"] or row["extreme"] == "minimum"
+    return float(load[found[-1 if is_last else 0]])
+
+
+def printed_window_series(printed: Sequence[Mapping], roughness: float) -> Iterator[Series]:
+    """Printed ends of the range of x_a/σ with turning points on the surface of ``roughness`` [m]; they
+    have no height: ``y`` is 0."""
+    for row in printed:
+        if row["quantity"].startswith("window") and np.isclose(
+            row["roughness_m"], roughness, rtol=1e-9
+        ):
+            yield from Mark(row["value"], 0.0, (row["low"], row["high"]), "x").series(row["id"])

@@ -20,9 +20,8 @@ from thirdbody.data.quantities import STATUS
 from thirdbody.figures.curves import draw_panels, key_title, range_outline
 from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series, ShownFigure
 from thirdbody.figures.marks import BAND, read_turning_points
-from thirdbody.figures.naming import note
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
-from thirdbody.figures.scales import SCALES
+from thirdbody.figures.scales import SCALES, note
 from thirdbody.figures.styles import BLUE, level_styles
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"

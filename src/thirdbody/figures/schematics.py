@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 from thirdbody.figures.curves import CELL, add_key, key_title
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
-from thirdbody.figures.naming import label, shared_notes
+from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, Section, condition_of
 from thirdbody.model.regimes import CONTACT_MODES
 

@@ -11,7 +11,7 @@ from matplotlib.colors import to_rgb
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
-from thirdbody.figures.naming import value_text
+from thirdbody.figures.scales import value_text
 
 MARKERS = "osD^vPX"  # every second one is hollow: levels next to each other look different
 DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: two-body contact is black, lines fade on white

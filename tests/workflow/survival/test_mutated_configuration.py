@@ -12,7 +12,7 @@ from workspace import ROOT
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.settings import read_settings
-from thirdbody.data.scene import Scene
+from thirdbody.data.dataset import Scene
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
 
