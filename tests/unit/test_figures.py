@@ -216,8 +216,8 @@ def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
 @pytest.mark.parametrize(
     ("status", "places", "meaning"),
     [
-        ("outside_film_formula", [-4, -1], "film outside its formula"),
-        ("load_exceeded", [-5], "none beyond: load not carried"),
+        ("outside_film_formula", [-4, -1], "outside film formula"),
+        ("load_exceeded", [-5], "load exceeded"),
     ],
 )
 def test_points_that_are_not_plainly_converged_are_marked(status, places, meaning, datasets):

@@ -6,7 +6,7 @@ Loading xarray and the pandas that it needs takes longer than solving or drawing
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from numpy.typing import NDArray
@@ -48,10 +48,6 @@ class PlainDataset:
 
     def __getitem__(self, name: str) -> Variable:
         return self.variables[name]
-
-    def assign(self, data_vars: Mapping[str, Variable]) -> PlainDataset:
-        """The same with further variables."""
-        return replace(self, data_vars={**self.data_vars, **data_vars})
 
     def to_xarray(self) -> xr.Dataset:
         """The same as a dataset of xarray."""

@@ -27,7 +27,7 @@ MEANINGS = {
     marks.PRINTED: "Open squares and black vertical lines: numbers that the paper prints; bars and "
     "grey areas: their tolerances.",
     marks.BAND: "Shaded: ensemble range.",
-} | {kind: f"Crosses: {text}." for kind, (text, _) in marks.STATUS_MARKS.items()}
+} | {status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES}
 
 
 def caption(

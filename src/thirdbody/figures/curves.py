@@ -15,7 +15,7 @@ from matplotlib.patches import Polygon
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures import marks
-from thirdbody.figures.dataset_curves import curves_in, with_relative_area
+from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
 from thirdbody.figures.scales import SCALES, parameter_title, set_scales, shared_notes
 from thirdbody.figures.styles import band_style, curve_styles, key_entries
@@ -71,7 +71,7 @@ class CurveFigure:
         ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and
         ``windows`` are rows of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
-        curves = curves_in(with_relative_area(data), turning_points)
+        curves = curves_in(data, turning_points)
         if not self.two_body:
             curves = [one for one in curves if not one.condition.is_two_body]
         # in the order of the key
@@ -107,15 +107,12 @@ class CurveFigure:
 
     def _contents(self, curves) -> list[Content]:
         """The contents for which there are values along ``curves``."""
-
-        def has(name):
-            return name in curves[0].data and any(np.isfinite(c.values(name)).any() for c in curves)
-
         sizes = {each.condition.diameter_ratio for each in curves}
         contents = [
             each
             for each in self.contents
-            if (len(sizes) > 1 if each.x == "diameter_ratio" else has(each.x) and has(each.y))
+            if any(curve.has(each.x) and curve.has(each.y) for curve in curves)
+            or (each.x == "diameter_ratio" and len(sizes) > 1)
         ]
         if not self.each_surface:
             return contents

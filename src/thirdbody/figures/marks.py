@@ -17,41 +17,33 @@ from matplotlib.lines import Line2D
 from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.dataset_curves import AREA, AREA_OVER_TWO_BODY, Curve
+from thirdbody.figures.dataset_curves import AREA, RELATIVE_AREA, Curve
 from thirdbody.figures.drawing import Panel, Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
-# statuses that are marked: text of the key, marker; where there are no values the curve ends
-STATUS_MARKS = {
-    "several_separations": ("several balances: the widest", "+"),
-    "outside_film_formula": ("film outside its formula", "x"),
-    "area_exceeded": ("contact area above 1", "1"),
-    "not_converged": ("less accurate than asked", "2"),
-    "coverage_exceeded": ("none beyond: particles cover all", "3"),
-    "load_exceeded": ("none beyond: load not carried", "4"),
-}
+# markers of points that have not plainly converged; where there are no values the curve ends
+STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
 POINTS = {"linestyle": "none", "zorder": 3.2}
-STATUS_LOOK = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
-STAR = POINTS | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1"}
+LINE = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
+CROSS = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
+STAR = POINTS | {
+    "marker": "*",
+    "markersize": 8.0,
+    "markerfacecolor": "C1",
+    "markeredgecolor": "black",
+}
 SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
+SQUARE |= {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
 # kind of series: text in the key, line properties
 MARKS = {
-    TURNING_POINTS: ("turning point (TPCA)", STAR | {"markeredgecolor": "black"}),
-    LOCUS: (
-        "locus of turning points",
-        {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9},
-    ),
+    TURNING_POINTS: ("turning point (TPCA)", STAR),
+    LOCUS: ("locus of turning points", LINE),
     WINDOW: ("limits of turning points", {"color": "C5", "linewidth": 1.8}),
-    PRINTED: (
-        "printed, with tolerance",
-        SQUARE | {"markeredgewidth": 1.1, "color": "black", "clip_on": False},
-    ),
-} | {
-    kind: (text, STATUS_LOOK | {"marker": marker}) for kind, (text, marker) in STATUS_MARKS.items()
-}
+    PRINTED: ("printed, with tolerance", SQUARE),
+} | {name: (name.replace("_", " "), CROSS | {"marker": mark}) for name, mark in STATUSES.items()}
 PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
 BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
@@ -62,7 +54,7 @@ MIXED = "bend_load_over_mixed_load"
 LOADS = {
     "bend_load": (AREA,),
     MIXED: (AREA,),
-    "total_contact_area_reversal_load": (AREA, AREA_OVER_TWO_BODY),
+    "total_contact_area_reversal_load": (AREA, RELATIVE_AREA),
 }
 AT_TURNING_POINT = {
     "turning_point_load": RATIO,
@@ -93,7 +85,7 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points whose status is not ``converged``, and ends of curves without values."""
-    for status in STATUS_MARKS:
+    for status in STATUSES:
         for curve in curves:
             marked = curve.values(STATUS) == SOLUTION_STATUSES.index(status)
             if status in WITHOUT_VALUES:

@@ -12,13 +12,13 @@ from dataclasses import replace
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.curves import Content, CurveFigure
-from thirdbody.figures.dataset_curves import AREA_OVER_TWO_BODY, curves_in
+from thirdbody.figures.dataset_curves import RELATIVE_AREA, curves_in
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
 SOLID = Content("solid_load_fraction")  # L_s
 FILM = Content("film_thickness")  # H_c
-RELATIVE = Content(AREA_OVER_TWO_BODY)  # A_t* over that of dry two-body contact
+RELATIVE = Content(RELATIVE_AREA)  # A_t* over that of dry two-body contact
 WINDOW = Content("turning_point_ratio", x="diameter_ratio")
 SMOOTHEST, ROUGHEST = 0, -1
 
