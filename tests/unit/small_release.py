@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import thirdbody as tb
-from thirdbody.data.dataset import Scene, scene_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
 from thirdbody.release.bag import pack
@@ -43,7 +43,7 @@ PICTURES = {"svg": b"<svg/>\n", "pdf": b"%PDF-1.4\n", "png": b"\x89PNG\r\n\x1a\n
 def solved(name, parameters):
     """The dataset of one of ``SCENES``."""
     scene = CONFIG["scenes"][name] | {"load_axis": CONFIG["load_axis"]}
-    return scene_dataset(Scene.of(scene, parameters.newtons_per_load), parameters)
+    return scene_dataset(scene, parameters)
 
 
 def make_products(folder):

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from small_release import KEYS
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
-from thirdbody.data.dataset import Scene, scene_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, QUANTITIES
 from thirdbody.solver.solve import solve
@@ -27,8 +27,7 @@ MEMBERS = [{"participation": 0.03}, {"spread_ratio": 1.5, "summit_radius": 25e-6
 @pytest.fixture(scope="module")
 def dataset(parameters, tmp_path_factory):
     path = tmp_path_factory.mktemp("band") / "scene.nc"
-    scene = Scene.of(SCENE, parameters.newtons_per_load)
-    write_dataset(scene_dataset(scene, parameters), path)
+    write_dataset(scene_dataset(SCENE, parameters), path)
     return read_dataset(path)
 
 

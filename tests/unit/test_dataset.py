@@ -13,7 +13,7 @@ from small_release import KEYS
 
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.dataset import Scene, crossed, scene_dataset
+from thirdbody.data.dataset import crossed, scene_dataset, scene_groups
 from thirdbody.data.netcdf import read_dataset, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, FLAGS, NUMBERS
 from thirdbody.model.regimes import SOLUTION_STATUSES
@@ -51,13 +51,8 @@ def dataset(parameters):
 
 
 @pytest.fixture(scope="module")
-def scene(parameters):
-    return Scene.of(SCENE, parameters.newtons_per_load)
-
-
-@pytest.fixture(scope="module")
-def shown(scene, parameters):
-    return scene_dataset(scene, parameters).to_xarray()
+def shown(parameters):
+    return scene_dataset(SCENE, parameters).to_xarray()
 
 
 @pytest.fixture
@@ -80,7 +75,7 @@ def test_files_have_the_names_types_units_and_attributes_of_the_contract(
 SOFT = {"elastic_modulus_particle": 5e9, "elastic_depth_ratio": 0.5}
 
 
-def test_a_dataset_with_several_separations_holds_their_number(parameters, scene, shown, tmp_path):
+def test_a_dataset_with_several_separations_holds_their_number(parameters, shown, tmp_path):
     inputs = replace(parameters, **SOFT)
     given = {"load": np.geomspace(1e-7, 1e-3, 40), "particle_diameter": [0.0, 5e-7]}
     several = grid(inputs, **given)
@@ -91,7 +86,7 @@ def test_a_dataset_with_several_separations_holds_their_number(parameters, scene
     assert read_dataset(tmp_path / "several.nc")["separation_count"].equals(count)
     tb.stream(tmp_path / "streamed.nc", **AXES | given, parameters=inputs, variables=list(several))
     assert read_dataset(tmp_path / "streamed.nc")["separation_count"].equals(count)
-    count = scene_dataset(scene, inputs).to_xarray()["separation_count"]
+    count = scene_dataset(SCENE, inputs).to_xarray()["separation_count"]
     assert np.array_equal(count == FILL_FLAG, hidden(shown["solution_status"]))
     assert (count > 1).any() and f"{FILL_FLAG}: not shown" in count.attrs["comment"]
     assert "separation_count" not in shown
@@ -176,15 +171,12 @@ def test_a_damaged_file_is_named_with_the_command_that_remakes_it(on_disk, damag
         read_dataset(on_disk)
 
 
-def test_a_figure_holds_what_the_solver_gives_and_elsewhere_the_fill_value(
-    shown, scene, parameters
-):
+def test_a_figure_holds_what_the_solver_gives_and_elsewhere_the_fill_value(shown, parameters):
     without = np.ones(tuple(shown.sizes.values()), dtype=bool)
-    for group in scene.groups:
-        place = scene.placed(group)
+    for group in scene_groups(SCENE, parameters.newtons_per_load):
+        place = np.ix_(*(np.isin(shown[name].values, values) for name, values in group.items()))
         without[place] = False
-        axes = {"load": scene.load} | {name: getattr(group, name) for name in DIMENSIONS[1:]}
-        solution = tb.solve(**crossed(axes), parameters=parameters)
+        solution = tb.solve(**crossed(group), parameters=parameters)
         for name in (*NUMBERS, *FLAGS):
             assert np.array_equal(shown[name].values[place], getattr(solution, name)), name
     assert without.any()

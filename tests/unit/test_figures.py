@@ -11,7 +11,7 @@ from matplotlib.colors import to_rgb
 
 import thirdbody as tb
 from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key
-from thirdbody.data.dataset import Scene, scene_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
@@ -60,12 +60,11 @@ def datasets(parameters):
     """The paper's scenes on a few loads, as they are read from files."""
     scenes = yaml.safe_load((ROOT / "config" / "scenes.yaml").read_text())["scenes"]
     few = {name: scenes[name] | {"load_axis": LOAD_AXIS} for name in PANELS}
-    return {name: dataset_of(name, scene, parameters) for name, scene in few.items()}
+    return {name: dataset_of(scene, parameters) for name, scene in few.items()}
 
 
-def dataset_of(name, scene, parameters):
-    computed = Scene.of(scene, parameters.newtons_per_load)
-    return xr.decode_cf(scene_dataset(computed, parameters, 1e-4).to_xarray())
+def dataset_of(scene, parameters):
+    return xr.decode_cf(scene_dataset(scene, parameters, 1e-4).to_xarray())
 
 
 @pytest.fixture(scope="module")
@@ -349,7 +348,7 @@ def test_a_scene_of_the_user_is_drawn_by_what_varies(parameter, varied, panels, 
     usual = {"viscosity_cSt": [0, 90], "particle_diameter_nm": [300], "roughness_nm": [300]}
     group = usual | {"particle_density_per_m2": [1e11]} | varied
     scene = {"title": "Mine", "load_axis": LOAD_AXIS, "curves": [group]}
-    data = dataset_of("mine", scene, parameters)
+    data = dataset_of(scene, parameters)
     chosen = curve_figure("mine", data)
     assert chosen.parameter == parameter
     drawing = chosen.plot(data)

@@ -1,6 +1,6 @@
 """Solve one scene: the dataset of a figure."""
 
-from thirdbody.data.dataset import Scene, scene_dataset
+from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.job_log import logged
@@ -10,8 +10,8 @@ with logged(snakemake.log[0]):
     figure = snakemake.wildcards.scene
     scene = snakemake.params.scene
     inputs = Parameters(**snakemake.params.parameters)
-    points = Scene.of(scene, inputs.newtons_per_load)
-    solved = scene_dataset(points, inputs, scene["rtol"])
+    solved = scene_dataset(scene, inputs, scene["rtol"])
     with atomic_write(snakemake.output.dataset) as part:
         write_dataset(solved, part)
-    print(f"{figure}: {points.size} points")
+    shape = " x ".join(map(str, solved.sizes.values()))
+    print(f"{figure}: {shape} points")

@@ -3,9 +3,7 @@ of a scene, the curves that one figure shows."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Collection, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -173,92 +171,59 @@ def described_grid(
     return PlainDataset(variables, coordinates, attributes)
 
 
-def curve_groups(group: Mapping) -> list[Condition]:
-    """The groups of curves that one entry of ``curves`` in ``config/scenes.yaml`` describes: a group is
-    every combination of four axes, each 1-D and increasing, SI.
+def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
+    """What a valid entry of ``config/scenes.yaml`` shows: groups of curves, each every combination of five
+    axes, of which the load is the same; what stands in several groups is shown once.
 
-    Diameters relative to the roughness make a group of each roughness.
+    Loads are evenly spaced in their logarithm, joined by those that the text names and that lie between
+    the ends.  Diameters relative to the roughness make a group of each roughness.
     """
-    if RELATIVE_DIAMETER not in group:
-        return [Condition(*(axis.values(group[axis.key]) for axis in CONDITION_AXES))]
-    roughness, diameter = AXES["roughness"].key, AXES["particle_diameter"].key
-    absolute = {name: values for name, values in group.items() if name != RELATIVE_DIAMETER}
-    found = []
-    for sigma in group[roughness]:
-        diameters = [ratio * sigma for ratio in group[RELATIVE_DIAMETER]]
-        found += curve_groups(absolute | {roughness: [sigma], diameter: diameters})
-    return found
-
-
-@dataclass(frozen=True)
-class Scene:
-    """What a dataset holds: its title, the load axis F_t* [1], shape (n,), increasing, and the groups of
-    curves that are shown, each of arrays as of ``curve_groups``; a combination that stands in several
-    groups is shown once."""
-
-    title: str
-    load: NDArray[np.float64]
-    groups: tuple[Condition, ...]
-
-    @classmethod
-    def of(cls, scene: Mapping, newtons_per_load: float) -> Scene:
-        """The scene of a valid entry of ``config/scenes.yaml``, with its load axis in newtons."""
-        groups = [each for entry in scene["curves"] for each in curve_groups(entry)]
-        load = load_values(scene["load_axis"], scene.get("named_loads", []), newtons_per_load)
-        return cls(scene["title"], load, tuple(groups))
-
-    @property
-    def size(self) -> int:
-        """Number of points."""
-        return self.load.size * sum(math.prod(map(len, group)) for group in self.groups)
-
-    def axis(self, name: str) -> NDArray[np.float64]:
-        """Values of the dimension ``name`` over all groups, SI, shape (n,), increasing."""
-        if name == "load":
-            return self.load
-        return np.unique(np.concatenate([getattr(group, name) for group in self.groups]))
-
-    def placed(self, group: Condition) -> tuple[NDArray[np.intp], ...]:
-        """Where the points of ``group`` stand in arrays over the five axes of the scene: five index arrays,
-        as of ``numpy.ix_``."""
-        positions = [
-            np.searchsorted(self.axis(name), values) for name, values in group._asdict().items()
-        ]
-        return np.ix_(np.arange(self.load.size), *positions)
-
-
-def load_values(
-    axis: Mapping, named_loads: Iterable[float], newtons_per_load: float
-) -> NDArray[np.float64]:
-    """Values of the load axis [1]: as many as the ``axis`` counts, evenly spaced in their logarithm
-    between its ends [N], joined by those ``named_loads`` [1] of the text that lie between them."""
+    axis = scene["load_axis"]
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
-    spaced = np.geomspace(first, last, axis["count"])
-    named = [value for value in named_loads if first <= value <= last]
-    return np.unique(np.concatenate([spaced, named]))
+    named = [load for load in scene.get("named_loads", []) if first <= load <= last]
+    load = np.unique([*np.geomspace(first, last, axis["count"]), *named])
+    entries = []
+    for entry in scene["curves"]:
+        if RELATIVE_DIAMETER not in entry:
+            entries.append(entry)
+            continue
+        for sigma in entry["roughness_nm"]:
+            diameters = [ratio * sigma for ratio in entry[RELATIVE_DIAMETER]]
+            entries.append(entry | {"roughness_nm": [sigma], "particle_diameter_nm": diameters})
+    return [
+        {"load": load} | {axis.name: axis.values(entry[axis.key]) for axis in CONDITION_AXES}
+        for entry in entries
+    ]
 
 
-def scene_dataset(scene: Scene, parameters: Parameters, rtol: float = DEFAULT_RTOL) -> PlainDataset:
-    """The dataset of one figure: all variables of ``CONTRACT`` over the five axes, and
-    ``separation_count`` where a point has several separations.
+def scene_dataset(
+    scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
+) -> PlainDataset:
+    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT`` over the
+    five axes, and ``separation_count`` where a point has several separations.
 
     Combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
     ``rtol`` or a value on an axis is out of its bounds.
     """
-    axes = {name: scene.axis(name) for name in DIMENSIONS}
+    groups = scene_groups(scene, parameters.newtons_per_load)
+    axes = {
+        name: np.unique(np.concatenate([group[name] for group in groups])) for name in DIMENSIONS
+    }
     shape = tuple(axis.size for axis in axes.values())
     values = {name: np.full(shape, FILL_FLOAT) for name in NUMBERS}
     values |= {name: np.full(shape, FILL_FLAG) for name in (*FLAGS, SEPARATION_COUNT.name)}
-    for group in scene.groups:
-        place = scene.placed(group)
-        sides = crossed({"load": scene.load} | group._asdict())
-        solution = solve(**sides, parameters=parameters, rtol=rtol)
+    for group in groups:
+        place = np.ix_(*(np.searchsorted(axes[name], group[name]) for name in DIMENSIONS))
+        solution = solve(**crossed(group), parameters=parameters, rtol=rtol)
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)
-    groups = [_listed(group._asdict()) for group in scene.groups]
-    request = {"load": scene.load.tolist(), "groups": groups}
-    return described_grid(axes, values, parameters, rtol, scene.title, request)
+    listed = [_listed(group) for group in groups]
+    request = {
+        "load": listed[0]["load"],
+        "groups": [{n: g[n] for n in Condition._fields} for g in listed],
+    }
+    return described_grid(axes, values, parameters, rtol, scene["title"], request)
 
 
 def _listed(axes: Axes) -> dict[str, list[float]]:

@@ -12,7 +12,7 @@ from workspace import ROOT
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.settings import read_settings
-from thirdbody.data.dataset import Scene
+from thirdbody.data.dataset import scene_groups
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.claims import load_claims
 
@@ -119,7 +119,7 @@ def outcome(file):
         return str(error)
     inputs = Parameters(**settings["parameters"])
     for scene in settings["scenes"].values():
-        assert np.isfinite(Scene.of(scene, inputs.newtons_per_load).load).all()
+        assert np.isfinite(scene_groups(scene, inputs.newtons_per_load)[0]["load"]).all()
     return "read"
 
 
