@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
+from thirdbody.data.attributes import parameters_on_one_surface
 from thirdbody.data.conditions import DIMENSIONS
-from thirdbody.data.model_attribute import parameters_on_one_surface
 from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
 CLASS = ("medium", "bodies", "span")

@@ -11,7 +11,7 @@ from scipy.integrate import IntegrationWarning
 
 import thirdbody as tb
 from benchmarks.points import VARIABLES, relative_error
-from thirdbody.data.model_attribute import model_attribute
+from thirdbody.data.attributes import model_attribute
 from thirdbody.model.asperity import SummitPopulation
 from thirdbody.model.regimes import SOLUTION_STATUSES, has_values
 from thirdbody.solver.solve import TABLE_WORTH

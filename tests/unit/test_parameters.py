@@ -12,7 +12,7 @@ from numpy.testing import assert_allclose
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.data.model_attribute import model_attribute, parameters_on_one_surface
+from thirdbody.data.attributes import model_attribute, parameters_on_one_surface
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import INTERPRETATIONS

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 import thirdbody as tb
-from thirdbody.data.model_attribute import model_attribute
+from thirdbody.data.attributes import model_attribute
 from thirdbody.model.regimes import FILM_COUNTS, SOLUTION_STATUSES, contact_mode, lubrication_regime
 from thirdbody.solver.solution import QUANTITIES
 

@@ -1,10 +1,11 @@
-"""Attributes of the files: what CF-1.11 and ACDD-1.3 ask of a dataset and of each variable in it."""
+"""Attributes of the files: what CF-1.11 and ACDD-1.3 ask of a dataset and of each variable in it, and the
+inputs of the model as text."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -12,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
-from thirdbody.data.model_attribute import model_attribute
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
@@ -20,6 +20,40 @@ from thirdbody.model.regimes import NO_FLAG
 # Attributes of a whole dataset in their order, null where they depend on its content.  The dates are that of
 # this version of the software, so that the same inputs give the same bytes.
 EVERYWHERE = json.loads(Path(__file__).with_name("attributes.json").read_text(encoding="utf-8"))
+# keys of inputs, and of fields of a surface, in the order in which they stand in the attribute
+BODY_KEYS = {
+    "elastic_modulus_surfaces": "E_ss",
+    "elastic_modulus_particle": "E_sa",
+    "hardness_surface_1": "H_s1",
+    "hardness_surface_2": "H_s2",
+    "yield_pressure_ratio": "k",
+    "plastic_interference_ratio": "omega_ratio",
+    "ball_radius": "R_x",
+    "material_parameter": "G",
+    "hardness_parameter": "V",
+    "ellipticity": "kappa",
+    "speed_per_viscosity": "U_per_viscosity",
+    "apparent_area": "A_n",
+}
+SURFACE_KEYS = {
+    "summit_density": "eta_s",
+    "summit_radius": "R",
+    "summit_deviation": "sigma_s",
+    "summit_offset": "y_s",
+}
+PARTICLE_KEYS = {
+    "size_distribution": "phi_a",
+    "mean_ratio": "mean_ratio",
+    "spread_ratio": "sigma_a_ratio",
+    "gap_ratio": "gap_ratio",
+    "truncation": "truncation",
+    "participation": "participation",
+    "elastic_depth_ratio": "h_e_ratio",
+    "particle_plane": "particle_plane",
+    "elastic_limits": "elastic_limits",
+    "coverage_limits": "coverage_limits",
+    "film_load": "film_load",
+}
 
 
 def software_version() -> str:
@@ -87,3 +121,39 @@ def global_attributes(
         "rtol": rtol,
         "model_parameters": model_attribute(parameters, roughness),
     }
+
+
+def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
+    """The attribute ``model_parameters`` of a dataset with these coordinates ``roughness`` [m]: a
+    flat JSON object, in SI; what depends on the roughness is a list along it."""
+    surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
+    model = {key: getattr(parameters, name) for name, key in BODY_KEYS.items()}
+    for name, key in SURFACE_KEYS.items():
+        model[key] = [getattr(surface, name) for surface in surfaces]
+    model |= {key: getattr(parameters, name) for name, key in PARTICLE_KEYS.items()}
+    return json.dumps(model)
+
+
+def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
+    """The inputs that ``model`` describes, with the summits of one surface at ``roughness`` [m] alone.
+
+    ``model`` has values by the keys of ``model_parameters``, numbers or their texts, and no lists.
+    Older datasets have no ``particle_plane``, which was that of the surface.
+    """
+    model = {"particle_plane": "surface", **model}
+    kinds = Parameters.__annotations__
+    given = {
+        name: float(model[key]) if kinds[name] == "float" else model[key]
+        for name, key in (BODY_KEYS | PARTICLE_KEYS).items()
+    }
+    density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
+    raised = "as_rough" if deviation == roughness else True
+    return Parameters(
+        **given,
+        reference_roughness=roughness,
+        summit_parameter=density * radius * roughness,
+        summit_parameter_exponent=0.0,
+        summit_radius=radius,
+        summit_radius_exponent=0.0,
+        summit_offset=raised if offset != 0.0 else False,
+    )

@@ -30,7 +30,10 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     ]
     try:
         for place, part in zip(places, parts, strict=True):
-            _require_possible(place, part)
+            if place.is_dir():
+                raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
+            part.touch()
+            part.unlink()
         yield parts[0] if len(parts) == 1 else tuple(parts)
         for part in parts:
             with open(part, "rb") as written:
@@ -58,14 +61,6 @@ def _place(path: str | Path) -> Path:
     if not place.name or "\0" in place.name:
         raise ValueError(f"{shown(path)} is no name of a file; allowed: the path of one to write")
     return place
-
-
-def _require_possible(place: Path, part: Path) -> None:
-    """Raise ``OSError`` if ``part``, which will take its ``place``, cannot be made there."""
-    if place.is_dir():
-        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), part)
-    part.touch()
-    part.unlink()
 
 
 def unreadable(path: str | os.PathLike, reason: object) -> OSError:

@@ -92,8 +92,13 @@ def stream(
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
     described = described_grid(axes, empty, parameters, rtol)
     with atomic_write(path) as part:
-        if not compression:
-            _require_room(path, prod(shape), sum(kind.itemsize for kind in types.values()))
+        size = prod(shape) * sum(kind.itemsize for kind in types.values())
+        free = disk_usage(Path(path).parent).free
+        if size > free and not compression:
+            raise OSError(
+                f"{shown_file(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"most the {free:.3g} bytes that are free there"
+            )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
             Progress(prod(shape), "points", progress) as progressing,
@@ -107,16 +112,6 @@ def stream(
                 for name, variable in stored.items():
                     variable[block] = getattr(solution, name)
                 progressing.add(solution.solution_status.size)
-
-
-def _require_room(path: str | PathLike, points: int, bytes_a_point: int) -> None:
-    """Raise ``OSError`` if the folder of a file has no room for it."""
-    size, free = points * bytes_a_point, disk_usage(Path(path).parent).free
-    if size > free:
-        raise OSError(
-            f"{shown_file(path)} would hold {points:.3g} points in {size:.3g} bytes; allowed: at most the "
-            f"{free:.3g} bytes that are free there"
-        )
 
 
 def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:

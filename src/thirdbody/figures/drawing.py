@@ -126,26 +126,8 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     if layout is not None:  # once for all formats
         layout.execute(drawing.figure)
         drawing.figure.set_layout_engine(None)
-    with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
-        for image, kind in zip(images, FORMATS, strict=True):
-            drawing.figure.savefig(image, format=kind, **FORMATS[kind])
-        write_points(drawing.panels, data)
-        Path(text).write_text(caption, encoding="utf-8")
-
-
-def save_figure(figure: Figure, path: str | PathLike) -> None:
-    """Write a figure in the format that the ending of its path names, one of ``FORMATS``."""
-    kind = Path(path).suffix.removeprefix(".")
-    if kind not in FORMATS:
-        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
-    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
-        figure.savefig(part, format=kind, **FORMATS[kind])
-
-
-def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
-    """Write every point drawn as a row of ``DRAWN_POINTS``, in SI."""
     rows = []
-    for panel in panels:
+    for panel in drawing.panels:
         for series in panel.series:
             names = {
                 "panel": panel.letter,
@@ -156,7 +138,20 @@ def write_points(panels: Iterable[Panel], path: str | PathLike) -> None:
             known = np.isfinite(series.x) & np.isfinite(series.y)
             points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
             rows += [names | {"x": x, "y": y} for x, y in points]
-    write_csv(path, rows, DRAWN_POINTS)
+    with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
+        for image, kind in zip(images, FORMATS, strict=True):
+            drawing.figure.savefig(image, format=kind, **FORMATS[kind])
+        write_csv(data, rows, DRAWN_POINTS)
+        Path(text).write_text(caption, encoding="utf-8")
+
+
+def save_figure(figure: Figure, path: str | PathLike) -> None:
+    """Write a figure in the format that the ending of its path names, one of ``FORMATS``."""
+    kind = Path(path).suffix.removeprefix(".")
+    if kind not in FORMATS:
+        raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
+    with matplotlib.style.context(STYLE, after_reset=True), atomic_write(path) as part:
+        figure.savefig(part, format=kind, **FORMATS[kind])
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:

@@ -118,19 +118,13 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
-    panels = [
-        Panel(
-            letter,
-            SCALES[name].title,
-            over,
-            name,
-            tuple(
-                Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
-                for label, curve in curves.items()
-            ),
+    panels = []
+    for letter, name in zip("ABCD", names, strict=False):
+        series = (
+            Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
+            for label, curve in curves.items()
         )
-        for letter, name in zip("ABCD", names, strict=False)
-    ]
+        panels.append(Panel(letter, SCALES[name].title, over, name, tuple(series)))
     looks = dict(zip(curves, level_styles(len(curves)), strict=True))
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
     return draw_panels(panels, looks, None, entries, key_title("", common))
@@ -155,33 +149,28 @@ def plot_curve(curve: Any) -> Figure:
 def plot_comparison(comparison: Any) -> Figure:
     """Draw a ``Comparison``: measurements over one condition, a panel for each variable, with the model's
     curve and the range of its ensemble; without a curve, the model is a mark beside each measurement."""
-    names = comparison.variables
+    names, along, curve = comparison.variables, comparison.along, comparison.curve
+    table = comparison.table.sort_values(along)
+    model = curve if len(curve) else table
+    x, measured = model[along], table[along]
+    look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
     with matplotlib.style.context(STYLE, after_reset=True):
         figure = ShownFigure(figsize=(3.4 * len(names), 2.8), layout="constrained")
         for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
-            _draw_compared(axes, comparison, name)
+            axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
+            if f"{name}_low" in model:
+                ends, label = (model[f"{name}_low"], model[f"{name}_high"]), "90 % of the ensemble"
+                if len(curve):
+                    axes.fill_between(x, *ends, color=BLUE, alpha=0.2, linewidth=0.0, label=label)
+                else:
+                    axes.vlines(x, *ends, color=BLUE, alpha=0.4, label=label)
+            axes.plot(measured, table[name], "o", color="black", label="measured")
+            if 0.0 < 10.0 * measured.min() < measured.max():
+                axes.set_xscale("log")
+            axes.set_xlabel(along.replace("_", " "))
+            axes.set_ylabel(name.replace("_", " "))
         figure.legend(*axes.get_legend_handles_labels(), loc="outside lower center", ncols=3)
     return figure
-
-
-def _draw_compared(axes, comparison, name):
-    along, curve = comparison.along, comparison.curve
-    table = comparison.table.sort_values(along)
-    model = curve if len(curve) else table
-    x = model[along]
-    look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
-    axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
-    if f"{name}_low" in model:
-        low, high, label = model[f"{name}_low"], model[f"{name}_high"], "90 % of the ensemble"
-        if len(curve):
-            axes.fill_between(x, low, high, color=BLUE, alpha=0.2, linewidth=0.0, label=label)
-        else:
-            axes.vlines(x, low, high, color=BLUE, alpha=0.4, label=label)
-    axes.plot(table[along], table[name], "o", color="black", label="measured")
-    if 0.0 < 10.0 * table[along].min() < table[along].max():
-        axes.set_xscale("log")
-    axes.set_xlabel(along.replace("_", " "))
-    axes.set_ylabel(name.replace("_", " "))
 
 
 def _note(data, name, value) -> str:

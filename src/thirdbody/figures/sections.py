@@ -93,11 +93,16 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
     mode = CONTACT_MODES[state["contact_mode"]]
     summits_touch = mode in ("two_body", "surface_surface", "hybrid")
     particle_carries = mode in ("particle_surface", "hybrid")
-    reach = _reach(state, parameters) if particle_carries else None
+    # by how much a gap may exceed a particle that carries load in it: by the height of the plane that
+    # particles meet, and by the elastic zone as printed
+    options, sigma = parameters.interpretation, state["roughness"]
+    depth = parameters.elastic_depth_ratio * state["particle_diameter"]
+    reach = options.particle_plane.height(sigma, parameters) + options.elastic_limits.beyond * depth
+    held = reach if particle_carries else None
     for _ in range(ATTEMPTS):
         lower, upper = _surfaces(state, parameters, position, summits_touch, random)
         touches = lower > upper
-        particles = _particles(state, parameters, position, lower, upper, reach, random)
+        particles = _particles(state, parameters, position, lower, upper, held, random)
         if (
             touches.any() == summits_touch
             and particles["particle_carries_load"].any() == particle_carries
@@ -113,15 +118,6 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
                 **particles,
             }
     raise ValueError(f"no section of {length:g} m shows the {mode} contact of {state}")
-
-
-def _reach(state, parameters):
-    """By how much a gap may exceed a particle that carries load in it [m]: by the height of the plane
-    that particles meet, and by the elastic zone as printed."""
-    interpretation = parameters.interpretation
-    height = interpretation.particle_plane.height(state["roughness"], parameters)
-    depth = parameters.elastic_depth_ratio * state["particle_diameter"]
-    return height + interpretation.elastic_limits.beyond * depth
 
 
 def _surfaces(state, parameters, position, summits_touch, random):
@@ -217,16 +213,12 @@ def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
     for name, (dims, attributes) in VARIABLES.items():
         values = [section[name] for section in sections]
         if dims is PARTICLE:  # panels with fewer particles than others end with nan
-            values = [_padded(each, most) for each in values]
+            nothing = np.nan if values[0].dtype == float else 0
+            values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
         variables[name] = Variable(dims, np.array(values), attributes)
     position = Variable(("position",), sections[0]["position"], _metres("along the section"))
     dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
     write_dataset(dataset, path)
-
-
-def _padded(values, length):
-    nothing = np.nan if values.dtype == float else 0
-    return np.pad(values, (0, length - values.size), constant_values=nothing)
 
 
 def read_sections(path: str | PathLike) -> list[Section]:
