@@ -15,7 +15,7 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
-from thirdbody.figures.dataset_curves import curves_in
+from thirdbody.figures.curves import curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS

@@ -1,8 +1,8 @@
-"""Figures of curves: what their panels show of a dataset, and how that is drawn."""
+"""Figures of curves: the curves of a dataset, what panels show of them, and how that is drawn."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from string import ascii_uppercase
 
@@ -11,13 +11,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Condition
+from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.plain import PlainDataset
+from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.dataset_curves import curves_in
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
-from thirdbody.figures.scales import SCALES, parameter_title, set_scales, shared_notes
+from thirdbody.figures.marks import AREA, RELATIVE_AREA
+from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
 from thirdbody.figures.styles import band_style, curve_styles, key_entries
 
 BAND_STEP = 2  # every second load is fine enough for the edge of a range
@@ -28,6 +30,65 @@ CELL = 3.5, 2.9  # of a panel with its labels [inches]
 MARGINS = 0.68, 0.42, 0.48, 0.44
 TITLE_PAD = 17.0  # points; newtons stand below the title
 TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One curve of a dataset: its ``condition``, and its ``place`` behind the load axis; ``load`` and
+    ``peak_ratio`` of its turning point, if it is known to have one; the ``reference`` of its area, dry
+    two-body contact on the same surface, if the dataset has it."""
+
+    data: PlainDataset
+    condition: Condition
+    place: tuple[int, ...]
+    turning_point: Mapping[str, float]
+    reference: Curve | None = None
+
+    @property
+    def label(self) -> str:
+        """Name in the file of the drawn data."""
+        return label(self.condition)
+
+    def has(self, name: str) -> bool:
+        """Whether there are values of the quantity ``name`` along the curve."""
+        stored = AREA if name == RELATIVE_AREA else name
+        return stored in self.data and bool(np.isfinite(self.values(name)).any())
+
+    def values(self, name: str) -> NDArray[np.float64]:
+        """Values of the quantity ``name`` along the curve, shape (loads,)."""
+        if name == RELATIVE_AREA:
+            reference = self.reference.values(AREA) if self.reference else np.nan
+            return self.values(AREA) / reference
+        values = self.data[name].values
+        return values if values.ndim == 1 else values[(slice(None), *self.place)]
+
+    def at(self, name: str, load: float) -> float:
+        """The quantity ``name`` at a ``load``, interpolated over its logarithm; or one of the two numbers
+        of a panel of turning points, which are the same at all loads."""
+        if name == "diameter_ratio":
+            return self.condition.diameter_ratio
+        if name == "turning_point_ratio":
+            return self.turning_point["peak_ratio"]
+        loads = np.log(self.values("load"))
+        return float(np.interp(np.log(load), loads, self.values(name)))
+
+
+def curves_in(data: PlainDataset, turning_points: Iterable[Mapping] = ()) -> list[Curve]:
+    """The curves of ``data``, in the order of its axes; ``turning_points`` have the four conditions."""
+    found = {
+        condition_key(each[name] for name in Condition._fields): each for each in turning_points
+    }
+    conditions, shown = curves_of(data)
+    curves = [
+        Curve(data, Condition(*values), tuple(place), found.get(condition_key(values), {}))
+        for values, place in zip(conditions.T.tolist(), np.argwhere(shown).tolist(), strict=True)
+    ]
+    references = {
+        curve.condition.roughness: curve
+        for curve in curves
+        if curve.condition.is_dry and curve.condition.is_two_body
+    }
+    return [replace(curve, reference=references.get(curve.condition.roughness)) for curve in curves]
 
 
 @dataclass(frozen=True)

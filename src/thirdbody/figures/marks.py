@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from matplotlib.lines import Line2D
@@ -17,10 +17,12 @@ from matplotlib.lines import Line2D
 from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.dataset_curves import AREA, RELATIVE_AREA, Curve
 from thirdbody.figures.drawing import Panel, Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
+
+if TYPE_CHECKING:
+    from thirdbody.figures.curves import Curve
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
@@ -48,6 +50,7 @@ PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle"
 BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
+AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 MIXED = "bend_load_over_mixed_load"
 # panels over the load that show a number which is no variable of theirs: loads of a bend or a reversal, and
 # what belongs to a turning point

@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.plain import PlainDataset
-from thirdbody.figures.curves import Content, CurveFigure
-from thirdbody.figures.dataset_curves import RELATIVE_AREA, curves_in
+from thirdbody.figures.curves import Content, CurveFigure, curves_in
+from thirdbody.figures.marks import RELATIVE_AREA
 
 RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
