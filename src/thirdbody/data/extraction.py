@@ -22,16 +22,9 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
     conditions, shown = curves_of(dataset)
     found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
     curves = np.flatnonzero(found.exists)
-    statuses = _statuses(found.load[curves], conditions[:, curves], dataset, parameters)
-    return [
-        {
-            **_place(figure, conditions[:, curve]),
-            **{name: getattr(found, name)[curve] for name in FOUND},
-            "separation_m": found.separation[curve],
-            STATUS: status,
-        }
-        for curve, status in zip(curves, statuses, strict=True)
-    ]
+    columns = {name: getattr(found, name)[curves] for name in FOUND}
+    columns["separation_m"] = found.separation[curves]
+    return _rows(figure, conditions[:, curves], columns, dataset, parameters)
 
 
 def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
@@ -41,32 +34,26 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
     separation = dataset["separation"].values[:, shown]
-    crossings = transitions(separation, values, conditions, parameters, rtol)
-    _, curves, loads, *_ = crossings
-    statuses = _statuses(loads, conditions[:, curves], dataset, parameters)
-    return [
-        {
-            **_place(figure, conditions[:, curve]),
-            "quantity": LIMITS[limit][0],
-            "level": LIMITS[limit][1],
-            "direction": "rising" if rising else "falling",
-            "load": load,
-            "load_error": error,
-            STATUS: status,
-        }
-        for (limit, curve, load, error, rising), status in zip(
-            zip(*crossings, strict=True), statuses, strict=True
-        )
-    ]
+    found = transitions(separation, values, conditions, parameters, rtol)
+    limits, curves, loads, errors, rising = found
+    columns = {
+        "quantity": [LIMITS[limit][0] for limit in limits],
+        "level": [LIMITS[limit][1] for limit in limits],
+        "direction": np.where(rising, "rising", "falling"),
+        "load": loads,
+        "load_error": errors,
+    }
+    return _rows(figure, conditions[:, curves], columns, dataset, parameters)
 
 
-def _statuses(load, conditions, dataset, parameters) -> list[str]:
-    """Statuses of points, by name: their loads F_t*, and ``conditions`` as of ``curves_of``."""
-    given = {"load": load} | dict(zip(Condition._fields, conditions, strict=True))
+def _rows(figure, conditions, columns, dataset, parameters) -> list[dict]:
+    """Rows of a table, each with the condition of its curve and the status of the point at its load."""
+    given = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
     status = solve_arrays(given, parameters, rtol, [STATUS]).solution_status
-    return [SOLUTION_STATUSES[index] for index in status]
-
-
-def _place(figure: str, values) -> dict:
-    return {"figure": figure} | Condition(*values).columns
+    columns[STATUS] = [SOLUTION_STATUSES[index] for index in status]
+    rows = zip(*columns.values(), strict=True)
+    return [
+        {"figure": figure, **Condition(*condition).columns, **dict(zip(columns, row))}
+        for condition, row in zip(conditions.T, rows, strict=True)
+    ]
