@@ -101,11 +101,7 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    parameters = checked_parameters(parameters)
-    check_rtol(rtol)
-    check_progress(progress)
-    names = with_status(variables)
-    axes = grid_axes(parameters, conditions)
+    parameters, names, axes = checked_grid(parameters, rtol, variables, progress, conditions)
     wanted = dict.fromkeys([*names, SEPARATION_COUNT.name])
     if is_worthwhile(axes, rtol):
         solution = sweep(axes, parameters, rtol, wanted, progress)
@@ -117,15 +113,20 @@ def grid(
     return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
-def with_status(variables: Collection[str]) -> list[str]:
-    """``variables`` and the status that tells what their nan mean; ``ValueError`` as in ``grid``."""
+def checked_grid(
+    parameters: Parameters | None,
+    rtol: float,
+    variables: Collection[str],
+    progress: bool,
+    conditions: Mapping[str, ArrayLike],
+) -> tuple[Parameters, list[str], Axes]:
+    """Inputs, variables and axes [SI] of ``grid``; the status, which says what nan mean, is always there."""
+    parameters = checked_parameters(parameters)
+    check_rtol(rtol)
+    check_progress(progress)
     check_names("variables", variables, VARIABLES)
-    return [name for name in VARIABLES if name in variables or name == STATUS]
-
-
-def grid_axes(parameters: Parameters, conditions: Mapping[str, ArrayLike]) -> Axes:
-    """The five axes of a grid by name; errors and warnings as of ``grid``."""
-    return in_si(conditions, parameters, check=_checked_increasing)
+    names = [name for name in VARIABLES if name in variables or name == STATUS]
+    return parameters, names, in_si(conditions, parameters, check=_checked_increasing)
 
 
 def _checked_increasing(key: str, values: NDArray) -> NDArray:

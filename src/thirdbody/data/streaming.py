@@ -14,14 +14,13 @@ import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike
 
-from thirdbody.conditions.checks import check_rtol, checked_parameters
-from thirdbody.data.dataset import crossed, described_grid, grid_axes, with_status
+from thirdbody.data.dataset import checked_grid, crossed, described_grid
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import CONTRACT
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
-from thirdbody.progress import Progress, check_progress
+from thirdbody.progress import Progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
@@ -81,11 +80,7 @@ def stream(
     """
     if not isinstance(compression, Integral) or compression not in range(10):
         raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
-    parameters = checked_parameters(parameters)
-    check_rtol(rtol)
-    check_progress(progress)
-    names = with_status(variables)
-    axes = grid_axes(parameters, conditions)
+    parameters, names, axes = checked_grid(parameters, rtol, variables, progress, conditions)
     shape = tuple(axis.size for axis in axes.values())
     lengths = block_lengths(shape, POINTS_PER_BLOCK)
     types = {name: np.dtype(type_of(name)) for name in names}

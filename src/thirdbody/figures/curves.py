@@ -212,13 +212,18 @@ def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     """Turning points over x_a/σ on one surface, and the computed and printed ends of the range where they
     occur, which have no height: their ``y`` is 0."""
     yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
-    roughness = curves[0].condition.roughness
-    here = [row for row in windows if np.isclose(row["roughness_m"], roughness, rtol=1e-9)]
-    ends = np.array([row["diameter_over_roughness"] for row in here])
+
+    def is_here(row):
+        return np.isclose(row["roughness_m"], curves[0].condition.roughness, rtol=1e-9)
+
+    ends = np.array([row["diameter_over_roughness"] for row in windows if is_here(row)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
         yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
-    yield from marks.printed_window_series(printed, roughness)
+    for row in printed:
+        if row["quantity"].startswith("window") and is_here(row):
+            mark = marks.Mark(row["value"], 0.0, (row["low"], row["high"]), "x")
+            yield from mark.series(row["id"])
 
 
 def draw_panels(

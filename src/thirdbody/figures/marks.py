@@ -202,13 +202,3 @@ def _extreme(curve, row) -> float:
     # fractions of the solid and of particles fall with the load.
     is_last = row["load_max"] or row["extreme"] == "minimum"
     return float(load[found[-1 if is_last else 0]])
-
-
-def printed_window_series(printed: Sequence[Mapping], roughness: float) -> Iterator[Series]:
-    """Printed ends of the range of x_a/σ with turning points on the surface of ``roughness`` [m]; they
-    have no height: ``y`` is 0."""
-    for row in printed:
-        if row["quantity"].startswith("window") and np.isclose(
-            row["roughness_m"], roughness, rtol=1e-9
-        ):
-            yield from Mark(row["value"], 0.0, (row["low"], row["high"]), "x").series(row["id"])
