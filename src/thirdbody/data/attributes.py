@@ -66,11 +66,7 @@ def software_version() -> str:
 
 def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
     """Attributes of a coordinate: an axis, or the normal load beside the first."""
-    return {
-        "units": described.units,
-        "long_name": described.long_name,
-        "symbol": described.symbol,
-    }
+    return {"units": described.units, "long_name": described.long_name, "symbol": described.symbol}
 
 
 def variable_attributes(quantity: Quantity) -> dict:

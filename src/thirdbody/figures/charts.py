@@ -16,7 +16,6 @@ from thirdbody.figures.marks import BAND
 from thirdbody.figures.scales import note, parameter_title, value_text
 from thirdbody.figures.styles import level_styles
 
-MARK_EVERY = 12  # loads
 RANGE = "90 % of the ensemble"
 
 
@@ -24,10 +23,8 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
     """The limit ``name``, one of ``SCALES``, in a panel for each of ``charts``: datasets of
     ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses."""
     surfaces = charts[0]["roughness"].values
-    looks = {
-        f"sigma = {value_text('roughness', surface)} nm": look | {"markevery": (index, MARK_EVERY)}
-        for index, (surface, look) in enumerate(zip(surfaces, level_styles(surfaces.size)))
-    }
+    names = [f"sigma = {value_text('roughness', surface)} nm" for surface in surfaces]
+    looks = dict(zip(names, level_styles(surfaces.size, charts[0].sizes["load"]), strict=True))
     panels = tuple(
         Panel(letter, ", ".join(_notes(chart)), "load", name, tuple(_series(chart, looks)))
         for letter, chart in zip(ascii_uppercase, charts, strict=False)

@@ -24,12 +24,15 @@ DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "
 TINT = 0.13  # of the colour in a range, the rest is white
 
 
-def level_styles(count: int) -> list[dict]:
-    """Line properties of ``count`` ordered levels: the colour grows lighter, each has its marker."""
+def level_styles(count: int, size: int = 1) -> list[dict]:
+    """Line properties of curves of so many points at ``count`` ordered levels: the colour grows lighter, each
+    has its marker, at other points than the next one."""
     colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
+    step = max(size // MARKERS_PER_CURVE, 1)
     return [
         {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
         | {"markerfacecolor": "white" if index % 2 else colour, "markeredgecolor": colour}
+        | {"markevery": (int(step * (index + 0.5) / count), step)}
         for index, colour in enumerate(map(tuple, colours.tolist()))
     ]
 
@@ -43,17 +46,12 @@ def band_style(colour) -> dict:
 def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict[Condition, dict]:
     """Line properties of ``curves`` of so many points that differ in one ``parameter``.
 
-    Each level of the parameter has a colour and a marker, at other points than the next level.  Two-body
-    contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
+    Two-body contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
     particles, and has no markers.
     """
     all_dry = all(each.is_dry for each in curves)
     levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
-    step = max(size // MARKERS_PER_CURVE, 1)
-    looks = {
-        level: look | {"markevery": (int(step * (place + 0.5) / len(levels)), step)}
-        for place, (level, look) in enumerate(zip(levels, level_styles(len(levels)), strict=True))
-    }
+    looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
     looks[0.0] = {"color": "black"}
     styles = {}
     for each in curves:
