@@ -123,7 +123,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
         curves, ranges = panel.of_kind(CURVE), panel.of_kind(BAND)
         highest = [2.0 * max(*curve.y[::2], curve.y[-1]) for curve in curves]
         assert [one.y.max() for one in ranges] == highest
-    figure = drawing.figure
+    figure = drawing
     assert "ensemble range" in key_of(figure)
     assert "Shaded: ensemble range." in caption(name, drawing.panels)
     figure.draw_without_rendering()
@@ -145,7 +145,7 @@ def test_panels_have_their_curves_and_nothing_leaves_the_sheet(name, datasets, p
 
 @pytest.mark.parametrize("name", PANELS)
 def test_curves_and_entries_of_the_key_are_told_apart_in_grey(name, datasets):
-    figure = plotted(name, datasets).figure
+    figure = plotted(name, datasets)
     looks = [look(line) for line in figure.legends[0].get_lines()]
     assert len(set(looks)) == len(looks)
     marked = [(marker, face) for _, marker, face, _ in looks if marker not in ("None", "none")]
@@ -162,7 +162,7 @@ def look(line):
 
 def test_loads_stand_in_newtons_at_the_upper_edge(datasets):
     drawing = plotted("fig11", datasets)
-    *over_load, over_film = drawing.figure.axes
+    *over_load, over_film = drawing.axes
     ratio = float(datasets["fig11"]["normal_load"][0] / datasets["fig11"]["load"][0])
     for axes in over_load:
         places = {text.get_text(): text.get_position()[0] for text in axes.texts}
@@ -234,7 +234,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
             np.testing.assert_array_equal(drawn, curve.values(name)[places])
-    assert meaning in key_of(drawing.figure)
+    assert meaning in key_of(drawing)
     assert meaning in caption("fig11", drawing.panels)
     assert meaning not in key_of(plotted("fig11", datasets).figure)
 
@@ -297,7 +297,7 @@ def test_every_printed_number_is_drawn_with_its_tolerance(name, datasets, printe
     for series in (series for panel in drawing.panels for series in panel.series):
         if series.kind in found:
             found[series.kind].setdefault(series.name, []).extend([*series.x, *series.y])
-    assert any(text.startswith("printed") for text in key_of(drawing.figure)) == bool(rows)
+    assert any(text.startswith("printed") for text in key_of(drawing)) == bool(rows)
     for row in rows:
         places, ends = found[PRINTED][row["id"]], found[TOLERANCE][row["id"]]
         if row["quantity"] not in AT_A_LOAD:  # drawn over the load, or at a multiple of one
@@ -320,7 +320,7 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     assert ["contact of summits" in each for each in labels] == [True, False, True]
     assert ["carries load" in "".join(each) for each in labels] == [False, True, True]
     for each in (interface, drawing):
-        for axes in each.figure.axes:
+        for axes in each.axes:
             box, (width,), (height,) = axes.bbox, *map(np.diff, (axes.get_xlim(), axes.get_ylim()))
             assert height / width == pytest.approx(box.height / box.width)  # to scale
     written = caption("fig02")
@@ -402,5 +402,5 @@ def test_a_chart_draws_what_is_within_the_atlas():
     outline = panel.of_kind(BAND)[-1]
     assert outline.name == "sigma = 300 nm"
     assert outline.y.min() == pytest.approx(4.5e-7) and outline.y.max() == pytest.approx(6.6e-7)
-    first, second = drawing.figure.axes
+    first, second = drawing.axes
     assert first.get_xlim() == second.get_xlim() and second.get_ylim() == (2e-8, 1e-6)

@@ -153,7 +153,7 @@ def test_table_and_figure_show_every_sensitivity_and_say_what_is_missing(subject
     assert "nan" not in path.read_text()
     drawing = plot(read_csv(path, TABLES["sensitivity"]))
     for axes, panel, values in zip(
-        drawing.figure.axes, drawing.panels, (found.value, indices.value), strict=True
+        drawing.axes, drawing.panels, (found.value, indices.value), strict=True
     ):
         assert len(panel.series) == (len(base) - 1) * len(INPUTS)
         expected = np.delete(values, 3, axis=0)

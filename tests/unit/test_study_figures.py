@@ -35,7 +35,7 @@ def rows():
 
 def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
     drawing = claims.plot(rows)
-    (axes,), (panel,) = drawing.figure.axes, drawing.panels
+    (axes,), (panel,) = drawing.axes, drawing.panels
     texts = [text.get_text() for text in axes.get_yticklabels()]
     assert {one.name for one in panel.series} == {row["id"] for row in rows}
     lines = {one.name: (float(one.x[0]), texts[int(one.y[0])]) for one in panel.series}
@@ -52,7 +52,7 @@ def test_every_statement_is_drawn_at_its_score_and_misses_are_named(rows):
 
 def markers_at(drawing):
     """Marker and filling of each statement, by its name."""
-    (axes,), (panel,) = drawing.figure.axes, drawing.panels
+    (axes,), (panel,) = drawing.axes, drawing.panels
     looks = {
         place: (line.get_marker(), line.get_markerfacecolor())
         for line in axes.lines
@@ -88,5 +88,5 @@ def test_each_headline_number_has_a_panel_and_each_interpretation_a_line():
     # what is good near the statement is good farther off
     assert_allclose(np.column_stack([one.x, one.y])[:2], [[0.5, 9.0], [2.0, 4.0]])
     assert one.y[-1] == 4.0
-    texts = [text.get_text() for text in drawing.figure.legends[0].get_texts()]
+    texts = [text.get_text() for text in drawing.legends[0].get_texts()]
     assert texts == ["one", "two"]

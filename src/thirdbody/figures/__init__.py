@@ -2,7 +2,7 @@
 
 ``registry`` lists the figures of the paper; ``claims``, ``fronts``, ``sensitivity``, ``accuracy`` and
 ``charts`` show the reproduction.  Each figure is a function of data that returns a ``Drawing``: the
-matplotlib figure and what its panels show, as data.  ``drawing.save`` writes the files, and
+figure of matplotlib, with what its panels show as data.  ``drawing.save`` writes the files, and
 ``captions.caption`` returns the caption.  Begin with ``registry``.
 """
 

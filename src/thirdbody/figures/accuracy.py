@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 
 SIZE = (7.0, 4.3)  # inches
 SPANS = {"usual": "Usual ranges (Table 2)", "extremes": "Extremes"}  # with titles of panels
@@ -36,34 +35,31 @@ def plot(errors: Sequence[Mapping], times: Sequence[Mapping]) -> Drawing:
     worst: dict[tuple, float] = {}
     for row in errors:
         worst[_key(row)] = max(worst.get(_key(row), ALL_DIGITS), row["largest_error"])
-    figure = Figure(figsize=SIZE, layout="constrained")
-    panels = []
-    all_axes = figure.subplots(1, 2, sharex=True, sharey=True)
-    for letter, axes, (span, title) in zip("AB", all_axes, SPANS.items(), strict=True):
+    figure = Drawing(figsize=SIZE, layout="constrained")
+    figure.subplots(1, 2, sharex=True, sharey=True)
+    for span, title in SPANS.items():
         lines: dict[tuple, list] = {}
         for row in times:
             if row["span"] == span:
                 point = row["microseconds_per_point"], min(worst[_key(row)], NO_DIGIT)
                 line = row["method"], row["medium"], row["bodies"]
                 lines.setdefault(line, []).append(point)
-        series = []
+        series: list[Series] = []
+        axes = figure.add_panel(Panel(title, "microseconds_per_point", "largest_error", series))
         for (method, *kind), points in lines.items():
             x, y = np.transpose(points)
             series.append(Series(CURVE, f"{' '.join(kind)}; {method}", x, y))
             axes.plot(x, y, **CLASSES[tuple(kind)] | METHODS[method][1])
-        quantities = "microseconds_per_point", "largest_error"
-        panels.append(Panel(letter, title, *quantities, tuple(series)))
-        title_axes(axes, panels[-1])
         axes.set(xscale="log", yscale="log", ylim=(0.2 * ALL_DIGITS, 5.0 * NO_DIGIT))
         axes.grid(True, color="0.9", linewidth=0.5)
         axes.set_xlabel("processor time a point (µs)")
-    all_axes[0].set_ylabel("largest relative error")
+    figure.axes[0].set_ylabel("largest relative error")
     # classes by colour and marker, methods by line and filling
     looks = {" ".join(kind).replace("_", "-"): look for kind, look in CLASSES.items()}
     looks |= {text: {"color": "0.4", "marker": "o"} | look for text, look in METHODS.values()}
     entries = [Line2D([], [], label=text, **look) for text, look in looks.items()]
     figure.legend(handles=entries, loc="outside lower center", ncols=4)
-    return Drawing(figure, tuple(panels))
+    return figure
 
 
 def _key(row):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from string import ascii_uppercase
 
 import numpy as np
 import xarray as xr
@@ -25,10 +24,10 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
     surfaces = charts[0]["roughness"].values
     names = [f"sigma = {value_text('roughness', surface)} nm" for surface in surfaces]
     looks = dict(zip(names, level_styles(surfaces.size, charts[0].sizes["load"]), strict=True))
-    panels = tuple(
-        Panel(letter, ", ".join(_notes(chart)), "load", name, tuple(_series(chart, looks)))
-        for letter, chart in zip(ascii_uppercase, charts, strict=False)
-    )
+    panels = [
+        Panel(", ".join(_notes(chart)), "load", name, tuple(_series(chart, looks)))
+        for chart in charts
+    ]
     newtons_per_load = float((charts[0]["normal_load"] / charts[0]["load"])[-1])
     entries = [
         Line2D([], [], label=value_text("roughness", surface), **look)
@@ -41,7 +40,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
         axes.set_xlim(*chart["load"].values[[0, -1]])
         if not any(np.isfinite(one.y).any() for one in panel.series):
             axes.set_ylim(*chart.attrs["ends"])
-    return Drawing(figure, panels)
+    return figure
 
 
 def _notes(chart) -> list[str]:

@@ -6,7 +6,6 @@ import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.places import part_of_paper
@@ -42,7 +41,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     one line for each figure of the paper, all others below it in a line of their own."""
     lines = _lines(rows)
     height = len(lines) * LINE_INCHES + KEY_INCHES
-    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    figure = Drawing(figsize=(WIDTH, height), layout="constrained")
     axes = figure.add_subplot()
     series = []
     places: dict[tuple, list] = {}  # scores and lines by colour, filling and marker
@@ -68,7 +67,8 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     axes.yaxis.set_label_coords(0.0, 0.5)  # none: it need not be placed beside all names
     axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
-    return Drawing(figure, (Panel("A", "", "score", "line", tuple(series)),))
+    figure.panels.append(Panel("", "score", "line", series, letter="A"))
+    return figure
 
 
 def _lines(rows) -> list[tuple[str, list[Mapping]]]:

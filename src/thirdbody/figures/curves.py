@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from string import ascii_uppercase
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -17,7 +16,7 @@ from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
 from thirdbody.figures.styles import band_style, curve_styles, key_entries
@@ -152,8 +151,8 @@ class CurveFigure:
             if series:
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
-                letter, title = ascii_uppercase[len(panels)], own or SCALES[content.y].title
-                panels.append(Panel(letter, title, content.x, content.y, series))
+                title = own or SCALES[content.y].title
+                panels.append(Panel(title, content.x, content.y, series))
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
@@ -163,8 +162,7 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         entries = key_entries(styles, self.parameter) + marks.mark_entries(panels)
         title = key_title(parameter_title(self.parameter), common)
-        figure = draw_panels(panels, styles, newtons_per_load, entries, title)
-        return Drawing(figure, tuple(panels))
+        return draw_panels(panels, styles, newtons_per_load, entries, title)
 
     def _contents(self, curves) -> list[Content]:
         """The contents for which there are values along ``curves``."""
@@ -232,7 +230,7 @@ def draw_panels(
     newtons_per_load: float | None = None,
     entries: Sequence[Line2D] = (),
     key_title: str = "",
-) -> Figure:
+) -> Drawing:
     """Draw panels of curves, and a key in the cell that they leave free or below them.
 
     ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
@@ -241,10 +239,10 @@ def draw_panels(
     rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
     below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
     figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
-    for axes, panel in zip(figure.axes, panels, strict=True):
+    for panel in panels:
+        axes = figure.add_panel(panel, TITLE_PAD)
         for series in panel.series:
             _draw_series(axes, panel, series, styles.get(series.curve, {}))
-        title_axes(axes, panel, TITLE_PAD)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:
         add_key(figure, entries, key_title, beside)

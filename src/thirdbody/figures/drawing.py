@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from io import BytesIO
 from itertools import zip_longest
 from os import PathLike
 from pathlib import Path
+from string import ascii_uppercase
+from typing import Any
 
 import matplotlib.style
 import numpy as np
@@ -55,13 +57,14 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: its letter and title, the names of the quantities on its axes, and what it shows."""
+    """A panel: its title, the names of the quantities on its axes, and what it shows; its letter once it has
+    axes."""
 
-    letter: str
     title: str
     x: str
     y: str
-    series: tuple[Series, ...]
+    series: Sequence[Series]
+    letter: str = ""
 
     @property
     def is_over_sizes(self) -> bool:
@@ -73,16 +76,20 @@ class Panel:
         return [one for one in self.series if one.kind == kind]
 
 
-@dataclass(frozen=True)
-class Drawing:
-    """A figure and its panels, in the order of ``figure.axes``."""
+class Drawing(Figure):
+    """A figure that notebooks show as a picture, with pyplot or without; ``panels`` are what its axes show."""
 
-    figure: Figure
-    panels: tuple[Panel, ...]
+    def __init__(self, *given: Any, **options: Any) -> None:
+        super().__init__(*given, **options)
+        self.panels: list[Panel] = []
 
-
-class ShownFigure(Figure):
-    """A figure that notebooks show as a picture, with pyplot or without."""
+    def add_panel(self, panel: Panel, pad: float = 6.0) -> Axes:
+        """The next axes, with the letter and the title of their panel ``pad`` points above."""
+        axes = self.axes[len(self.panels)]
+        panel = replace(panel, letter=ascii_uppercase[len(self.panels)])
+        axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
+        self.panels.append(panel)
+        return axes
 
     def _repr_png_(self) -> bytes:
         picture = BytesIO()
@@ -96,7 +103,7 @@ def grid_of_axes(
     margins: tuple[float, float, float, float],
     columns: int = 2,
     below: float = 0.0,
-) -> Figure:
+) -> Drawing:
     """A figure with axes in rows, each in a ``cell`` of this width and height with ``margins`` left,
     right, below and above it, and room ``below`` all [inches].
 
@@ -105,7 +112,7 @@ def grid_of_axes(
     (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)
     size = columns * width, rows * height + below
-    figure = ShownFigure(figsize=size)
+    figure = Drawing(figsize=size)
     for place in range(count):
         row, column = divmod(place, columns)
         x, y = column * width + left, below + (rows - 1 - row) * height + bottom
@@ -114,18 +121,13 @@ def grid_of_axes(
     return figure
 
 
-def title_axes(axes: Axes, panel: Panel, pad: float = 6.0) -> None:
-    """Write the letter and the title of a panel ``pad`` points above its axes."""
-    axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
-
-
 def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError`` if
     there is no room or no right to write."""
-    layout = drawing.figure.get_layout_engine()
+    layout = drawing.get_layout_engine()
     if layout is not None:  # once for all formats
-        layout.execute(drawing.figure)
-        drawing.figure.set_layout_engine(None)
+        layout.execute(drawing)
+        drawing.set_layout_engine(None)
     rows = []
     for panel in drawing.panels:
         for series in panel.series:
@@ -140,7 +142,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
             rows += [names | {"x": x, "y": y} for x, y in points]
     with atomic_write(*(f"{stem}{suffix}" for suffix in SUFFIXES)) as (*images, data, text):
         for image, kind in zip(images, FORMATS, strict=True):
-            drawing.figure.savefig(image, format=kind, **FORMATS[kind])
+            drawing.savefig(image, format=kind, **FORMATS[kind])
         write_csv(data, rows, DRAWN_POINTS)
         Path(text).write_text(caption, encoding="utf-8")
 

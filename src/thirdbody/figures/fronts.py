@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
-from string import ascii_uppercase
 
 import numpy as np
 from matplotlib import rcParams
 
 from thirdbody.figures.claims import score_of
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 
 COLUMNS = 3
 CELL = 2.4, 1.55  # of a panel with its labels [inches]
@@ -27,11 +26,10 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
     contents of the calibrated files, the first of which is drawn above the others."""
     statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
     figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
-    panels = []
-    for letter, axes, statement in zip(ascii_uppercase, figure.axes, statements, strict=False):
+    for statement in statements:
         series = tuple(_front(each, statement) for each in interpretations)
         title = "\n".join(textwrap.wrap(statement, LETTERS))
-        panels.append(Panel(letter, title, "score", "objective_without_it", series))
+        axes = figure.add_panel(Panel(title, "score", "objective_without_it", series))
         for front in series:
             look = FIRST if front is series[0] else OTHERS
             axes.plot(front.x, front.y, drawstyle="steps-post", label=front.name, **look)
@@ -39,13 +37,12 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
         axes.set_xticks([score_of(each) for each in DISTANCES], DISTANCES)
         least = min(front.y.min() for front in series if front.y.size)
         axes.set(xlim=(-0.05, score_of(DISTANCES[-1])), ylim=(least - 1.0, least + ABOVE))
-        title_axes(axes, panels[-1])
     style = {"fontsize": rcParams["axes.labelsize"]}
     bottom = BELOW / figure.get_figheight()
     figure.supxlabel("deviation in tolerances", y=0.8 * bottom, **style)
     figure.supylabel("objective of all other statements", x=0.008, **style)
     figure.legend(*axes.get_legend_handles_labels(), loc="lower center", ncols=2)
-    return Drawing(figure, tuple(panels))
+    return figure
 
 
 def _front(interpretation, statement) -> Series:

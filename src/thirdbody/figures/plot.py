@@ -18,7 +18,7 @@ from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
 from thirdbody.figures.curves import draw_panels, key_title, range_outline
-from thirdbody.figures.drawing import CURVE, STYLE, Panel, Series, ShownFigure
+from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import BAND, read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES, note
@@ -103,7 +103,7 @@ def plot(
         if isinstance(turning_points, str | PathLike):
             turning_points = read_turning_points(turning_points)
         drawn = curve_figure(like or "data", complete)
-        return drawn.plot(complete, turning_points, ranges).figure
+        return drawn.plot(complete, turning_points, ranges)
 
 
 def _plot_over(data: xr.Dataset, over: str) -> Figure:
@@ -119,12 +119,12 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
     panels = []
-    for letter, name in zip("ABCD", names, strict=False):
+    for name in names:
         series = (
             Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
             for label, curve in curves.items()
         )
-        panels.append(Panel(letter, SCALES[name].title, over, name, tuple(series)))
+        panels.append(Panel(SCALES[name].title, over, name, tuple(series)))
     looks = dict(zip(curves, level_styles(len(curves)), strict=True))
     entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
     return draw_panels(panels, looks, None, entries, key_title("", common))
@@ -136,12 +136,12 @@ def plot_curve(curve: Any) -> Figure:
     name, unit = units.get(curve.along, ("normal_load", 1.0))
     along, x = curve.along, unit * np.asarray(curve.points)
     panels = []
-    for letter, variable in zip("ABCD", DRAWN, strict=True):
+    for variable in DRAWN:
         series = [Series(CURVE, "", x, curve.values[variable], along)]
         if variable in curve.low:
             outline = range_outline(x, curve.low[variable], curve.high[variable])
             series.append(Series(BAND, "", *outline, along))
-        panels.append(Panel(letter, SCALES[variable].title, name, variable, tuple(series)))
+        panels.append(Panel(SCALES[variable].title, name, variable, tuple(series)))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, {along: {"color": BLUE}})
 
@@ -155,7 +155,7 @@ def plot_comparison(comparison: Any) -> Figure:
     x, measured = model[along], table[along]
     look = {"linestyle": "-"} if len(curve) else {"linestyle": "none", "marker": "+"}
     with matplotlib.style.context(STYLE, after_reset=True):
-        figure = ShownFigure(figsize=(3.4 * len(names), 2.8), layout="constrained")
+        figure = Drawing(figsize=(3.4 * len(names), 2.8), layout="constrained")
         for axes, name in zip(figure.subplots(1, len(names), squeeze=False)[0], names):
             axes.plot(x, model[f"{name}_model"], color=BLUE, label="model", **look)
             if f"{name}_low" in model:

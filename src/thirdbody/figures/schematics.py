@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from thirdbody.figures.curves import CELL, add_key, key_title
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, Section, condition_of
 from thirdbody.model.regimes import CONTACT_MODES
@@ -46,12 +46,12 @@ def plot_interface(sections: Sequence[Section]) -> Drawing:
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
     figure = grid_of_axes(1, INTERFACE, MARGINS, columns=1, below=KEY_INCHES)
-    (axes,) = figure.axes
-    panel = _drawn(axes, "A", ", ".join(shared_notes([condition])), *sections)
-    axes.set_title(panel.title, loc="left", y=1.0)  # the only panel has no letter
+    title = ", ".join(shared_notes([condition]))
+    axes = _draw_section(figure, title, *sections)
+    axes.set_title(title, loc="left", y=1.0)  # the only panel has no letter
     _draw_arrows(axes, *sections)
     add_key(figure, _entries(KEY), "", beside=False)
-    return Drawing(figure, (panel,))
+    return figure
 
 
 def plot_modes(sections: Sequence[Section]) -> Drawing:
@@ -59,8 +59,7 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
     mode than a panel is to show."""
     figure = grid_of_axes(len(MODES), CELL, MARGINS)
     common = shared_notes([condition_of(section) for section in sections])
-    panels = []
-    for letter, axes, section, mode in zip("ABC", figure.axes, sections, MODES, strict=True):
+    for letter, section, mode in zip("ABC", sections, MODES, strict=True):
         condition, found = condition_of(section), CONTACT_MODES[section["contact_mode"]]
         if found != mode:
             raise ValueError(
@@ -68,11 +67,11 @@ def plot_modes(sections: Sequence[Section]) -> Drawing:
                 f"({label(condition)}) the model finds {found}"
             )
         own = (text for text in shared_notes([condition]) if text not in common)
-        panels.append(_drawn(axes, letter, ", ".join((MODES[mode], *own)), section))
+        _draw_section(figure, ", ".join((MODES[mode], *own)), section)
     title = key_title("lengths and heights to one scale", common)
     looks = {text: look for text, look in KEY.items() if text != "lubricant"}
     add_key(figure, _entries(looks), title, beside=True)
-    return Drawing(figure, tuple(panels))
+    return figure
 
 
 def _entries(looks) -> list[Line2D]:
@@ -84,9 +83,11 @@ def _entries(looks) -> list[Line2D]:
     return [*entries, Line2D([], [], label="contact of summits", **TOUCHING)]
 
 
-def _drawn(axes: Axes, letter: str, title: str, section: Section) -> Panel:
+def _draw_section(figure: Drawing, title: str, section: Section) -> Axes:
     """Draw a section, lengths and heights to one scale: surfaces, the contact of summits, particles,
     undeformed though they dent the surfaces where they are held."""
+    series: list[Series] = []
+    axes = figure.add_panel(Panel(title, "position", "height", series))
     position, length = section["position"], section["position"][-1]
     box = axes.get_window_extent()
     middle, reach = 0.5 * section["separation"], 0.5 * length * box.height / box.width
@@ -101,7 +102,7 @@ def _drawn(axes: Axes, letter: str, title: str, section: Section) -> Panel:
         touching = np.where(section["surfaces_touch"], section["lower"], np.nan)
         lines["contact of summits"] = touching
         axes.plot(position, touching, **TOUCHING)
-    series = [Series(CURVE, name, position, heights) for name, heights in lines.items()]
+    series += [Series(CURVE, name, position, heights) for name, heights in lines.items()]
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
     for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
         outline = x + 0.5 * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
@@ -118,9 +119,7 @@ def _drawn(axes: Axes, letter: str, title: str, section: Section) -> Panel:
         f"$L_s$ = {section['solid_load_fraction']:.0%}"
     )
     axes.text(0.03, 0.95, facts, transform=axes.transAxes, va="top")
-    panel = Panel(letter, title, "position", "height", tuple(series))
-    title_axes(axes, panel)
-    return panel
+    return axes
 
 
 def _draw_arrows(axes, section):

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from thirdbody.data.readable import MEASURES, result_name
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes, title_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 
 WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
 MARGINS = 1.65, 0.1, 0.05, 0.22
@@ -30,8 +30,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     results = list(dict.fromkeys(map(result_name, rows)))
     cell = WIDTH, ROW * len(inputs) + MARGINS[2] + MARGINS[3]
     figure = grid_of_axes(2, cell, MARGINS, columns=1, below=BELOW)
-    panels = []
-    for letter, axes, (measure, title) in zip("AB", figure.axes, MEASURES.items(), strict=True):
+    for measure, title in MEASURES.items():
         values = np.full((len(inputs), len(results)), np.nan)
         series = []
         for row in rows:
@@ -40,17 +39,16 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
                 values[place] = row["sensitivity"]
                 name = f"{results[place[1]]}; {row['input']}; {row['sensitivity']:.10g}"
                 series.append(Series(CURVE, name, *(CORNERS + place[::-1]).T))
-        panels.append(Panel(letter, title, "result", measure, tuple(series)))
+        axes = figure.add_panel(Panel(title, "result", measure, series))
         _draw_cells(axes, values, measure)
         axes.set_yticks(np.arange(len(inputs)) + 0.5, [name.replace("_", " ") for name in inputs])
         axes.set_xticks([])
-        title_axes(axes, panels[-1])
     style = {"rotation": 40, "ha": "right", "rotation_mode": "anchor"}
     axes.set_xticks(np.arange(len(results)) + 0.5, results, **style)
     if missing:
         text = textwrap.fill(f"Without a value at the default: {'; '.join(missing)}.", LETTERS)
         figure.supxlabel(text, fontsize=7, x=0.02, y=0.01, ha="left", va="bottom")
-    return Drawing(figure, tuple(panels))
+    return figure
 
 
 def _by_weight(rows) -> list[str]:
