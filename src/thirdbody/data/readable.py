@@ -75,11 +75,12 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
 def result_name(row: Mapping) -> str:
     """The result that a row of the table ``sensitivity`` is about, with what tells it from others."""
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"])
-    if row["output"].startswith("window"):
-        return f"{name}, {_condition('roughness', row)}"
-    if row["output"].startswith("turning_point"):
-        return f"{name}, {_condition('viscosity', row)}"
-    return f"{name}, {_condition('particle_diameter', row)}"
+    varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
+    axis = AXES[varied[row["output"].partition("_")[0]]]
+    value = row[axis.column]
+    if axis.name == "viscosity" and value == 0.0:
+        return f"{name}, dry"
+    return f"{name}, {axis.sign} = {_in_unit(axis.name, value)} {axis.unit}"
 
 
 def readable(
@@ -277,13 +278,6 @@ def _conditions(row, axes) -> dict[str, str]:
 
 def _in_unit(name, value) -> str:
     return f"{AXES[name].from_si(value):.6g}".replace("e+", "e")
-
-
-def _condition(name, row) -> str:
-    axis = AXES[name]
-    if name == "viscosity" and row[axis.column] == 0.0:
-        return "dry"
-    return f"{axis.sign} = {_in_unit(name, row[axis.column])} {axis.unit}"
 
 
 def _statuses(rows) -> str:

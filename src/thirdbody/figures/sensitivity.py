@@ -53,11 +53,11 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
 
 def _by_weight(rows) -> list[str]:
     """The inputs, those with the largest total index or else elasticity first."""
-    largest: dict = {}
+    weights = {row["input"]: dict.fromkeys(reversed(MEASURES), 0.0) for row in rows}
     for row in rows:
-        weights = largest.setdefault(row["input"], dict.fromkeys(reversed(MEASURES), 0.0))
-        weights[row["measure"]] = max(weights[row["measure"]], abs(row["sensitivity"] or 0.0))
-    return sorted(largest, key=lambda name: tuple(largest[name].values()), reverse=True)
+        largest, measure = weights[row["input"]], row["measure"]
+        largest[measure] = max(largest[measure], abs(row["sensitivity"] or 0.0))
+    return sorted(weights, key=lambda name: tuple(weights[name].values()), reverse=True)
 
 
 def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> None:
