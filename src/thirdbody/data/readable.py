@@ -111,7 +111,7 @@ def page(sheets: Sequence[Sheet]) -> str:
         f"{sheet.table('html')}"
         for sheet in sheets
     ]
-    template = Template(Path(__file__).with_name("page.html").read_text(encoding="utf-8"))
+    template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
 

@@ -1,4 +1,4 @@
-"""Tidy tables: ``columns.csv`` describes their columns; from it come CSV, Table Schema and LaTeX."""
+"""Tidy tables: ``tables.csv`` describes their columns; from it come CSV, Table Schema and LaTeX."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Column(NamedTuple):
 
 def _described_tables() -> dict[str, list[Column]]:
     tables: dict[str, list[Column]] = {}
-    with open(Path(__file__).with_name("columns.csv"), encoding="utf-8", newline="") as stream:
+    with open(Path(__file__).with_name("tables.csv"), encoding="utf-8", newline="") as stream:
         for row in csv.DictReader(stream):
             tables.setdefault(row.pop("table"), []).append(Column(**row))
     return tables
