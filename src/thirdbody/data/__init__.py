@@ -2,8 +2,8 @@
 
 ``conditions`` and ``quantities`` name every axis and variable; ``dataset`` makes a dataset of a configured
 figure or a grid, held inside as one of ``plain``; ``netcdf`` and ``streaming`` write its file; ``extraction``,
-``tables`` and ``readable`` are about what is found in it, ``paper`` about what the paper prints.  Begin with
-``dataset.grid``.  It imports ``thirdbody.curves``, ``thirdbody.configuration`` and what is below them.
+``tables`` and ``readable`` are about what is found in it.  Begin with ``dataset.grid``.  It imports
+``thirdbody.curves``, ``thirdbody.configuration`` and what is below them.
 """
 
 from thirdbody.extras import require
