@@ -48,7 +48,7 @@ def sources_of(script, *modules):
     for name in list(used):
         used |= IMPORTS.find_upstream_modules(name)
     packages = {name.rpartition(".")[0] for name in used}
-    return digest(map(module_file, used | packages))
+    return digest(file for name in used | packages for file in module_files(name))
 
 
 def digest(files):
@@ -61,7 +61,7 @@ def file_sum(file):
     return sha256(Path(file).read_bytes()).hexdigest()
 
 
-def module_file(name):
+def module_files(name):
+    """A module, and the data beside it under the same name."""
     path = PACKAGE.parent.joinpath(*name.split("."))
-    file = path.with_suffix(".py")
-    return file if file.is_file() else path / "__init__.py"
+    return [*path.parent.glob(f"{path.name}.*")] or [path / "__init__.py"]
