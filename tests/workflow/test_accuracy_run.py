@@ -10,10 +10,7 @@ from tests.oracle.extended import why_not
 from thirdbody.data.tables import TABLES, read_csv
 
 NAMES = "errors", "extremes", "oracle", "times", "uses", "targets"
-PRODUCTS = {
-    *(f"accuracy/{name}.csv" for name in NAMES),
-    *(f"figures/accuracy.{kind}" for kind in ("svg", "pdf", "png", "csv", "md")),
-}
+PRODUCTS = {f"accuracy/{name}.csv" for name in NAMES}
 BUDGET = yaml.safe_load((ROOT / "config" / "accuracy_minimal.yaml").read_text(encoding="utf-8"))
 BY_RTOL = "library", "library_grid", "elementwise_roots"
 METHODS = {(method, rtol) for method in BY_RTOL for rtol in BUDGET["rtol"]}
@@ -80,9 +77,3 @@ def test_all_interpretations_are_compared_with_extended_precision(tables):
     assert unknown < 0.13 * sum(row["points"] for row in rows)
     (target,) = (row for row in tables["targets"] if row["what"].startswith("wrong answers ag"))
     assert (target["measured"], target["verdict"]) == (0.0, "reached")
-
-
-def test_the_figure_draws_every_class_and_method(measured):
-    text = (measured.root / "results" / "figures" / "accuracy.csv").read_text(encoding="utf-8")
-    labels = {tuple(line.split(",")[:2]) for line in text.splitlines()[1:]}
-    assert len(labels) == len(CLASSES) * 4

@@ -77,29 +77,26 @@ ACCURACY_TABLES = {
 }
 
 
-rule render_accuracy:
+rule compare_targets:
     input:
         **ACCURACY_TABLES,
-        style=STYLE,
     output:
-        **figure_files("accuracy", "Accuracy"),
         targets="<results>/accuracy/targets.csv",
     log:
-        "<logs>/render_accuracy.log",
+        "<logs>/compare_targets.log",
     conda:
         "../envs/thirdbody.yaml"
     params:
         sources=MEASURED,
     message:
-        "Drawing errors against times; comparing with targets"
+        "Comparing what was measured with the targets"
     script:
-        "../scripts/render_accuracy.py"
+        "../scripts/compare_targets.py"
 
 
 rule accuracy:
     input:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/targets.csv",
-        multiext("<results>/figures/accuracy", ".svg", ".pdf", ".png", ".csv", ".md"),
     message:
         "Errors, extremes, times and targets are there"
