@@ -131,12 +131,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     rows = []
     for panel in drawing.panels:
         for series in panel.series:
-            names = {
-                "panel": panel.letter,
-                "curve": series.label,
-                "x_name": panel.x,
-                "y_name": panel.y,
-            }
+            names = dict(panel=panel.letter, curve=series.label, x_name=panel.x, y_name=panel.y)
             known = np.isfinite(series.x) & np.isfinite(series.y)
             points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
             rows += [names | {"x": x, "y": y} for x, y in points]
