@@ -2,7 +2,8 @@
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
-from thirdbody.figures.sections import sections, state_of, write_sections
+from thirdbody.data.netcdf import write_dataset
+from thirdbody.figures.sections import sections, state_of
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
@@ -22,5 +23,5 @@ with logged(snakemake.log[0]):
     states = [solved_state(conditions, inputs) for conditions in snakemake.params.panels]
     computed = sections(figure, states, inputs)
     with atomic_write(snakemake.output.sections) as part:
-        write_sections(part, computed)
-    print(f"{figure}: {len(computed)} sections")
+        write_dataset(computed, part)
+    print(f"{figure}: {len(states)} sections")

@@ -2,19 +2,20 @@
 
 import matplotlib.style
 
+from thirdbody.data.netcdf import read_plain
 from thirdbody.data.sizes import sizes_note
 from thirdbody.figures.captions import caption
 from thirdbody.figures.drawing import save
 from thirdbody.figures.schematics import SCHEMATICS
-from thirdbody.figures.sections import condition_of, read_sections
+from thirdbody.figures.sections import VARIABLES, condition_of, panels_of
 from thirdbody.job_log import logged
 from thirdbody.model.parameters import Parameters
 
 with logged(snakemake.log[0]):
     figure = snakemake.wildcards.schematic
-    sections = read_sections(snakemake.input.sections)
+    sections = read_plain(snakemake.input.sections, VARIABLES)
     inputs = Parameters(**snakemake.params.parameters)
-    given = [condition_of(section) for section in sections]
+    given = [condition_of(section) for section in panels_of(sections)]
     layers = sorted({(each.particle_diameter, each.roughness) for each in given})
     notes = [f"{sizes_note(*layer, inputs)}." for layer in layers if layer[0] > 0.0]
     with matplotlib.style.context(snakemake.input.style, after_reset=True):

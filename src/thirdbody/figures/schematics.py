@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
+from thirdbody.data.plain import PlainDataset
 from thirdbody.figures.curves import CELL, add_key, key_title
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 from thirdbody.figures.scales import label, shared_notes
-from thirdbody.figures.sections import PARTICLES, Section, condition_of
+from thirdbody.figures.sections import PARTICLES, Section, condition_of, panels_of
 from thirdbody.model.regimes import CONTACT_MODES
 
 INTERFACE = 7.0, 3.1  # cell of figure 1 [inches]
@@ -39,24 +40,26 @@ KEY = {
 MODES = {"surface_surface": "s-s mode", "particle_surface": "p-s mode", "hybrid": "hybrid mode"}
 
 
-def plot_interface(sections: Sequence[Section]) -> Drawing:
+def plot_interface(data: PlainDataset) -> Drawing:
     """Figure 1: one section of the lubricated three-body interface; ``ValueError`` without lubricant or
     particles."""
-    (condition,) = map(condition_of, sections)
+    (section,) = panels_of(data)
+    condition = condition_of(section)
     if condition.is_dry or condition.is_two_body:
         raise ValueError(f"figure 1 shows particles in a lubricant, not {label(condition)}")
     figure = grid_of_axes(1, INTERFACE, MARGINS, columns=1, below=KEY_INCHES)
     title = ", ".join(shared_notes([condition]))
-    axes = _draw_section(figure, title, *sections)
+    axes = _draw_section(figure, title, section)
     axes.set_title(title, loc="left", y=1.0)  # the only panel has no letter
-    _draw_arrows(axes, *sections)
+    _draw_arrows(axes, section)
     add_key(figure, _entries(KEY), "", beside=False)
     return figure
 
 
-def plot_modes(sections: Sequence[Section]) -> Drawing:
+def plot_modes(data: PlainDataset) -> Drawing:
     """Figure 2: a section in each of ``MODES``, in this order; ``ValueError`` if the model finds another
     mode than a panel is to show."""
+    sections = panels_of(data)
     figure = grid_of_axes(len(MODES), CELL, MARGINS)
     common = shared_notes([condition_of(section) for section in sections])
     for letter, section, mode in zip("ABC", sections, MODES, strict=True):
@@ -104,7 +107,8 @@ def _draw_section(figure: Drawing, title: str, section: Section) -> Axes:
         axes.plot(position, touching, **TOUCHING)
     series += [Series(CURVE, name, position, heights) for name, heights in lines.items()]
     angle = np.linspace(0.0, 2.0 * np.pi, 121)
-    for x, y, size, carries_load in zip(*(section[name] for name in PARTICLES), strict=True):
+    particles = zip(*(section[name] for name in PARTICLES), strict=True)
+    for x, y, size, carries_load in (each for each in particles if not np.isnan(each[0])):
         outline = x + 0.5 * size * np.cos(angle), y + 0.5 * size * np.sin(angle)
         state, look = ("carries load", CARRYING) if carries_load else ("free", FREE)
         series.append(Series(CURVE, f"particle of {size:.4g} m; {state}", *outline))
@@ -136,7 +140,7 @@ def _draw_arrows(axes, section):
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
 
 
-SCHEMATICS: dict[str, Callable[[Sequence[Section]], Drawing]] = {
+SCHEMATICS: dict[str, Callable[[PlainDataset], Drawing]] = {
     "fig01": plot_interface,
     "fig02": plot_modes,
 }

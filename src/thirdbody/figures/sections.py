@@ -1,9 +1,9 @@
-"""Random sections through the three-body interface, true to scale, and the file that keeps them.
+"""Random sections through the three-body interface, true to scale, and the dataset that keeps them.
 
 The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
 planes stand at the solved separation.  The seed is always the same.
 
-A section has values by the names of the variables of its file.  Its state: the condition, d [m],
+A section has values by the names of the variables of the dataset.  Its state: the condition, d [m],
 A_sa,t*, L_s and the mode of the solution there.  Shape (n,): ``position`` along it, the heights ``lower``
 and ``upper`` of both surfaces [m], equal and flat where ``surfaces_touch``.  Shape (particles,): position
 and height of their centres and their size [m], and ``particle_carries_load``.
@@ -12,7 +12,6 @@ and height of their centres and their size [m], and ``particle_carries_load``.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -21,7 +20,6 @@ from scipy.special import ndtr, ndtri
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
-from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.plain import PlainDataset, Variable
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
@@ -49,7 +47,7 @@ PARTICLES = {
     "particle_size": _metres("diameter of a particle"),
     "particle_carries_load": {"long_name": "whether a particle carries load"},
 }
-# dimensions and attributes of the variables of the file
+# dimensions and attributes of the variables of the dataset
 VARIABLES = (
     {name: (STATE, coordinate_attributes(AXES[name])) for name in Condition._fields}
     | {name: (STATE, coordinate_attributes(QUANTITIES[name])) for name in NUMBERS}
@@ -77,9 +75,29 @@ def condition_of(section: Section) -> Condition:
     return Condition(*(float(section[name]) for name in Condition._fields))
 
 
-def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> list[Section]:
-    """The sections of the schematic ``fig01`` or ``fig02``, one for each state; errors as below."""
-    return [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
+def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> PlainDataset:
+    """The sections of the schematic ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as
+    below."""
+    found = [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
+    most = max(section["particle_size"].size for section in found)
+    variables = {}
+    for name, (dims, attributes) in VARIABLES.items():
+        values = [section[name] for section in found]
+        if dims is PARTICLE:  # panels with fewer particles than others end with nan
+            nothing = np.nan if values[0].dtype == float else 0
+            values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
+        variables[name] = Variable(dims, np.array(values), attributes)
+    position = Variable(("position",), found[0]["position"], _metres("along the section"))
+    return PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
+
+
+def panels_of(data: PlainDataset) -> list[Section]:
+    """The section of each panel in a dataset of ``sections``."""
+    return [
+        {name: variable.values[panel] for name, variable in data.data_vars.items()}
+        | {"position": data["position"].values}
+        for panel in range(data.sizes["panel"])
+    ]
 
 
 def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
@@ -204,30 +222,3 @@ def _are_apart(particles, contacts, length) -> bool:
     within = (places > radii) & (places < length - radii)
     clear = np.abs(places[:, None] - contacts) > radii[:, None]
     return bool((distances > 0.0).all() and within.all() and clear.all())
-
-
-def write_sections(path: str | PathLike, sections: Sequence[Section]) -> None:
-    """Write the sections of a schematic to a NetCDF-4 file; ``OSError`` if that fails."""
-    most = max(section["particle_size"].size for section in sections)
-    variables = {}
-    for name, (dims, attributes) in VARIABLES.items():
-        values = [section[name] for section in sections]
-        if dims is PARTICLE:  # panels with fewer particles than others end with nan
-            nothing = np.nan if values[0].dtype == float else 0
-            values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
-        variables[name] = Variable(dims, np.array(values), attributes)
-    position = Variable(("position",), sections[0]["position"], _metres("along the section"))
-    dataset = PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
-    write_dataset(dataset, path)
-
-
-def read_sections(path: str | PathLike) -> list[Section]:
-    """The sections of a file of ``write_sections``; ``OSError`` in one line if it cannot be read."""
-    data = read_plain(path, [*VARIABLES, "position"])
-    found = []
-    for panel in range(data.sizes["panel"]):
-        section = {name: variable.values[panel] for name, variable in data.data_vars.items()}
-        is_there = ~np.isnan(section["particle_position"])
-        particles = {name: section[name][is_there] for name in PARTICLES}
-        found.append({**section, **particles, "position": data["position"].values})
-    return found
