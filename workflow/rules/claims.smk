@@ -54,6 +54,7 @@ rule render_summary:
         "<logs>/render_summary/{summary}.log",
     wildcard_constraints:
         summary="|".join(SUMMARIES),
+    priority: SMALL
     conda:
         "../envs/thirdbody.yaml"
     params:

@@ -43,6 +43,7 @@ rule compute_schematic:
         sections="<results>/schematics/{schematic}.nc",
     log:
         "<logs>/compute_schematic/{schematic}.log",
+    priority: SMALL
     conda:
         "../envs/thirdbody.yaml"
     params:

@@ -63,6 +63,7 @@ rule recompute_paper_tables:
         table2="<results>/extracted/table2/all.csv",
     log:
         "<logs>/recompute_paper_tables.log",
+    priority: SMALL
     conda:
         "../envs/thirdbody.yaml"
     params:

@@ -41,6 +41,7 @@ rule render_schematic:
         **figure_files("{schematic}", "Figures"),
     log:
         "<logs>/render_schematic/{schematic}.log",
+    priority: SMALL
     conda:
         "../envs/thirdbody.yaml"
     params:
@@ -72,6 +73,7 @@ rule write_table:
         "<logs>/write_table/{table}.log",
     wildcard_constraints:
         table="|".join([*TABLES, *CHARTS]),
+    priority: SMALL
     conda:
         "../envs/thirdbody.yaml"
     params:
