@@ -24,9 +24,8 @@ def project_file(name):
 # snakedeploy copies the configuration into the folder of a user's own workflow
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
-SMALL = (
-    -1
-)  # priority of small jobs that no long one waits for: they fill both cores at the end of a run
+# priority of small jobs that no long one waits for: they fill both cores at the end of a run
+SMALL = -1
 STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
 
 
