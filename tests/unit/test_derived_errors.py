@@ -59,7 +59,7 @@ def test_turning_points_on_few_loads(parameters, rtol):
 def window(count, parameters, rtol):
     loads = span(2, parameters)
     search = WindowSearch(np.linspace(0.6, 1.6, 15), count, tolerance=0.1 * rtol, rtol=rtol)
-    return turning_point_windows([search], [300e-9], 1e11, loads, parameters)[0]
+    return turning_point_windows(search, [300e-9], 1e11, loads, parameters)[0]
 
 
 @pytest.mark.parametrize("rtol", RTOLS)

@@ -141,7 +141,7 @@ def window_over(parameters, loads):
     """Function that searches the window of a surface over ratios of sizes to the roughness."""
 
     def search(ratios, roughness=300e-9):
-        given = [WindowSearch(ratios)], [roughness], DENSITY, (loads[0], loads[-1]), parameters
+        given = WindowSearch(ratios), [roughness], DENSITY, (loads[0], loads[-1]), parameters
         return turning_point_windows(*given)[0]
 
     return search

@@ -18,7 +18,7 @@ with logged(snakemake.log[0]):
     density = search["particle_density_per_m2"]
     rows = []
     for roughness in map(AXES["roughness"].to_si, search["roughness_nm"]):
-        (window,) = turning_point_windows([sweep], [roughness], density, loads, inputs)
+        (window,) = turning_point_windows(sweep, [roughness], density, loads, inputs)
         same = {"roughness_m": roughness, "particle_density_per_m2": density}
         for end, value, error in (
             ("low", window.low, window.low_error),

@@ -118,7 +118,7 @@ def turning_window(
     loads = load_range(between_N, parameters)
     search = WindowSearch(RATIOS, tolerance=TOLERANCE)
     (density,) = given["particle_density"].tolist()
-    (found,) = turning_point_windows([search], given["roughness"], density, loads, parameters)
+    (found,) = turning_point_windows(search, given["roughness"], density, loads, parameters)
     return found
 
 

@@ -19,23 +19,10 @@ def bracketed_roots(
 ) -> tuple[NDArray, NDArray]:
     """Find where a function changes its sign between two bounds, element by element.
 
-    Parameters
-    ----------
-    function : callable
-        Maps a 1-D array to one of its shape, element by element.
-    low, high : array, shape (n,)
-        Ends of the brackets: the function is positive at one of them and not at the other.
-    tolerance : array or float
-        How narrow a bracket is to be.
+    ``function`` maps a 1-D array to one of its shape; it is positive at one of ``low`` and ``high`` and not at
+    the other.  Returned are the end of the last bracket at which the function is smaller, and the width of
+    that bracket, at most ``tolerance`` where float64 allows it.
 
-    Returns
-    -------
-    roots, widths : array, shape (n,)
-        The end of the last bracket at which the function is smaller, and its width, at most
-        ``tolerance`` where float64 allows it.
-
-    References
-    ----------
     Chandrupatla (1997), Adv. Eng. Software 28:145.
 
     Examples

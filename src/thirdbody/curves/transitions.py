@@ -35,23 +35,10 @@ def transitions(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
-    Parameters
-    ----------
-    separation : array, shape (loads, curves)
-        Separations d [m] at increasing loads at which the curves are known.
-    values : mapping
-        The quantities that ``LIMITS`` name, arrays of shape (loads, curves); nan where unknown.
-    conditions : array, shape (4, curves)
-        Viscosity [m2/s], particle diameter [m], roughness [m] and particle density [m-2].
-
-    Returns
-    -------
-    limit, curve : array of int, shape (crossings,)
-        Index of the limit and of the curve.
-    load, error : array
-        F_t* there and a bound on its error [1].
-    rises : array of bool
-        Whether the quantity rises with the load there.
+    ``separation`` d [m] and the ``values`` of the quantities that ``LIMITS`` name have the shape (loads,
+    curves), at increasing loads, nan where unknown; ``conditions``, shape (4, curves), are those of
+    ``solve`` after the load.  Returned are of each crossing the index of the limit and of the curve, the load
+    F_t* [1], a bound on its error [1], and whether the quantity rises with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, known = excess > 0.0, np.isfinite(excess)
@@ -69,7 +56,6 @@ def transitions(
     return limit, curve, load, error, above[limit, step + 1, curve]
 
 
-@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     """F_t* [1] where A_sa,t*, or else L_s, has its level between two separations [m], and error bounds."""
     viscosity, diameter, roughness, density = conditions

@@ -81,33 +81,11 @@ def turning_points(
 ) -> TurningPoints:
     """Find the interior maximum of A_sa,t*(F_t*) that stands out most on each curve.
 
-    Parameters
-    ----------
-    separation : array, shape (loads, curves)
-        Solved separations d [m] at increasing loads, whose first and last are those of the range;
-        nan where there is no solution.  They only enclose the maxima, which are then found more
-        closely than the loads lie together.
-    viscosity, particle_diameter, roughness, particle_density : array, shape (curves,)
-        Conditions of each curve [m2/s, m, m, m-2].
-
-    Returns
-    -------
-    TurningPoints
-        Two-body curves, and curves without solution where the maximum would lie, have none; nor
-        do those whose maximum float64 cannot tell from the least value beside it.
-
-    Examples
-    --------
-    >>> import numpy, thirdbody
-    >>> inputs = thirdbody.load_parameters()
-    >>> condition = dict(
-    ...     viscosity=90e-6, particle_diameter=0.4e-6, roughness=0.3e-6, particle_density=1e11
-    ... )
-    >>> loads = numpy.geomspace(1e-7, 1e-4, 30)
-    >>> separation = thirdbody.solve(load=loads, **condition, parameters=inputs).separation
-    >>> columns = [numpy.array([value]) for value in condition.values()]
-    >>> turning_points(separation[:, None], *columns, inputs).load.round(10)
-    array([1.2149e-06])
+    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, whose first and
+    last are those of the range; nan where there is no solution.  They only enclose the maxima, which are
+    then found more closely.  The conditions have the shape (curves,) [m2/s, m, m, m-2].  Two-body curves,
+    and curves without solution where the maximum would lie, have none; nor do those whose maximum
+    float64 cannot tell from the least value beside it.
     """
     ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
     solids = particle_diameter, roughness, particle_density
@@ -127,25 +105,13 @@ def film_turning_points(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> TurningPoints:
-    """Find the turning points of the same solids under every film: many curves in little time.
+    """Find the turning points of the same solids under every film: arrays of shape (films, solids).
 
-    The maxima lie at the same separations d* whatever the film, and are searched once; their loads,
-    and how far they stand out within the loads, differ.
-
-    Parameters
-    ----------
-    separation : array, shape (loads, films, solids)
-        As in ``turning_points``; here they only tell the ends of the curves.
-    viscosity : array, shape (films,)
-        Of each film [m2/s]; 0 is dry.
-    particle_diameter, roughness, particle_density : array, shape (solids,)
-        Of each pair of surfaces with its particles [m, m, m-2].
-
-    Returns
-    -------
-    TurningPoints
-        Arrays of shape (films, solids).  ``prominence`` is negative where the maximum lies beyond the
-        loads, as ``ratio_maxima`` says; all else is known of turning points alone.
+    The maxima lie at the same separations d* whatever the film, and are searched once; their loads, and
+    how far they stand out within the loads, differ.  ``separation``, shape (loads, films, solids), only
+    tells the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the others (solids,).
+    ``prominence`` is negative where the maximum lies beyond the loads, as ``ratio_maxima`` says; all else
+    is known of turning points alone.
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
     between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), PLACES)
@@ -180,18 +146,21 @@ def _turning_points(
     film, maximum = np.nonzero(np.isfinite(prominence))
     best = _greatest(film * three_body.size + solid[maximum], prominence[film, maximum])
     film, maximum = film[best], maximum[best]
-    place = film, three_body[solid[maximum]]
-    found.prominence[place] = prominence[film, maximum]
-    state = _state_at(
-        solids.take(solid[maximum]),
-        viscosity[place],
-        roughness[place[1]],
-        peak[maximum],
-        width[maximum],
-        rtol,
+    curve = three_body[solid[maximum]]
+    contacts, separation = solids.take(solid[maximum]), peak[maximum]
+    load, fraction, steepest = load_at(
+        contacts, viscosity[film, curve], roughness[curve], separation
     )
+    state = {
+        "load": load,
+        "load_error": load * (steepest * width[maximum] + rtol),
+        "peak_ratio": particle_ratio(contacts, separation),
+        "solid_load_fraction": fraction,
+        "separation": separation,
+        "prominence": prominence[film, maximum],
+    }
     for name, values in state.items():
-        getattr(found, name)[place] = values
+        getattr(found, name)[film, curve] = values
     return found
 
 
@@ -201,24 +170,12 @@ def ratio_maxima(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
     """Find the maxima of A_sa,t* over the separation, as closely as ``rtol`` d, and how far each stands out.
 
-    Parameters
-    ----------
-    solids : Contact
-        Surfaces and particles of each curve.
-    separation : array, shape (separations, curves)
-        d [m], falling from row to row; nan where there is no solution.
-    ends : pair of array, shape (..., curves)
-        d [m] at the first and at the last load of each curve; of several if they have more axes.
-
-    Returns
-    -------
-    curve, separation, width : array
-        Index of the curve of each maximum, its d* [m] and a bound on the error of that; a curve may
-        have several or none.
-    prominence : array, shape (..., maxima)
-        By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
-        larger ones, whichever is less [1].  A maximum beyond an end of the curve counts by how much
-        it exceeds the end, negatively: so the prominence passes 0 where a maximum leaves the loads.
+    ``separation`` is d [m], falling from row to row, shape (separations, curves), nan where there is no
+    solution; ``ends``, shape (..., curves), d [m] at the first and at the last load.  Returned are the curve
+    of each maximum, its d* [m], a bound on the error of that, and its prominence [1], shape (..., maxima):
+    by how much A_sa,t* is higher than the least value at smaller loads, and than that at larger ones,
+    whichever is less.  A maximum beyond an end of the curve counts by how much it exceeds the end,
+    negatively: so the prominence passes 0 where a maximum leaves the loads.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -260,6 +217,7 @@ def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
     return expit(np.log(state.area) - state.log_beside)
 
 
+@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
 def load_at(
     solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
@@ -286,16 +244,3 @@ def _greatest(curve, values):
     """Index of the greatest value of each curve."""
     order = np.lexsort((-values, curve))
     return order[np.unique(curve[order], return_index=True)[1]]
-
-
-@np.errstate(divide="ignore", invalid="ignore")  # no particle may touch
-def _state_at(solids: Contact, viscosity, roughness, separation, width, rtol) -> dict:
-    """Fields of ``TurningPoints`` at maxima ``separation`` [m] known within ``width``."""
-    load, fraction, steepest = load_at(solids, viscosity, roughness, separation)
-    return {
-        "load": load,
-        "load_error": load * (steepest * width + rtol),
-        "peak_ratio": particle_ratio(solids, separation),
-        "solid_load_fraction": fraction,
-        "separation": separation,
-    }

@@ -6,7 +6,6 @@ about the roughness sigma does A_sa,t* of dry contact turn (see ``turning_point`
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -36,20 +35,12 @@ class Window(Tabular):
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """How finely a window is searched.
+    """How finely windows are searched.
 
-    Parameters
-    ----------
-    ratios : array
-        Ratios x_a/sigma of the first sweep [1], increasing.
-    separations : int
-        Number of separations between which turning points are looked for.
-    tolerance : float
-        Absolute error of both ends [1]; infinite: interpolated in the sweep, not refined.
-    rtol : float
-        Relative error of what is solved.
-    prominence : float
-        By how much a turning point must stand out [1].
+    ``ratios`` are the x_a/sigma of the first sweep [1], increasing: shape (ratios,), or (ratios, surfaces)
+    where each surface has its own.  ``tolerance`` is the absolute error of both ends [1]; infinite: they
+    are interpolated in the sweep, not refined.  Maxima are looked for between so many ``separations``,
+    and must stand out by ``prominence`` [1]; ``rtol`` is the relative error of what is solved.
     """
 
     ratios: NDArray
@@ -60,140 +51,71 @@ class WindowSearch:
 
 
 def turning_point_windows(
-    searches: Sequence[WindowSearch],
+    search: WindowSearch,
     roughness: ArrayLike,
     density: float,
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the ranges of x_a/sigma in which dry contact has a turning point.
+    """Find on each surface, of ``roughness`` sigma [m], the longest range of x_a/sigma with a turning point.
 
-    Parameters
-    ----------
-    searches : sequence of WindowSearch
-        One for each surface; they differ only in ``ratios`` and ``tolerance``.
-    roughness : array_like, shape (searches,)
-        sigma [m] of each surface.
-    density : float
-        Particle density eta_a [m-2].
-    load_range : pair of float
-        First and last load F_t* [1] of the curves.
-
-    Returns
-    -------
-    list of Window
-        Of each search the longest run of its ratios in which this is so, with refined ends.
-
-    Examples
-    --------
-    >>> import numpy, thirdbody
-    >>> inputs = thirdbody.load_parameters()
-    >>> sweep = WindowSearch(numpy.linspace(0.5, 2.0, 16), tolerance=1e-6)
-    >>> (window,) = turning_point_windows([sweep], [0.3e-6], 1e11, (1e-7, 1e-4), inputs)
-    >>> print(f"{window.low:.4f} to {window.high:.4f}")
-    0.7813 to 1.4181
+    The contact is dry, ``density`` is eta_a [m-2], and ``load_range`` the first and last load F_t* [1].
     """
-    if not searches:
-        return []
     roughness = np.asarray(roughness)
+    if not roughness.size:
+        return []
 
-    def margin(ratios, window):
-        there = roughness[window]
-        return _margin(searches[0], load_range, ratios * there, there, density, parameters)
+    def margin(ratios, surface):
+        there = roughness[surface]
+        return _margin(search, load_range, ratios * there, there, density, parameters)
 
-    sizes = [search.ratios.size for search in searches]
-    ratios = np.concatenate([search.ratios for search in searches])
-    margins = margin(ratios, np.repeat(np.arange(len(searches)), sizes))
-    found = np.full((4, len(searches), 2), np.nan)
-    for window, start in enumerate(np.cumsum([0, *sizes[:-1]])):
-        sweep = slice(start, start + sizes[window])
-        inner, outer = _longest_run(margins[sweep] > 0.0)
-        found[:, window, : inner.size] = (
-            *(ratios[sweep][places] for places in (inner, outer)),
-            *(margins[sweep][places] for places in (inner, outer)),
+    columns = search.ratios.reshape(len(search.ratios), -1)
+    ratios, surface = np.broadcast_arrays(columns, np.arange(roughness.size))
+    margins = margin(ratios.ravel(), surface.ravel()).reshape(ratios.shape)
+    inner, outer, ends = _ends_of_longest_runs(ratios, margins)
+    errors = np.where(inner == outer, np.inf, np.abs(outer - inner))
+    enclosed = np.isfinite(errors)
+    if np.isfinite(search.tolerance) and enclosed.any():
+        _, surface = np.nonzero(enclosed)
+        ends[enclosed], width = bracketed_roots(
+            lambda ratios: margin(ratios, surface),
+            inner[enclosed],
+            outer[enclosed],
+            search.tolerance,
         )
-    tolerance = np.array([[search.tolerance] * 2 for search in searches])
-    ends, errors = _refined_ends(margin, tolerance, *found)
-    return [
-        Window(low, low_error, high, high_error)
-        for (low, high), (low_error, high_error) in zip(ends, errors, strict=True)
-    ]
+        errors[enclosed] = width + search.tolerance
+    return [Window(*each) for each in zip(ends[0], errors[0], ends[1], errors[1], strict=True)]
 
 
 def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
-    """Find the windows of many sweeps at once, interpolated between the ratios of the sweep.
+    """Find the ends [1] of the windows of many sweeps at once, nan where there is none.
 
-    Parameters
-    ----------
-    ratios : array, shape (ratios,)
-        x_a/sigma [1], increasing.
-    prominence : array, shape (ratios, ...)
-        That of ``film_turning_points`` [1]; nan where no maximum is known.
-
-    Returns
-    -------
-    low, high : array, shape (...)
-        Ends of the longest run of ratios with a turning point [1]; nan where none has one.  A run
-        that reaches an end of the sweep ends there.
-
-    Examples
-    --------
-    >>> low, high = swept_windows(np.arange(1.0, 6.0), np.array([0.0, 0.04, 0.08, 0.04, np.nan]))
-    >>> print(f"{low:.2f} to {high:.2f}")
-    1.71 to 4.29
+    ``ratios`` are the x_a/sigma of the sweeps [1], ``prominence`` [1], shape (ratios, ...), that of
+    ``film_turning_points``.  A window that reaches an end of the sweep ends there.
     """
-    margin = _above_least(prominence)
-    inside = margin > 0.0
-    run, longest = np.zeros((2, *margin.shape[1:]), int)
-    last = np.zeros(margin.shape[1:], int)
-    for place, here in enumerate(inside):
-        run = (run + 1) * here
-        longer = run > longest
-        longest, last = np.where(longer, run, longest), np.where(longer, place, last)
-    ends = []
-    for inner, step in ((last - longest + 1, -1), (last, 1)):
-        inner = np.minimum(inner, ratios.size - 1)  # of no run
-        outer = np.clip(inner + step, 0, ratios.size - 1)
-        at_inner, at_outer = (
-            np.take_along_axis(margin, place[np.newaxis], 0)[0] for place in (inner, outer)
-        )
-        with np.errstate(
-            divide="ignore", invalid="ignore"
-        ):  # of no run, and of one that is not closed
-            fraction = np.where(inner == outer, 0.0, at_inner / (at_inner - at_outer))
-            ends.append(ratios[inner] + fraction * (ratios[outer] - ratios[inner]))
-    return tuple(np.where(longest > 0, end, np.nan) for end in ends)
+    columns = ratios.reshape(-1, *[1] * (prominence.ndim - 1))
+    margins = _above_least(prominence)
+    _, _, (low, high) = _ends_of_longest_runs(np.broadcast_to(columns, margins.shape), margins)
+    return low, high
 
 
-def _longest_run(inside):
-    """Places of the first and last of the longest run of true values, and of those beyond; each
-    empty if none is true."""
-    closed = np.concatenate([[False], inside, [False]])
-    starts = np.flatnonzero(~closed[:-1] & closed[1:])
-    stops = np.flatnonzero(closed[:-1] & ~closed[1:]) - 1
-    if starts.size == 0:
-        return starts, stops
-    longest = np.argmax(stops - starts)
-    within = np.array([starts[longest], stops[longest]])
-    return within, np.clip(within + np.array([-1, 1]), 0, inside.size - 1)
-
-
-def _refined_ends(margin, tolerance, inner, outer, margin_inner, margin_outer):
-    """Where the margin vanishes between neighbours of the sweep, and the errors of that; all of
-    shape (windows, 2), nan where there is no window."""
-    enclosed = inner != outer
-    ends = inner.copy()
-    errors = np.where(enclosed, np.abs(outer - inner), np.inf)
-    coarse, fine = enclosed & np.isinf(tolerance), enclosed & np.isfinite(tolerance + inner)
-    fraction = margin_inner[coarse] / (margin_inner[coarse] - margin_outer[coarse])
-    ends[coarse] += fraction * (outer[coarse] - inner[coarse])
-    if fine.any():
-        window, _ = np.nonzero(fine)
-        ends[fine], width = bracketed_roots(
-            lambda ratios: margin(ratios, window), inner[fine], outer[fine], tolerance[fine]
-        )
-        errors[fine] = width + tolerance[fine]
-    return ends, errors
+def _ends_of_longest_runs(ratios, margins):
+    """The longest run of positive ``margins`` along the first axis: the ratios at its two ends, those
+    beside them without, and where between them the margin vanishes; each of shape (2, ...)."""
+    length, longest, last = np.zeros((3, *margins.shape[1:]), int)
+    for place, inside in enumerate(margins > 0.0):
+        length = (length + 1) * inside
+        longer = length > longest
+        longest, last = np.where(longer, length, longest), np.where(longer, place, last)
+    first = np.where(longest > 0, last - longest + 1, 0)
+    within = np.stack([first, last])
+    beyond = np.clip(np.stack([first - 1, last + 1]), 0, len(margins) - 1)
+    inner, outer = (np.take_along_axis(ratios, place, 0) for place in (within, beyond))
+    at_inner, at_outer = (np.take_along_axis(margins, place, 0) for place in (within, beyond))
+    inner = np.where(longest > 0, inner, np.nan)
+    with np.errstate(divide="ignore", invalid="ignore"):  # a run that is not closed
+        fraction = np.where(within == beyond, 0.0, at_inner / (at_inner - at_outer))
+    return inner, outer, inner + fraction * (outer - inner)
 
 
 def _margin(search, load_range, diameter, roughness, density, parameters):
@@ -214,8 +136,8 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
 def _above_least(prominence, least=PROMINENCE):
     """By how much the root of a prominence, with its sign, exceeds that of the least; nan counts as 0.
 
-    Roots are taken of both: the prominence of a maximum grows with the square of its distance from
-    the end of the loads, and the root, with the sign kept, changes about evenly with x_a/sigma.
+    The prominence of a maximum grows with the square of its distance from the end of the loads: its root
+    changes about evenly with x_a/sigma.
     """
     known = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)

@@ -146,10 +146,8 @@ class SolvedEvidence:
     def windows(self) -> dict[float, tuple[float, float]]:
         """Ends of the range of x_a/sigma [1] with a dry turning point, by sigma [m]."""
         wanted = sorted(self.asked["window"])
-        searches = [self.effort.window] * len(wanted)
-        found = turning_point_windows(
-            searches, wanted, WINDOW_DENSITY, self.load_range, self.parameters
-        )
+        given = wanted, WINDOW_DENSITY, self.load_range, self.parameters
+        found = turning_point_windows(self.effort.window, *given)
         return {sigma: (window.low, window.high) for sigma, window in zip(wanted, found)}
 
     @cached_property

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.curves.windows import WindowSearch, turning_point_windows
+from thirdbody.curves.windows import WindowSearch
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
@@ -33,7 +33,8 @@ REACH = 0.01
 
 @dataclass(frozen=True)
 class Subject:
-    """Which outputs are computed: of which curves and surfaces (sigma [m]), between which loads [N]."""
+    """Which outputs are computed: of which curves and surfaces (sigma [m], increasing), between which
+    loads [N]."""
 
     turning_points: tuple[Condition, ...]
     transitions: tuple[Condition, ...]
@@ -46,7 +47,7 @@ class Subject:
         return cls(
             tuple(map(Condition.of, settings["turning_points"])),
             tuple(map(Condition.of, settings["transitions"])),
-            tuple(map(AXES["roughness"].to_si, settings["windows_roughness_nm"])),
+            tuple(sorted(map(AXES["roughness"].to_si, settings["windows_roughness_nm"]))),
             tuple(settings["load_N"]),
         )
 
@@ -67,51 +68,40 @@ class Subject:
             for quantity, level in LIMITS
         ]
 
-    def values(
-        self,
-        parameters: Parameters,
-        effort: Effort,
-        searches: Sequence[WindowSearch] | None = None,
-    ) -> NDArray[np.float64]:
-        """Solve for all outputs: loads F_t* and ratios [1], shape (outputs,).
-
-        ``searches`` replace the search for the window of each roughness.
-        """
-        searches = searches or [effort.window] * len(self.window_roughness)
-        asked = {"curve": set(self.transitions), "turning_point": set(self.turning_points)}
+    def values(self, parameters: Parameters, effort: Effort) -> NDArray[np.float64]:
+        """Solve for all outputs: loads F_t* and ratios [1], shape (outputs,)."""
+        asked = {
+            "curve": set(self.transitions),
+            "turning_point": set(self.turning_points),
+            "window": set(self.window_roughness),
+        }
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_points[curve] for curve in self.turning_points]
         points = [
             point[:2] if point.prominence >= PROMINENCE else (np.nan, np.nan) for point in found
         ]
-        windows = turning_point_windows(
-            searches, self.window_roughness, WINDOW_DENSITY, evidence.load_range, parameters
-        )
-        ends = [(window.low, window.high) for window in windows]
-        return np.concatenate([*points, *ends, *last_crossings(evidence, self.transitions)])
+        windows = [evidence.windows[roughness] for roughness in self.window_roughness]
+        return np.concatenate([*points, *windows, *last_crossings(evidence, self.transitions)])
 
-    def local_searches(self, values: NDArray[np.float64]) -> list[WindowSearch]:
-        """Searches for windows close to those among ``values``, one for each roughness.
+    def effort_near(self, values: NDArray[np.float64]) -> Effort:
+        """``FULL_EFFORT`` for outputs close to ``values``, where it looks for windows.
 
         Each end is in the middle between two values of x_a/sigma, so that the error of
         interpolating between them cancels in a central difference.
         """
         first, count = 2 * len(self.turning_points), 2 * len(self.window_roughness)
-        searches = []
-        for ends in values[first : first + count].reshape(-1, 2):
-            near = np.sort(np.concatenate([ends * (1.0 - REACH), ends * (1.0 + REACH)]))
-            known = np.isfinite(near).all() and (np.diff(near) > 0.0).all()
-            searches.append(WindowSearch(near, tolerance=np.inf) if known else FULL_EFFORT.window)
-        return searches
+        ends = values[first : first + count].reshape(-1, 2).T
+        near = np.sort(np.concatenate([ends * (1.0 - REACH), ends * (1.0 + REACH)]), axis=0)
+        if not (np.diff(near, axis=0) > 0.0).all():  # a window is missing, or narrow
+            return FULL_EFFORT
+        return replace(FULL_EFFORT, window=WindowSearch(near, tolerance=np.inf))
 
 
 def last_crossings(
     evidence: SolvedEvidence, conditions: Sequence[Condition]
 ) -> NDArray[np.float64]:
-    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, of regimes and modes.
-
-    The array has the shape (curves, limits), and nan where a limit is not crossed.
-    """
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits), nan where
+    it does not."""
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
@@ -140,7 +130,7 @@ class Found(NamedTuple):
 
     ``measure`` is ``elasticity`` or ``sobol_total``; ``value`` and its uncertainty ``error`` [1] have
     the shape (outputs, inputs).  ``occurs`` is the fraction of the solved sets of inputs in which an
-    output occurs, ``unexplained`` that of its variance which the measure misses, nan for elasticities.
+    output occurs, ``unexplained`` that of its variance which the measure misses, nan of elasticities.
     """
 
     measure: str
@@ -160,14 +150,6 @@ def elasticities(
     ``values`` gives the outputs, shape (outputs,), for a mapping of changed inputs; ``base`` are those
     for the unchanged ``inputs``.  Returned are the elasticities, shape (outputs, inputs), and by how much
     they differ with twice the step [1].
-
-    Examples
-    --------
-    >>> found, error = elasticities(
-    ...     lambda changes: np.array([changes["radius"] ** 3]), np.array([8.0]), {"radius": 2.0}
-    ... )
-    >>> found.round(4)
-    array([[3.]])
     """
 
     def slopes(width):
@@ -189,12 +171,12 @@ def default_elasticities(
     inputs: Mapping[str, float],
     base: NDArray[np.float64],
 ) -> Found:
-    """Elasticities of the outputs, which are ``base`` at ``parameters``, in ``inputs`` that vary, SI."""
-    searches = subject.local_searches(base)
+    """Elasticities of the outputs, which are ``base`` at ``parameters``, in some ``inputs``, SI."""
+    effort = subject.effort_near(base)
     solved = []
 
     def values(changes):
-        solved.append(subject.values(replace(parameters, **changes), FULL_EFFORT, searches))
+        solved.append(subject.values(replace(parameters, **changes), effort))
         return solved[-1]
 
     value, error = elasticities(values, base, inputs)

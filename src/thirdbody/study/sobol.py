@@ -34,14 +34,6 @@ def legendre_terms(
 
     At ``positions``, shape (sets, inputs): 1, a first and a second degree of each input, and the products
     of two inputs, shape (sets, terms); and whether a term depends on an input, shape (terms, inputs).
-
-    Examples
-    --------
-    >>> terms, involved = legendre_terms(np.array([[1.0, 0.0]]))
-    >>> terms.round(3)
-    array([[ 1.   ,  1.732,  0.   ,  2.236, -1.118,  0.   ]])
-    >>> involved.sum(axis=0)
-    array([3, 3])
     """
     first = np.sqrt(3.0) * positions
     second = np.sqrt(5.0) * (1.5 * positions**2 - 0.5)
@@ -61,13 +53,6 @@ def total_indices(
     ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returned are the
     indices of the response surface, shape (inputs,), and the fraction of the variance that the fit to
     all other sets misses [1].  ``ValueError`` is raised if the output occurs in too few sets.
-
-    Examples
-    --------
-    >>> positions = qmc.LatinHypercube(2, rng=1).random(50) * 2.0 - 1.0
-    >>> indices, unexplained = total_indices(positions, np.exp(positions @ [2.0, 1.0]))
-    >>> indices.round(6)
-    array([0.8, 0.2])
     """
     terms, involved = legendre_terms(positions)
     known = np.isfinite(values)
@@ -91,7 +76,7 @@ def default_indices(
     base: NDArray[np.float64],
     settings: Mapping[str, Any],
 ) -> Found:
-    """Total Sobol indices of the outputs, which are ``base`` at ``parameters``, in ``inputs`` that vary, SI.
+    """Total Sobol indices of the outputs, which are ``base`` at ``parameters``, in some ``inputs``, SI.
 
     Their error is what the response surface misses, as any input may take part in it.  An output that
     occurs in too few of the solved sets keeps nan, and a line of text says so.  ``settings`` is the entry
