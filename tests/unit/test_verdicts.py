@@ -1,7 +1,6 @@
 """Tables and pages of the verdicts: words, counts, ranges and order, on made-up verdicts."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pandas as pd
@@ -12,10 +11,9 @@ from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
-from thirdbody.study.page import claims_html, claims_json, claims_markdown, earlier_table
+from thirdbody.study.page import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
-EARLIER = read_yaml(config_directory() / "earlier_predictions.yaml")
 HELD = Verdict("1", (1.0,), 0, 0.0, 0.0, True, True)
 MISSED = Verdict("2", (2.0,), 0, 1.0, 3.0, True, False)
 BEYOND = Verdict("> 2", (2.0,), 0, 1.0, 0.0, False, False)
@@ -74,18 +72,16 @@ def test_the_word_for_a_verdict():
 def test_statements_that_repeat_one_another_count_once(twins, count):
     main = (HELD, MISSED, *twins)
     assert verdicts.count_once(CLAIMS, by_id(main)) == count
-    table = verdicts.statements_table(judged(main))
-    (row,) = verdicts.counts_by_figure(table).to_dict("records")
+    (row,) = verdicts.counts_by_figure(judged(main)).to_dict("records")
     assert row["figure"] == "Figure 4"
     assert row["hold, repeats once"] == "{} of {}".format(*count)
-    assert verdicts.held_once(table.replace("", None)) == count  # as from a CSV file
 
 
 def test_the_page_has_the_score_and_the_contradictions_apart():
     main = (MISSED, HELD, HELD, MISSED)
     predicted = {"taken": HELD, "one": MISSED, "other": HELD}
     results = judged(main, changed={"lower one": by_id((HELD,) * 4)}, predicted=predicted)
-    page = claims_markdown(results, EARLIER)
+    page = claims_markdown(results)
     assert "Of 2 distinct statements 1 are predicted" in page
     assert "Of 2 that can be judged 0 hold (0 %)" in page
     apart = page.split("## Where the paper contradicts itself")[1].split("## Predictions")[0]
@@ -152,16 +148,6 @@ def test_programs_read_what_the_page_says():
     assert first["references"] == [curve | {"viscosity": 9e-5}]
     assert first["loads"] == {"load_max": 1e-5}
     assert (last["score"], last["numbers"], last["range"]) == (None, [None], [[None, None]])
-
-
-def test_earlier_predictions_are_marked_where_they_are_within_the_tolerance():
-    claims = load_claims(config_directory() / "claims.yaml")
-    results = replace(judged((HELD,) * 4), claims=claims)
-    table = earlier_table(results, EARLIER).set_index("set")
-    marks = table.map(lambda cell: cell.endswith("✓")).sum(axis=1)
-    assert marks[f"{DEFAULT_NAME} (default)"] == 1
-    assert table.shape == (6, 6)
-    assert table.loc["**paper**"].tolist()[-2:] == ["1.5e-05", "3e-05"]
 
 
 def test_everything_is_judged_by_the_real_model(parameters):

@@ -9,7 +9,6 @@ rule judge_claims:
         inputs=f"{CONFIG}/inputs.yaml",
         default=settings["calibrated"],
         calibrated=CALIBRATED,
-        earlier=f"{CONFIG}/earlier_predictions.yaml",
         templates=[project_file(f"src/thirdbody/study/claims.{kind}.j2") for kind in ("md", "html")],
     output:
         table="<results>/claims/claims.csv",

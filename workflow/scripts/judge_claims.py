@@ -1,7 +1,6 @@
 """The verdict on every statement of the paper, as a table, as pages and as data."""
 
 from thirdbody.configuration.inputs import ensemble_of, read_calibrated, read_entries
-from thirdbody.configuration.schema import read_valid
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
@@ -32,11 +31,7 @@ with logged(snakemake.log[0]):
         if found[path]["interpretation"] in settings["interpretations"]
     ]
     judged = judge_everything(judge_all, main, compared, settings)
-    contents = (
-        claims_markdown(judged, read_valid(snakemake.input.earlier, "earlier_predictions")),
-        claims_html(judged),
-        claims_json(judged),
-    )
+    contents = claims_markdown(judged), claims_html(judged), claims_json(judged)
     with atomic_write(
         snakemake.output.table, snakemake.output.text, snakemake.output.page, snakemake.output.data
     ) as (table_part, *parts):

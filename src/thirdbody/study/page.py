@@ -5,9 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
-from typing import Any
 
-import numpy as np
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
@@ -21,17 +19,13 @@ from thirdbody.study.verdicts import (
     counts_by_figure,
     explanation,
     headline_table,
-    held_once,
     number_ranges,
     once,
 )
 
 
-def claims_markdown(judged: Judged, earlier: Mapping[str, Any]) -> str:
-    """The page ``claims.md``: first what is understood in two minutes, then every statement.
-
-    ``earlier`` is the content of ``config/earlier_predictions.yaml``.
-    """
+def claims_markdown(judged: Judged) -> str:
+    """The page ``claims.md``: first what is understood in two minutes, then every statement."""
     table = judged.table
     numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
@@ -45,9 +39,7 @@ def claims_markdown(judged: Judged, earlier: Mapping[str, Any]) -> str:
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         inputs=_inputs(judged.default),
         contradictions=_contradictions(judged),
-        earlier_note=earlier["note"].strip(),
-        earlier=earlier_table(judged, earlier),
-        counts=counts_by_figure(table),
+        counts=counts_by_figure(judged),
         comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
         statements=_statements(table),
         failing=failing.to_dict("records"),
@@ -64,12 +56,11 @@ def claims_html(judged: Judged) -> str:
 def claims_json(judged: Judged) -> str:
     """The same for programs: a JSON object, with null for numbers that do not exist.
 
-    A statement has the columns of the table ``claims``, with ``curves``, ``references``, ``loads``,
-    ``published``, all ``numbers`` that are compared with the ``range`` of each over the ensemble, and
-    ``contradicts`` as objects and lists, SI.
+    A statement has the columns of the table ``claims``, the last ones as lists and objects, SI, and the range
+    of each of its numbers over the ensemble.
     """
-    held, of = held_once(judged.table)
-    predicted, tested = held_once(judged.table, "predicted")
+    held, of = count_once(judged.claims, judged.verdicts)
+    predicted, tested = count_once(judged.claims, judged.default_predicted)
     rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "score": score_sentence(judged).replace("**", ""),
@@ -101,8 +92,8 @@ def claims_json(judged: Judged) -> str:
 
 def score_sentence(judged: Judged) -> str:
     """How many statements hold: predicted, fitted, and with fainter turning points."""
-    held, of = held_once(judged.table)
-    right, tested = held_once(judged.table, "predicted")
+    held, of = count_once(judged.claims, judged.verdicts)
+    right, tested = count_once(judged.claims, judged.default_predicted)
     predicted = (
         f"Of {tested} distinct statements {right} are predicted when their figure is left out of the search. "
         if tested
@@ -126,29 +117,6 @@ def _wider_tolerances(judged: Judged) -> str:
             text = f"{100 * size:g} %" if claim.relative else f"{size:g}"
             wider[text] = claim.place.split(", section")[0]
     return " or ".join(f"within {text} ({place})" for text, place in wider.items())
-
-
-def earlier_table(judged: Judged, earlier: Mapping[str, Any]) -> pd.DataFrame:
-    """What earlier calibrations had predicted for numbers that were not known to them.
-
-    Predictions within the tolerance of the statement are marked ✓.
-    """
-    claims = {claim.id: claim for claim in judged.claims if claim.id in earlier["numbers"]}
-    rows = [{"set": "**paper**"} | {id: f"{each.published:g}" for id, each in claims.items()}]
-    for name, values in earlier["sets"].items():
-        found = {id: _prediction(each, values[id]) for id, each in claims.items()}
-        rows.append({"set": name} | found)
-    return pd.DataFrame(rows).rename(columns=earlier["numbers"])
-
-
-def _prediction(claim, value) -> str:
-    """A predicted number, or both ends of a range, with a mark if it is within the tolerance."""
-    if value is None:
-        return "none"
-    ends = np.unique(value)
-    width = claim.tolerance * (abs(claim.published) if claim.relative else 1.0)
-    mark = " ✓" if (abs(ends - claim.published) <= width).all() else ""
-    return " to ".join(f"{end:g}" for end in ends) + mark
 
 
 def _inputs(default: Mapping) -> pd.DataFrame:

@@ -36,12 +36,11 @@ Verdicts = Mapping[str, Verdict]  # by the id of the statement
 class Judged:
     """All statements, judged under all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``.
-    ``verdicts`` are those under the inputs of the calibrated file with the content ``default``, and
-    ``faint`` those where turning points count from ``FAINT`` on; ``members`` those of its ensemble;
-    ``changed`` those with one unknown changed, by what is changed; ``interpretations`` those of the
-    inputs of each interpretation, by name, and ``predicted`` those on statements when their figure was
-    left out.  ``comparison`` is the table from ``compare``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file whose
+    inputs are the default.  ``verdicts`` are those under these inputs, ``faint`` those where turning points
+    count from ``FAINT`` on, ``members`` those of its ensemble, ``changed`` those with one unknown changed, by
+    what is changed.  ``interpretations`` has those of the inputs of each interpretation, ``predicted`` those on
+    statements when their figure was left out, and ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -60,6 +59,11 @@ class Judged:
         """Their ``statements_table``, made once."""
         return statements_table(self)
 
+    @property
+    def default_predicted(self) -> Verdicts:
+        """Those of ``predicted`` by the interpretation of the default."""
+        return self.predicted.get(self.default["interpretation"], {})
+
 
 def judge_everything(
     judge_all: Judge,
@@ -67,11 +71,8 @@ def judge_everything(
     contents: Sequence[Mapping[str, Any]],
     settings: Mapping[str, Any],
 ) -> Judged:
-    """Judge all statements under all sets of inputs.
-
-    ``default`` is the content of the calibrated file whose inputs are the default, ``contents`` those
-    of all interpretations, ``settings`` that of ``config/calibration.yaml``.
-    """
+    """Judge all statements under all sets of inputs: ``contents`` are those of the calibrated files of all
+    interpretations, all else is as in ``Judged``."""
     inputs = judge_all.base | default["inputs"]
     changed = {}
     for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
@@ -99,10 +100,8 @@ def judge_everything(
 
 
 def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
-    """Judge each statement by the inputs that were found without its figure.
-
-    ``content`` is that of a calibrated file; without a cross-validation in it nothing is judged.
-    """
+    """Judge each statement by the inputs that were found without its figure, by the ``content`` of a
+    calibrated file; without a cross-validation in it nothing is judged."""
     entries = content.get("folds", ())
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
@@ -121,9 +120,7 @@ def compare(
     """Compare the interpretations, in the order of the rule that chooses the default.
 
     The rule: most statements predicted when their figure was left out, then the most plausible
-    inputs, then the fewest unknowns.  A row has the predicted and the fitted statements, repeats counted
-    once, the penalty of the inputs for being unusual, the number of unknowns, the objective, and what is
-    computed for the headline numbers; ``predicted_fraction`` is nan without a cross-validation.
+    inputs, then the fewest unknowns.  ``predicted_fraction`` is nan without a cross-validation.
     """
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
@@ -170,51 +167,36 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
 
 
 def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
-    """``held_once`` of those claims that have a verdict."""
-    some = [claim for claim in claims if claim.id in verdicts]
-    rows = [(claim.id, claim.cluster, outcome(claim, verdicts[claim.id])) for claim in some]
-    return held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
+    """Statements that hold and those judged; a cluster counts once, as held if all tested in it hold."""
+    held: dict[str, bool] = {}
+    for claim in claims:
+        word = outcome(claim, verdicts[claim.id]) if claim.id in verdicts else NOT_TESTED
+        if word in (HOLDS, FAILS):
+            held[claim.counted_as] = held.get(claim.counted_as, True) and word == HOLDS
+    return sum(held.values()), len(held)
 
 
-def held_once(table: pd.DataFrame, column: str = "verdict") -> tuple[int, int]:
-    """Statements that hold and those judged; a cluster counts once, as held if all tested in it hold.
-
-    ``table`` has ``id``, ``cluster`` and the word for a verdict in ``column``.
-
-    Examples
-    --------
-    >>> rows = [("a", "x", HOLDS), ("b", "x", FAILS), ("c", "", HOLDS), ("d", "", NOT_TESTED)]
-    >>> held_once(pd.DataFrame(rows, columns=["id", "cluster", "verdict"]))
-    (1, 2)
-    """
-    tested = table[table[column].isin([HOLDS, FAILS])]
-    names = tested["cluster"].replace("", None).fillna(tested["id"])
-    held = (tested[column] == HOLDS).groupby(names).all()
-    return int(held.sum()), len(held)
-
-
-def counts_by_figure(table: pd.DataFrame) -> pd.DataFrame:
-    """How many rows of a ``statements_table`` have each verdict, by part of the paper."""
-    part = table["place"].map(part_of_paper).rename("figure")
+def counts_by_figure(judged: Judged) -> pd.DataFrame:
+    """How many statements have each verdict, by part of the paper."""
+    part = judged.table["place"].map(part_of_paper).rename("figure")
     words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
-    counts = pd.crosstab(part, table["verdict"]).reindex(
-        index=part.unique(), columns=words, fill_value=0
-    )
-    held = table.groupby(part).apply(lambda rows: "{} of {}".format(*held_once(rows)))
+    counts = pd.crosstab(part, judged.table["verdict"])
+    counts = counts.reindex(index=part.unique(), columns=words, fill_value=0)
+    parts = [
+        [claim for claim in judged.claims if part_of_paper(claim.place) == name]
+        for name in counts.index
+    ]
+    held = ["{} of {}".format(*count_once(claims, judged.verdicts)) for claims in parts]
     return counts.assign(**{"hold, repeats once": held}).reset_index()
 
 
 def statements_table(judged: Judged) -> pd.DataFrame:
-    """The table ``claims``: a row for each statement, in the order of the paper.
-
-    Columns are those of ``thirdbody.data.tables.TABLES["claims"]``.
-    """
-    predicted = judged.predicted.get(judged.default["interpretation"], {})
+    """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
     rows = []
     for claim in judged.claims:
         verdict = judged.verdicts[claim.id]
         low, high = number_ranges(judged, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
-        left_out = predicted.get(claim.id)
+        left_out = judged.default_predicted.get(claim.id)
         rows.append(
             {
                 "id": claim.id,
@@ -280,10 +262,8 @@ def _range_text(judged: Judged, id: str) -> str:
 
 
 def number_ranges(judged: Judged, id: str) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2).
-
-    Ends are in the unit of the quantity, and nan without a member that has the number.
-    """
+    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2), nan without a member
+    that has the number."""
     members = [each[id].numbers for each in judged.members if each[id].numbers]
     places = range(len(judged.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
@@ -299,13 +279,7 @@ def published_text(claim: Claim) -> str:
 
 
 def once(text: str) -> str:
-    """A list of results, reduced to one if all are the same.
-
-    Examples
-    --------
-    >>> once("0.2, 0.2"), once("0.2, 0.3")
-    ('0.2', '0.2, 0.3')
-    """
+    """A list of results, reduced to one if all are the same: ``0.2, 0.2`` to ``0.2``."""
     parts = text.split(", ")
     return parts[0] if len(set(parts)) == 1 else text
 
