@@ -13,7 +13,7 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import Curve, TurningPoint
+from thirdbody.study.evidence import FULL_EFFORT, Curve, TurningPoint
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -58,7 +58,8 @@ def judged(claim, curve=None, turning_point=None, window=None):
     answer = curve if callable(curve) else lambda condition: curve
     names = "curves", "turning_points", "windows"
     answers = map(Answers, (answer, turning_point, window))
-    return judge(claim, SimpleNamespace(**dict(zip(names, answers, strict=True))))
+    evidence = dict(zip(names, answers, strict=True))
+    return judge(claim, SimpleNamespace(**evidence, effort=FULL_EFFORT))
 
 
 def by_viscosity(*curves):

@@ -42,10 +42,8 @@ TINY = 1e-300  # least argument of logarithms, so that vanished quantities can b
 
 
 class Measured(NamedTuple):
-    """What a check finds: a text, the distance from what is published in tolerances [1], and numbers.
-
-    ``deviation`` is that of the number farthest off, ``numbers[worst]``; nan where there is none.
-    """
+    """What a check finds: a text, the distance from what is published in tolerances [1], and numbers, of which
+    ``worst`` is farthest off, by ``deviation``; that is nan where there is none."""
 
     text: str
     distance: float
@@ -58,11 +56,11 @@ class Verdict(NamedTuple):
     """Result of judging a claim.
 
     ``computed`` is what the model gives, as text; ``numbers`` are those compared with published ones
-    [unit of the quantity], of which number ``worst`` is farthest off.  ``deviation`` is computed minus
-    published, relative [1] if the claim's tolerance is.  ``score`` is the distance from what is
-    published in tolerances [1], 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one
-    bad miss does not outweigh everything else in a sum.  A claim is ``tested`` if the model reaches its
-    condition within the loads, and ``holds`` if it is tested and the score is at most 1.
+    [unit of the quantity], of which ``worst`` is farthest off, by ``deviation``: computed minus published,
+    relative [1] if the tolerance is.  ``score`` is the distance from what is published in tolerances [1],
+    1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one bad miss does not outweigh all
+    else.  A claim is ``tested`` if the model reaches its condition within the loads, and ``holds`` if it is
+    tested and the score is at most 1.
     """
 
     computed: str
@@ -80,18 +78,13 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim; the argument is by how much.
-
-    It is in the unit of the bound, or the logarithm of the ratio of two loads.
-    """
+    """No load of a curve is within the bounds of a claim; the argument is by how much, in the unit of the
+    bound, or the logarithm of the ratio of two loads."""
 
 
 class Judge:
-    """Judges the same statements under any set of inputs.
-
-    ``base`` has the inputs that a set does not give, fields of ``Parameters`` in SI; ``newtons`` are the
-    first and last normal load of every curve [N].
-    """
+    """Judges the same statements under any inputs: ``base`` has those that a set of inputs does not give, fields
+    of ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
 
     def __init__(
         self, claims: Sequence[Claim], base: Mapping[str, Any], newtons: tuple[float, float]
@@ -104,39 +97,24 @@ class Judge:
         self,
         inputs: Mapping[str, Any],
         effort: Effort = FULL_EFFORT,
-        prominence: float = PROMINENCE,
         claims: Sequence[Claim] | None = None,
     ) -> dict[str, Verdict]:
-        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI.
-
-        A turning point counts if it stands out by ``prominence`` [1].  Verdicts are in the order of the
-        statements, by their ids.  Inputs that are not physical raise ``ValueError``.
-        """
-        some = self.claims if claims is None else tuple(claims)
-        if prominence != PROMINENCE:
-            some = [_at_prominence(claim, prominence) for claim in some]
-            effort = replace(effort, window=replace(effort.window, prominence=prominence))
-        evidence = SolvedEvidence(
-            Parameters(**{**self.base, **inputs}),
-            referenced_conditions(some),
-            self._newtons,
-            effort,
-        )
-        return {claim.id: judge(claim, evidence, prominence) for claim in some}
+        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI: verdicts by
+        the ids of the statements, in their order.  Inputs that are not physical raise ``ValueError``."""
+        some = self.claims if claims is None else claims
+        prominence = effort.window.prominence
+        if prominence != PROMINENCE:  # then it is also the tolerance of what is said of maxima
+            some = [
+                replace(claim, tolerance=prominence) if claim.is_about_a_maximum else claim
+                for claim in some
+            ]
+        parameters = Parameters(**{**self.base, **inputs})
+        evidence = SolvedEvidence(parameters, referenced_conditions(some), self._newtons, effort)
+        return {claim.id: judge(claim, evidence) for claim in some}
 
 
-def _at_prominence(claim: Claim, prominence: float) -> Claim:
-    """The claim with this tolerance, if it is about the existence of a turning point."""
-    is_peak = claim.kind == "absence" or claim.direction == "rising_then_falling"
-    return replace(claim, tolerance=prominence) if is_peak else claim
-
-
-def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE) -> Verdict:
-    """Compare the model with a statement of the paper.
-
-    ``evidence`` has at least what the claim refers to; a turning point counts if it stands out by
-    ``prominence`` [1].
-    """
+def judge(claim: Claim, evidence: SolvedEvidence) -> Verdict:
+    """Compare the model with a statement of the paper; ``evidence`` has at least what it refers to."""
     try:
         found = CHECKS[claim.kind](claim, evidence)
         tested = _is_within_the_loads(claim, evidence)
@@ -147,11 +125,11 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
         found = Measured(text, 2.0 + lack / BOUND_TOLERANCE, np.nan)
     text, distance = found.text, found.distance
     if claim.source == "turning_point":
-        heights = [evidence.turning_points[each].prominence for each in claim.all_curves]
-        least = np.min(heights)
-        if not least >= prominence:
+        least = np.min([evidence.turning_points[each].prominence for each in claim.all_curves])
+        wanted = evidence.effort.window.prominence
+        if not least >= wanted:
             text += f"; stands out by {least:.2g}"
-        distance = np.maximum(distance, _faintness(least / prominence))
+        distance = np.maximum(distance, _faintness(least / wanted))
     score = MISSING_SCORE
     if not np.isnan(distance):
         score = float(min(min(distance, 1.0) + np.log(max(distance, 1.0)), MISSING_SCORE))
@@ -161,11 +139,7 @@ def judge(claim: Claim, evidence: SolvedEvidence, prominence: float = PROMINENCE
 
 
 def _is_within_the_loads(claim: Claim, evidence) -> bool:
-    """Whether a claim on loads can be decided, as a load beyond the last one is only known to be larger.
-
-    A published number is missed if the last load already misses it; curves have no known order if the
-    loads of two neighbours are beyond.
-    """
+    """Whether a claim on loads can be decided, as a load beyond the last one is only known to be larger."""
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
     last = evidence.curves[claim.curves[0]].load[-1]
@@ -173,12 +147,13 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
         return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
     loads = _scalars(claim, evidence)
     beyond = loads >= last
-    if claim.along:
+    if claim.along:  # the order of two neighbours beyond is not known
         return not (beyond[1:] & beyond[:-1]).any()
     if claim.kind == "reach":
         return not beyond.all()
     if claim.published is None or not beyond.any():
         return not beyond.any()
+    # a published number is missed if the last load already misses it
     return bool(_against_published(claim, np.minimum(loads, last), "").distance > 1.0)
 
 
@@ -361,11 +336,8 @@ def _mixed_loads(claim, evidence):
 
 
 def _departure_sharpness(claim, evidence):
-    """How suddenly H_c leaves that of the reference as the load grows [1].
-
-    It is the greatest change of the slope of ln(H_c/H_c,reference) over ln F_t* within a tenth of a
-    decade, over the greatest slope: 1 at a kink.
-    """
+    """How suddenly H_c leaves that of the reference [1]: the greatest change of the slope of their ratio on
+    logarithmic axes within a tenth of a decade, over the greatest slope; 1 at a kink."""
     found = []
     for dry, wet in _pairs(claim, evidence):
         log_load = np.log(wet.load)
@@ -433,11 +405,8 @@ def _loads(claim, curves, bounded):
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero: the first one if they start below.
-
-    If they never do, they are continued by their last slope, for a decade at most, so that the result
-    does not jump when inputs change.
-    """
+    """Load at which ``values`` first fall to zero: the first one if they start below; if they never do, they are
+    continued by their last slope, for a decade at most, so that nothing jumps when inputs change."""
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan
@@ -479,8 +448,8 @@ def _peak_height(values):
 def _peak_miss(values, step):
     """By how much a course of ratios misses an interior maximum of two steps.
 
-    Where there is no maximum, the miss also counts how far the course is from turning, by the slope
-    of ln(v/(1 - v)), so that a calibration has a slope to follow.
+    Where there is none, how far the course is from turning counts too, by the slope of ln(v/(1 - v)), so
+    that a calibration has a slope to follow.
     """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
@@ -509,9 +478,8 @@ COURSES = {
 def _sequence_miss(claim, curve):
     """How far a curve leaves the published states, passed in turn.
 
-    The points of the curve are divided among the steps in turn, each with at least one point.  The
-    miss is the largest excursion of a point from its step, in the division where this is least.
-    Each step must also be met: it must contain a point, and by one tolerance for a miss of 0.
+    The points of the curve are divided among the steps in turn, so that the largest excursion of a point
+    from its step is least: the miss.  Each step must have a point, and be met by one tolerance for a miss of 0.
     """
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():

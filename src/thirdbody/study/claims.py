@@ -59,9 +59,8 @@ STATES = {
 class Claim:
     """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
 
-    ``conditions`` and ``reference`` have keys that name their units.  ``tolerance`` is a fraction of the
-    quantity [1] if ``relative``, else in the unit of the quantity; ``reason`` is the reason for it.
-    Fields that an entry does not have are empty.
+    ``tolerance`` is a fraction of the quantity [1] if ``relative``, else in the unit of the quantity, for the
+    ``reason``.  Fields that an entry does not have are empty.
     """
 
     id: str
@@ -134,6 +133,11 @@ class Claim:
         return self.cluster or self.id
 
     @property
+    def is_about_a_maximum(self) -> bool:
+        """Whether it says that A_sa,t* turns, or does not."""
+        return self.kind == "absence" or self.direction == "rising_then_falling"
+
+    @property
     def source(self) -> str:
         """What of ``thirdbody.study.evidence.SolvedEvidence`` the claim refers to."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
@@ -147,32 +151,14 @@ class Claim:
 
 
 def figures_named(place: str) -> frozenset[int]:
-    """Numbers of the figures that the place of a statement names.
-
-    Examples
-    --------
-    >>> sorted(figures_named("Figures 4B and 5C")), sorted(figures_named("Figures 4 to 7"))
-    ([4, 5], [4, 5, 6, 7])
-    """
+    """Numbers of the figures that the place of a statement names, as "Figures 4B and 5C" or "Figures 4 to 7"."""
     ends = FIGURES.findall(place)
     return frozenset().union(*(range(int(one), int(last or one) + 1) for one, last in ends))
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in the order of a file after ``config/claims.schema.yaml``.
-
-    Raises
-    ------
-    ValueError
-        In one line: the file, the id and the key at fault, its value and what is allowed.
-
-    Examples
-    --------
-    >>> from thirdbody.configuration.schema import config_directory
-    >>> claim = load_claims(config_directory() / "claims.yaml")[0]
-    >>> claim.kind, claim.published
-    ('mode_sequence', ['particle_surface', 'hybrid', 'surface_surface'])
-    """
+    """Read the statements of the paper, in their order; ``ValueError`` in one line for a file that does not keep
+    to ``config/claims.schema.yaml``."""
     claims = []
     for entry in read_valid(path, "claims"):
         relative = "relative" in entry["tolerance"]
@@ -183,10 +169,8 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """What must be solved to judge ``claims``, as ``SolvedEvidence`` takes it.
-
-    It is a set of ``Condition`` for ``curve`` and ``turning_point``, of sigma [m] for ``window``.
-    """
+    """What must be solved to judge ``claims``, as ``SolvedEvidence`` takes it: a set of ``Condition`` for ``curve``
+    and ``turning_point``, of sigma [m] for ``window``."""
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
         for condition in claim.all_curves:

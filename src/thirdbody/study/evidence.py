@@ -53,10 +53,8 @@ class Curve:
 
 
 class TurningPoint(NamedTuple):
-    """The most prominent interior maximum of A_sa,t* over the load; nan where there is none.
-
-    F_TPCA*, A_sa,t* and L_s there, and by how much it stands out on both sides [1].
-    """
+    """The most prominent interior maximum of A_sa,t* over the load: F_TPCA*, A_sa,t* and L_s there, and by how
+    much it stands out on both sides [1]; nan where there is none."""
 
     load: float
     peak_ratio: float
@@ -85,17 +83,8 @@ SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VAR
 class SolvedEvidence:
     """Curves, turning points and windows for one set of inputs, solved when first asked for.
 
-    ``asked`` says what can be asked for (``thirdbody.study.claims.referenced_conditions``), ``newtons``
-    are the first and last normal load of every curve [N].
-
-    Examples
-    --------
-    >>> from thirdbody import load_parameters
-    >>> dry = Condition(0.0, 300e-9, 300e-9, 1e11)
-    >>> asked = {"curve": {dry}, "turning_point": {dry}, "window": set()}
-    >>> evidence = SolvedEvidence(load_parameters(), asked, (0.04, 80.0), QUICK_EFFORT)
-    >>> evidence.curves[dry].total_contact_area.shape, evidence.turning_points[dry].prominence > 0.02
-    ((60,), True)
+    ``asked`` is what ``thirdbody.study.claims.referenced_conditions`` gives, ``newtons`` the first and last
+    normal load of every curve [N].
     """
 
     parameters: Parameters

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -21,7 +21,7 @@ from thirdbody.data.spread import spread
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import QUICK_EFFORT
+from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
@@ -90,7 +90,9 @@ def judge_everything(
         settings,
         default,
         judge_all(inputs),
-        judge_all(inputs, prominence=FAINT),
+        judge_all(
+            inputs, replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
+        ),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
         changed,
         interpretations,
