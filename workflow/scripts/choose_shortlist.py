@@ -5,7 +5,7 @@ from pathlib import Path
 
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-from thirdbody.study.record import read_rows
+from thirdbody.study.calibration import read_rows
 from thirdbody.study.results import shortlist
 
 with logged(snakemake.log[0]):

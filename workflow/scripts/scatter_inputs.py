@@ -3,9 +3,8 @@
 import numpy as np
 
 from thirdbody.job_log import logged
-from thirdbody.study.calibration import Interpretation, Objective
+from thirdbody.study.calibration import Interpretation, Objective, write_rows
 from thirdbody.study.claims import load_claims
-from thirdbody.study.record import write_rows
 from thirdbody.study.search import scatter
 
 with logged(snakemake.log[0]):

@@ -3,9 +3,8 @@
 import numpy as np
 
 from thirdbody.job_log import logged
-from thirdbody.study.calibration import Interpretation, Objective, make_folds
+from thirdbody.study.calibration import Interpretation, Objective, make_folds, read_rows, write_rows
 from thirdbody.study.claims import load_claims
-from thirdbody.study.record import read_rows, write_rows
 from thirdbody.study.search import search
 
 

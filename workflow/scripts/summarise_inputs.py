@@ -4,10 +4,9 @@ import yaml
 
 from thirdbody.data.files import atomic_write
 from thirdbody.job_log import logged
-from thirdbody.study.calibration import Interpretation
+from thirdbody.study.calibration import Interpretation, read_rows
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
-from thirdbody.study.record import read_rows
 from thirdbody.study.results import summary
 
 with logged(snakemake.log[0]):

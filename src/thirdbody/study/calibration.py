@@ -14,11 +14,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from thirdbody.data.files import atomic_write
 from thirdbody.study.checks import MISSING_SCORE, Judge
 from thirdbody.study.claims import Claim
 from thirdbody.study.evidence import QUICK_EFFORT
@@ -29,11 +31,8 @@ SLOPE_OF_LOSS = 0.1
 
 @dataclass(frozen=True)
 class Unknown:
-    """An input of the model that is to be found, a field of ``Parameters``.
-
-    Values between ``bounds`` are tried; those beyond the ``usual`` range are penalised [unit of the
-    input].
-    """
+    """An input of the model that is to be found, a field of ``Parameters``: values between ``bounds`` are tried,
+    those beyond the ``usual`` range are penalised [unit of the input]."""
 
     name: str
     bounds: tuple[float, float]
@@ -41,14 +40,7 @@ class Unknown:
     logarithmic: bool
 
     def value(self, position: float) -> float:
-        """Value of the input at a position between 0 and 1.
-
-        Examples
-        --------
-        >>> radius = Unknown("summit_radius", (1e-6, 1e-2), (1e-5, 1e-4), logarithmic=True)
-        >>> round(radius.value(0.5), 12)
-        0.0001
-        """
+        """Value of the input at a position between 0 and 1."""
         low, high = self.bounds
         if self.logarithmic:
             return float(low * (high / low) ** position)
@@ -62,10 +54,8 @@ class Unknown:
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Square of the distance of a value beyond the usual range [1], 0 within it.
-
-        It is counted in decades if the scale is logarithmic, else in widths of the range.
-        """
+        """Square of the distance of a value beyond the usual range, 0 within it: in decades if the scale is
+        logarithmic, else in widths of the range [1]."""
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -74,10 +64,8 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """One interpretation of the printed equations: inputs that it fixes, SI, and those to be found.
-
-    ``name`` is its key in ``config/calibration.yaml``; ``unknowns`` are in the order of the positions.
-    """
+    """One interpretation of the printed equations, by its name in ``config/calibration.yaml``: inputs that it
+    fixes, SI, and those to be found, in the order of the positions."""
 
     name: str
     fixed: dict[str, Any]
@@ -85,7 +73,7 @@ class Interpretation:
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
-        """Take an interpretation from ``settings``, the content of ``config/calibration.yaml``."""
+        """Take an interpretation from the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
         unknowns = []
         for each in (*settings["always"], *entry.get("unknowns", ())):
@@ -111,10 +99,8 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """What a calibration minimises: losses of the statements, and penalties for unusual inputs.
-
-    ``judge`` has the statements that the inputs are fitted to, ``weights`` the weight of each [1].
-    """
+    """What a calibration minimises: losses of the statements, each with its weight [1], and penalties for
+    unusual inputs."""
 
     judge: Judge
     weights: NDArray[np.float64]
@@ -130,10 +116,10 @@ class Objective:
     ) -> Objective:
         """Make the objective over ``claims``, without those that stand aside.
 
-        The weight of a statement is that of its kind, shared among the statements of its cluster.
-        ``settings`` is the content of ``config/calibration.yaml``, ``base`` has the inputs that are
-        neither fixed nor searched.  The weight of the statement with the id ``emphasised``, and of
-        those that repeat it, is multiplied by ``emphasis``.
+        The weight of a statement is that of its kind, shared among the statements of its cluster; that of
+        the statement with the id ``emphasised``, and of those that repeat it, is multiplied by ``emphasis``.
+        ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are neither
+        fixed nor searched.
         """
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
@@ -180,23 +166,18 @@ def loss(score: ArrayLike) -> ArrayLike:
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
-@dataclass(frozen=True)
-class Fold:
-    """One part of the cross-validation.
-
-    ``judged`` are the statements of some figures, left out of the search and judged by its result;
-    ``fitted`` those that neither refer to one of these figures nor repeat or contradict a judged one.
-    """
+class Fold(NamedTuple):
+    """One part of the cross-validation: the statements of some figures are left out of the search and
+    ``judged`` by its result; those ``fitted`` neither refer to these figures nor repeat or contradict a judged
+    one."""
 
     judged: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
 
 
 def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
-    """Divide the statements into folds, so that each is judged once by inputs that never saw it.
-
-    A statement is judged in the fold whose ``figures`` have its first figure.
-    """
+    """Divide the statements into folds: each is judged once, in the fold whose ``figures`` have its first
+    figure, by inputs that never saw it."""
     folds = []
     for part in map(set, figures):
         judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
@@ -209,3 +190,14 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
         )
         folds.append(Fold(judged, fitted))
     return folds
+
+
+def write_rows(path: Path, rows: NDArray[np.float64]) -> None:
+    """Write positions and objectives, shape (rows, unknowns + 1), with all their digits."""
+    with atomic_write(path) as part:
+        np.savetxt(part, rows, fmt="%.17g", delimiter=",")
+
+
+def read_rows(path: Path) -> NDArray[np.float64]:
+    """What ``write_rows`` wrote."""
+    return np.loadtxt(path, delimiter=",", ndmin=2)

@@ -33,9 +33,9 @@ def summary(
     """Sum up the searches of an interpretation, as the content of its calibrated file, SI.
 
     ``inputs`` are those of the acceptable sets under which most statements hold, and of these the most
-    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, arrays of shape
-    (rows, unknowns + 1): the search of each seed over all statements, what was drawn from each seed, and
-    the search of each fold; the last two only of the shortlist.  ``judge_all`` has all statements.
+    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, shape (rows, unknowns + 1):
+    of each seed its search over all statements and what was drawn, and of each fold its search; the last
+    two only of the shortlist.  ``judge_all`` has all statements.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -78,13 +78,7 @@ def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float
 
 
 def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]:
-    """The interpretations worth a long search, by their least objectives, best first.
-
-    Examples
-    --------
-    >>> shortlist({"a": 70.0, "b": 58.0, "c": 61.0, "d": 90.0}, within=20.0, most=2)
-    ['b', 'c']
-    """
+    """The interpretations worth a long search, by their least objectives, best first."""
     ranking = sorted(least, key=least.__getitem__)
     return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
@@ -116,9 +110,8 @@ def price_front(
     """What the other statements lose as the one with the id ``name`` comes to hold: a Pareto front.
 
     ``rows``, shape (evaluations, unknowns + 1), are a search in which the weight of this statement was
-    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``.  Of each
-    point it has the score of the statement, and the objective without it and those that repeat it; no
-    other set of inputs that was judged is better in both.
+    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``; each of its
+    points is the score of the statement and the objective without it and those that repeat it.
     """
     place = [claim.id for claim in objective.claims].index(name)
     cluster = objective.claims[place].counted_as
@@ -140,13 +133,12 @@ def price_front(
 def mixed_ensemble(
     contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """An ensemble of ``size`` members over all interpretations that predict about as much as the best.
+    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each.
 
     An interpretation has a place if its mean fraction is at most one standard deviation of the folds
     of the default below that of the default, and a number of members in proportion to its fraction.
-    ``contents`` are those of calibrated files, that of the default first; ``fractions`` has for each
-    interpretation that was cross-validated the fraction of the statements that is predicted in each
-    fold.  Returned are the inputs of the members, SI, and the interpretation of each.
+    ``contents`` are those of calibrated files, that of the default first; ``fractions`` has for each that
+    was cross-validated the fraction of the statements that is predicted in each fold.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]

@@ -25,9 +25,9 @@ def posterior_sample(
 ) -> NDArray[np.float64]:
     """Draw sets of inputs with a density of exp(-objective), by an ensemble of walkers.
 
-    Walkers start from the best of the ``evaluations`` of a search, shape (evaluations, unknowns + 1).
-    ``budget`` says how many ``walkers`` make how many ``steps``; the first quarter is dropped.  The same
-    ``seed`` gives the same result: positions and, in the last column, the objective there [1].
+    Walkers start from the best of the ``evaluations`` of a search; ``budget`` says how many ``walkers`` make how
+    many ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same result: positions
+    and, in the last column, the objective there [1], shape (rows, unknowns + 1).
 
     Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
     doi:10.1007/s11222-008-9104-9.

@@ -40,10 +40,9 @@ def search(
     """Search the unknowns of an interpretation, two at least, for the least objective.
 
     A CMA evolution strategy descends from the position ``start``, and saves evaluations by a quadratic
-    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations``
-    for each unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same
-    result: positions, and in the last column the objective there [1], shape (evaluations, unknowns + 1),
-    in the order of evaluation.
+    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations`` for each
+    unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same result: positions
+    and, in the last column, the objective there [1], in the order of evaluation.
     """
     rows = []
 
