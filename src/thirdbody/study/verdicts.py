@@ -18,6 +18,7 @@ import pandas as pd
 
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.spread import spread
+from thirdbody.data.tables import TABLES
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim
@@ -26,6 +27,7 @@ from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
 FAINT = 0.01  # half of PROMINENCE, under which the counts are reported too
+FAINT_EFFORT = replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
 LEAST_GAIN = 0.01  # smaller improvements of a score are not reported
 CHANGE = 0.08  # by how much an input is changed on its own, as a fraction of its bounds
 NO_RANGE = (np.nan, np.nan)
@@ -90,9 +92,7 @@ def judge_everything(
         settings,
         default,
         judge_all(inputs),
-        judge_all(
-            inputs, replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
-        ),
+        judge_all(inputs, FAINT_EFFORT),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
         changed,
         interpretations,
@@ -149,14 +149,9 @@ def compare(
                 if id in verdicts
             }
         )
-    rows.sort(
-        key=lambda row: (
-            -np.nan_to_num(row["predicted_fraction"], nan=-1.0),
-            row["penalty"],
-            row["inputs"],
-        )
-    )
-    return pd.DataFrame(rows)
+    order = ["predicted_fraction", "penalty", "inputs"]
+    table = pd.DataFrame(rows, columns=None if rows else order)
+    return table.sort_values(order, ascending=[False, True, True], ignore_index=True)
 
 
 def outcome(claim: Claim, verdict: Verdict) -> str:
@@ -194,41 +189,35 @@ def counts_by_figure(judged: Judged) -> pd.DataFrame:
 
 def statements_table(judged: Judged) -> pd.DataFrame:
     """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
-    rows = []
-    for claim in judged.claims:
-        verdict = judged.verdicts[claim.id]
-        low, high = number_ranges(judged, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
-        left_out = judged.default_predicted.get(claim.id)
-        rows.append(
-            {
-                "id": claim.id,
-                "place": claim.place,
-                "statement": claim.statement,
-                "quote": claim.quote,
-                "kind": claim.kind,
-                "curves": claim.curves_text,
-                "published": published_text(claim),
-                "computed": verdict.computed,
-                "value": verdict.value,
-                "range_low": float(low),
-                "range_high": float(high),
-                "deviation": verdict.deviation,
-                "tolerance": claim.tolerance,
-                "tolerance_kind": "relative" if claim.relative else "absolute",
-                "score": verdict.score,
-                "verdict": outcome(claim, verdict),
-                "predicted": "" if left_out is None else outcome(claim, left_out),
-                "ensemble_agree": _agreeing(judged.members, claim.id, verdict),
-                "ensemble_size": len(judged.members),
-                "interpretations_agree": _agreeing(
-                    judged.interpretations.values(), claim.id, verdict
-                ),
-                "interpretations_size": len(judged.interpretations),
-                "cluster": claim.cluster,
-                "contradicts": " ".join(claim.contradicts),
-            }
-        )
-    return pd.DataFrame(rows)
+    claims = judged.claims
+    verdicts = [judged.verdicts[claim.id] for claim in claims]
+    predicted = judged.default_predicted
+    ranges = [
+        number_ranges(judged, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
+        for claim, verdict in zip(claims, verdicts, strict=True)
+    ]
+    range_low, range_high = np.transpose(ranges)
+    sets = {"ensemble": judged.members, "interpretations": judged.interpretations.values()}
+    table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
+    table = table.assign(
+        curves=[claim.curves_text for claim in claims],
+        published=[published_text(claim) for claim in claims],
+        value=[verdict.value for verdict in verdicts],
+        range_low=range_low,
+        range_high=range_high,
+        tolerance_kind=np.where(table["relative"], "relative", "absolute"),
+        verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
+        predicted=[
+            outcome(claim, predicted[claim.id]) if claim.id in predicted else "" for claim in claims
+        ],
+        contradicts=[" ".join(claim.contradicts) for claim in claims],
+        **{
+            f"{name}_agree": [_agreeing(judged, some, claim.id) for claim in claims]
+            for name, some in sets.items()
+        },
+        **{f"{name}_size": len(some) for name, some in sets.items()},
+    )
+    return table[[column.name for column in TABLES["claims"]]]
 
 
 def headline_table(judged: Judged) -> pd.DataFrame:
@@ -259,7 +248,7 @@ def _range_text(judged: Judged, id: str) -> str:
         return "no ensemble"
     if np.isfinite(ends).any():
         return ", ".join(f"{low:.3g} to {high:.3g}" for low, high in ends)
-    same = _agreeing(judged.members, id, judged.verdicts[id])
+    same = _agreeing(judged, judged.members, id)
     return f"{same} of {len(judged.members)} agree"
 
 
@@ -286,9 +275,9 @@ def once(text: str) -> str:
     return parts[0] if len(set(parts)) == 1 else text
 
 
-def _agreeing(sets: Iterable[Verdicts], id: str, verdict: Verdict) -> int:
-    """How many sets of verdicts come to the same on a statement."""
-    same = verdict.tested, verdict.holds
+def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
+    """How many sets of verdicts come to the same on a statement as the default."""
+    same = judged.verdicts[id].tested, judged.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
 
 
