@@ -17,7 +17,6 @@ from thirdbody.study.verdicts import (
     Judged,
     count_once,
     counts_by_figure,
-    explanation,
     headline_table,
     number_ranges,
     once,
@@ -29,7 +28,7 @@ def claims_markdown(judged: Judged) -> str:
     table = judged.table
     numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
-    failing = failing.assign(explanation=[explanation(judged, id) for id in failing["id"]])
+    failing = failing.assign(holds_under=[_holds_under(judged, id) for id in failing["id"]])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
         score=score_sentence(judged),
@@ -106,6 +105,12 @@ def score_sentence(judged: Judged) -> str:
         f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
         f"if {FAINT:g} were enough, {faint} of {faint_of} would hold."
     )
+
+
+def _holds_under(judged: Judged, id: str) -> str:
+    """The interpretations under whose inputs a statement holds."""
+    names = [name for name, each in judged.interpretations.items() if each[id].holds]
+    return ", ".join(names) or f"none of the {len(judged.interpretations)} interpretations"
 
 
 def _wider_tolerances(judged: Judged) -> str:

@@ -1,14 +1,13 @@
 """The verdict on every statement of the paper, as tables.
 
-All statements are judged under many sets of inputs: the default, its ensemble, the default with one
-unknown changed at a time, the inputs of every interpretation, and those of every fold of the
-cross-validation.  ``judge_everything`` does so; the other functions make tables of the result.
+All statements are judged under many sets of inputs: the default, its ensemble, the inputs of every
+interpretation, and those of every fold of the cross-validation.  ``judge_everything`` does so; the other
+functions make tables of the result.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -28,8 +27,6 @@ HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
 FAINT = 0.01  # half of PROMINENCE, under which the counts are reported too
 FAINT_EFFORT = replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
-LEAST_GAIN = 0.01  # smaller improvements of a score are not reported
-CHANGE = 0.08  # by how much an input is changed on its own, as a fraction of its bounds
 NO_RANGE = (np.nan, np.nan)
 Verdicts = Mapping[str, Verdict]  # by the id of the statement
 
@@ -40,9 +37,9 @@ class Judged:
 
     ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file whose
     inputs are the default.  ``verdicts`` are those under these inputs, ``faint`` those where turning points
-    count from ``FAINT`` on, ``members`` those of its ensemble, ``changed`` those with one unknown changed, by
-    what is changed.  ``interpretations`` has those of the inputs of each interpretation, ``predicted`` those on
-    statements when their figure was left out, and ``comparison`` is the table from ``compare``.
+    count from ``FAINT`` on, ``members`` those of its ensemble.  ``interpretations`` has those of the inputs of
+    each interpretation, ``predicted`` those on statements when their figure was left out, and ``comparison`` is
+    the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -51,7 +48,6 @@ class Judged:
     verdicts: Verdicts
     faint: Verdicts
     members: tuple[Verdicts, ...]
-    changed: dict[str, Verdicts]
     interpretations: dict[str, Verdicts]
     predicted: dict[str, Verdicts]
     comparison: pd.DataFrame
@@ -76,15 +72,6 @@ def judge_everything(
     """Judge all statements under all sets of inputs: ``contents`` are those of the calibrated files of all
     interpretations, all else is as in ``Judged``."""
     inputs = judge_all.base | default["inputs"]
-    changed = {}
-    for unknown in Interpretation.of(default["interpretation"], settings).unknowns:
-        for direction, step in (("lower", -CHANGE), ("higher", CHANGE)):
-            position = np.clip(unknown.position(inputs[unknown.name]) + step, 0.0, 1.0)
-            some = {**inputs, unknown.name: unknown.value(position)}
-            with suppress(ValueError):  # no surface has these inputs
-                changed[f"{direction} {unknown.name.replace('_', ' ')}"] = judge_all(
-                    some, QUICK_EFFORT
-                )
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
     return Judged(
@@ -94,7 +81,6 @@ def judge_everything(
         judge_all(inputs),
         judge_all(inputs, FAINT_EFFORT),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
-        changed,
         interpretations,
         predicted,
         compare(judge_all, contents, interpretations, predicted, settings),
@@ -279,34 +265,3 @@ def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
     """How many sets of verdicts come to the same on a statement as the default."""
     same = judged.verdicts[id].tested, judged.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
-
-
-def explanation(judged: Judged, id: str) -> str:
-    """What would bring a statement nearer, and which statements that would cost."""
-    verdict = judged.verdicts[id]
-    text = "No single input, changed on its own, brings it nearer."
-    if judged.changed:
-        name, best = min(judged.changed.items(), key=lambda each: each[1][id].score)
-        found = best[id]
-        if verdict.score - found.score > LEAST_GAIN:
-            effect = "it would hold" if found.holds else f"its score would be {found.score:.2g}"
-            text = f"With a {name} {effect}; {_price(judged, best)}."
-    better = [name for name, each in judged.interpretations.items() if each[id].holds]
-    if better:
-        text += f" It holds under {', '.join(better)}."
-    else:
-        text += f" It holds under none of the {len(judged.interpretations)} interpretations."
-    return f"Score {verdict.score:.2g}. {text}"
-
-
-def _price(judged: Judged, other: Verdicts) -> str:
-    """Which statements hold under the default inputs and fail under others."""
-    lost = [
-        claim.id
-        for claim in judged.claims
-        if judged.verdicts[claim.id].holds and not other[claim.id].holds and not claim.aside
-    ]
-    if not lost:
-        return "no other statement would be lost"
-    names = ", ".join(lost[:4]) + (f" and {len(lost) - 4} more" if len(lost) > 4 else "")
-    return f"{len(lost)} others would be lost: {names}"
