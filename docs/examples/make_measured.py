@@ -11,7 +11,7 @@ import pandas as pd
 
 import thirdbody as tb
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.measured.estimates import Assumed, contact_resistance, friction_coefficient
+from thirdbody.measured.estimates import Assumed, measurable
 
 SCATTER = 0.03  # relative
 loads = np.geomspace(1.0, 50.0, 9)
@@ -24,13 +24,13 @@ found = tb.solve(
     particle_density_per_m2=1e11,
     parameters=truth,
 )
-assumed = Assumed(boundary_friction=0.11, film_friction=0.035)
+true = measurable(found, truth, Assumed(boundary_friction=0.11, film_friction=0.035))
 scatter = 1.0 + SCATTER * np.random.default_rng(1).standard_normal((2, loads.size))
 table = pd.DataFrame(
     {
         "load [N]": loads.round(2),
-        "friction coefficient": friction_coefficient(found, truth, assumed) * scatter[0],
-        "contact resistance [mohm]": 1e3 * contact_resistance(found, truth, assumed) * scatter[1],
+        "friction coefficient": true["friction_coefficient"] * scatter[0],
+        "contact resistance [mohm]": 1e3 * true["contact_resistance_ohm"] * scatter[1],
     }
 )
 table.to_csv(Path(__file__).with_name("measured.csv"), index=False, float_format="%.4g")

@@ -7,9 +7,10 @@ import re
 from dataclasses import asdict, dataclass
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import ArrayLike
 
 from thirdbody.answers.answer import Answer, Row
@@ -18,15 +19,12 @@ from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
 from thirdbody.data.spread import ENDS
-from thirdbody.measured.estimates import MEASURED, Assumed
+from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, UNITS, decimal, registry
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 SPEED = "speed"
 # a unit of what a column of conditions may be, by its words
@@ -38,7 +36,7 @@ CONDITIONS = {
     "particle density": "1/mm**2",
     SPEED: "m/s",
 }
-UNIT_OF = {one.column: one.unit.replace("dimensionless", "1") for one in MEASURED.values()}
+UNITS_OF = dict(MEASURED.values())
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
@@ -47,19 +45,11 @@ HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 class Comparison(Tabular):
     """Measurements beside the model.
 
-    Attributes
-    ----------
-    table : pandas.DataFrame
-        A row a measurement: its conditions, and of each variable what was measured, ``_model``, the
-        ensemble's ``_low`` and ``_high`` (if there is one) and ``_residual``, measured less model.
-    curve : pandas.DataFrame
-        The model between the measurements, in the same columns, where one condition varies; else empty.
-    along : str
-        The column that varies most, over which ``plot`` draws.
-    variables : tuple of str
-        The columns that were measured.
-    notes : tuple of str
-        What the estimates assume, and what was not compared.
+    ``table`` has a row a measurement: its conditions, and of each of the ``variables`` that were measured what
+    was measured, ``_model``, the ensemble's ``_low`` and ``_high`` (if there is one) and ``_residual``, measured
+    less model.  ``curve`` is the model between the measurements, in the same columns, where one condition
+    varies; else empty.  ``along`` is the column that varies most, over which ``plot`` draws; ``notes`` say what
+    the estimates assume, and what was not compared.
     """
 
     table: pd.DataFrame
@@ -75,7 +65,7 @@ class Comparison(Tabular):
         rows, notes = [], []
         for name in self.variables:
             residual = self.table[f"{name}_residual"].dropna()
-            unit = UNIT_OF[name]
+            unit = UNITS_OF[name].replace("dimensionless", "1")
             rows.append(Row(f"{name}_mean", f"{name}: mean residual", residual.mean(), unit))
             size = float(np.sqrt((residual**2).mean()))
             rows.append(Row(f"{name}_rms", f"{name}: root mean square residual", size, unit))
@@ -165,27 +155,27 @@ def compare(
     table = _conditions(columns, conditions, parameters)
     along, curve = _curve(table)
     members = calibrated_ensemble(parameters)
-    models = [MEASURED[name] for name in observed]
+    variables = [MEASURED[name][0] for name in observed]
     table, curve = (
-        _with_model(each, models, (parameters, *members), speed_m_per_s, assumed)
+        _with_model(each, variables, (parameters, *members), speed_m_per_s, assumed)
         for each in (table, curve)
     )
-    notes = [f"{one.column} is an estimate: {one.formula}" for one in models if one.formula]
-    notes = [note.format(**asdict(assumed)) for note in notes]
-    for name, one in zip(observed, models):
-        table[one.column] = observed[name].to(one.unit).magnitude
-        table[f"{one.column}_residual"] = table[one.column] - table[f"{one.column}_model"]
+    notes = []
+    for column, quantity in zip(variables, observed.values(), strict=True):
+        table[column] = quantity.to(UNITS_OF[column]).magnitude
+        table[f"{column}_residual"] = table[column] - table[f"{column}_model"]
+        if column in FORMULAS:
+            formula = FORMULAS[column].format(**asdict(assumed))
+            notes.append(f"{column} is an estimate: {formula}")
     notes += ensemble_notes(members)
-    unsolved = int(table[f"{models[0].column}_model"].isna().sum())
+    unsolved = int(table[f"{column}_model"].isna().sum())
     if unsolved:
         notes.append(f"the model has no solution at {unsolved} of {len(table)} measurements")
-    return Comparison(table, curve, along, tuple(one.column for one in models), tuple(notes))
+    return Comparison(table, curve, along, tuple(variables), tuple(notes))
 
 
 def _read(measured):
     """The columns of a file or a table by what they are, each a quantity with its unit."""
-    import pandas as pd
-
     table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
     if not len(table):
         raise ValueError("measured has no rows; allowed: one or more below the headings")
@@ -205,8 +195,6 @@ def _read(measured):
 
 def _read_csv(path):
     """A CSV as texts; its separator is the first of tab, semicolon and comma in the headings."""
-    import pandas as pd
-
     try:
         content = Path(path).read_bytes()
     except OSError as error:
@@ -245,7 +233,7 @@ def _numbers(heading, column):
 
 def _quantity(heading, name, unit, numbers):
     """A column with its unit, which only a number without dimension may leave out; of F_t* it is 1."""
-    wanted = CONDITIONS.get(name) or MEASURED[name].unit
+    wanted = CONDITIONS.get(name) or MEASURED[name][1]
     unit = unit or ("dimensionless" if name in MEASURED else "")
     try:
         quantity = registry().Quantity(numbers, registry().Unit(unit.replace("%", "percent")))
@@ -261,8 +249,6 @@ def _quantity(heading, name, unit, numbers):
 
 def _conditions(columns, conditions, parameters):
     """The conditions of each measurement in engineering units, with its speed if there is one."""
-    import pandas as pd
-
     given = {}
     for name in columns.keys() & ENGINEERING.keys():
         key = "load" if columns[name].unitless and name == "load" else ENGINEERING[name]
@@ -285,8 +271,6 @@ def _conditions(columns, conditions, parameters):
 
 def _curve(table):
     """The condition that varies most, and conditions along it, none if another one varies."""
-    import pandas as pd
-
     varying = table.nunique().sort_values(ascending=False, kind="stable")
     along = varying.index[0]
     if len(varying[varying > 1]) != 1:
@@ -296,21 +280,22 @@ def _curve(table):
     return along, pd.DataFrame(table.iloc[0].to_dict() | {along: points})
 
 
-def _with_model(table, models, inputs, speed_m_per_s, assumed):
+def _with_model(table, columns, inputs, speed_m_per_s, assumed):
     """Conditions with what the model has there: with the first of the inputs, and the range of others."""
-    import pandas as pd
-
     conditions = {name: table[name].to_numpy() for name in ENGINEERING.values()}
     if speed_m_per_s is not None:  # the film depends on the product of speed and viscosity
         speed = table["speed_m_per_s"].to_numpy() / speed_m_per_s
         conditions["viscosity_cSt"] = conditions["viscosity_cSt"] * speed
     with without_warnings():
-        found = [solve(**conditions, parameters=each, progress=False) for each in inputs]
+        found = [
+            measurable(solve(**conditions, parameters=each, progress=False), each, assumed)
+            for each in inputs
+        ]
     table = table.copy()
-    for one in models:
-        mine, *members = map(one.model, found, inputs, [assumed] * len(inputs))
-        table[f"{one.column}_model"] = mine
+    for column in columns:
+        mine, *members = (each[column] for each in found)
+        table[f"{column}_model"] = mine
         if members:
             ends = pd.DataFrame(members).quantile(ENDS).to_numpy()
-            table[f"{one.column}_low"], table[f"{one.column}_high"] = ends
+            table[f"{column}_low"], table[f"{column}_high"] = ends
     return table

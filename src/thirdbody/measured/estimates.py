@@ -12,9 +12,7 @@ the direction and the order of magnitude of a change:
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +27,22 @@ from thirdbody.conditions.usual import (
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
+# by the words of a heading: the column of tables, and its unit as pint reads it
+MEASURED = {
+    "friction coefficient": ("friction_coefficient", "dimensionless"),
+    "contact resistance": ("contact_resistance_ohm", "ohm"),
+    "film thickness": ("film_thickness_nm", "nm"),
+    "separation": ("separation_nm", "nm"),
+    "real contact area": ("real_contact_area_mm2", "mm**2"),
+    "real contact area fraction": ("real_contact_area_fraction", "dimensionless"),
+    "solid load fraction": ("solid_load_fraction", "dimensionless"),
+    "fluid load fraction": ("fluid_load_fraction", "dimensionless"),
+}
+# of the columns that are estimates: what is assumed
+FORMULAS = {
+    "friction_coefficient": "{boundary_friction:g} L_s + {film_friction:g} L_f",
+    "contact_resistance_ohm": "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
+}
 USUAL = {  # usual ends and unit of what is assumed
     "boundary_friction": ((0.01, 1.0), "1"),
     "film_friction": ((1e-4, 0.2), "1"),
@@ -60,69 +74,30 @@ class Assumed:
         warn_outside({name: (value, *USUAL[name]) for name, value in vars(self).items()})
 
 
-def friction_coefficient(found: Solution, parameters: Parameters, assumed: Assumed) -> NDArray:
-    """The friction coefficient [1], an estimate."""
-    solids = assumed.boundary_friction * found.solid_load_fraction
-    return solids + assumed.film_friction * found.fluid_load_fraction
-
-
-def contact_resistance(found: Solution, parameters: Parameters, assumed: Assumed) -> NDArray:
-    """The constriction resistance [ohm], an estimate.
+@np.errstate(divide="ignore")  # without contact the resistance is infinite
+def measurable(found: Solution, parameters: Parameters, assumed: Assumed) -> dict[str, NDArray]:
+    """All that can be measured of a solution, by the columns of ``MEASURED`` and in their units.
 
     Examples
     --------
-    Of one spot of 0.01 mm2 between bodies of steel:
+    The resistance of one spot of 0.01 mm2 between bodies of steel:
 
     >>> from types import SimpleNamespace
-    >>> found = SimpleNamespace(total_contact_area=0.01)
-    >>> parameters = SimpleNamespace(apparent_area=1e-6)
-    >>> round(float(contact_resistance(found, parameters, Assumed())), 5)
+    >>> known = ("film_thickness", "separation", "solid_load_fraction", "fluid_load_fraction")
+    >>> found = SimpleNamespace(total_contact_area=0.01, **dict.fromkeys(known, 0.5))
+    >>> parameters = SimpleNamespace(apparent_area=1e-6, ball_radius=0.006)
+    >>> round(float(measurable(found, parameters, Assumed())["contact_resistance_ohm"]), 5)
     0.00195
     """
-    radius = np.sqrt(found.total_contact_area * parameters.apparent_area / np.pi)
-    return assumed.resistivity_ohm_m / (2.0 * radius)
-
-
-class Measured(NamedTuple):
-    """A variable that can be measured."""
-
-    column: str  # its name with its unit, as tables have it
-    unit: str  # as pint reads it
-    model: Callable[[Solution, Parameters, Assumed], NDArray]  # its values in that unit
-    formula: str = ""  # of an estimate: what is assumed
-
-
-def _film_thickness_nm(found, parameters, assumed):
-    return 1e9 * found.film_thickness * parameters.ball_radius
-
-
-def _contact_area_mm2(found, parameters, assumed):
-    return 1e6 * found.total_contact_area * parameters.apparent_area
-
-
-MEASURED = {  # by the words of their headings
-    "friction coefficient": Measured(
-        "friction_coefficient",
-        "dimensionless",
-        friction_coefficient,
-        "{boundary_friction:g} L_s + {film_friction:g} L_f",
-    ),
-    "contact resistance": Measured(
-        "contact_resistance_ohm",
-        "ohm",
-        contact_resistance,
-        "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
-    ),
-    "film thickness": Measured("film_thickness_nm", "nm", _film_thickness_nm),
-    "separation": Measured("separation_nm", "nm", lambda found, *_: 1e9 * found.separation),
-    "real contact area": Measured("real_contact_area_mm2", "mm**2", _contact_area_mm2),
-    "real contact area fraction": Measured(
-        "real_contact_area_fraction", "dimensionless", lambda found, *_: found.total_contact_area
-    ),
-    "solid load fraction": Measured(
-        "solid_load_fraction", "dimensionless", lambda found, *_: found.solid_load_fraction
-    ),
-    "fluid load fraction": Measured(
-        "fluid_load_fraction", "dimensionless", lambda found, *_: found.fluid_load_fraction
-    ),
-}
+    area = found.total_contact_area * parameters.apparent_area
+    solids = assumed.boundary_friction * found.solid_load_fraction
+    return {
+        "friction_coefficient": solids + assumed.film_friction * found.fluid_load_fraction,
+        "contact_resistance_ohm": assumed.resistivity_ohm_m / (2.0 * np.sqrt(area / np.pi)),
+        "film_thickness_nm": 1e9 * found.film_thickness * parameters.ball_radius,
+        "separation_nm": 1e9 * found.separation,
+        "real_contact_area_mm2": 1e6 * area,
+        "real_contact_area_fraction": found.total_contact_area,
+        "solid_load_fraction": found.solid_load_fraction,
+        "fluid_load_fraction": found.fluid_load_fraction,
+    }
