@@ -46,9 +46,8 @@ def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
 def pack(folder: Path, archive: str | PathLike, day: str) -> None:
     """Write a sealed folder as a zip file; the same files give the same bytes.
 
-    Members are sorted and have the same mode and the date ``day`` (ISO 8601).  They are not compressed,
-    since the bytes of a compressor depend on its version.  Raises ``ValueError``, and writes nothing,
-    if the folder is not what its sums say.
+    Members are sorted and have the same mode and the date ``day`` (ISO 8601); they are not compressed, as that
+    depends on the version.  Raises ``ValueError``, and writes nothing, if the folder is not what its sums say.
     """
     command = [sys.executable, "verification/verify.py", folder, "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

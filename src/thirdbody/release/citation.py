@@ -30,11 +30,8 @@ class Release:
     def of(
         cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True
     ) -> Release:
-        """The release that ``pyproject.toml`` and ``CITATION.cff`` describe.
-
-        Unless the configuration ``is_paper``, its version and title say so.  Raises ``ValueError`` if
-        ``CITATION.cff`` has another version than what is installed.
-        """
+        """The release that ``pyproject.toml`` and ``CITATION.cff`` describe; unless the configuration ``is_paper``,
+        its version and title say so.  ``ValueError`` if ``CITATION.cff`` has another version than is installed."""
         name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != version(name):

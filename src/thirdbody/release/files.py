@@ -18,9 +18,9 @@ def media_type(name: str) -> str:
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources, relative to the current folder, the root of the project.
+    """Sorted paths of the sources, relative to the current folder, the root of the project: what git tracks, or
+    would track.
 
-    They are the files that git tracks, or would track: new files which ``.gitignore`` does not name.
     In a folder without a repository, such as an unpacked archive, ``.gitignore`` alone counts.  Raises
     ``OSError`` if git is not installed, or cannot read the folder.
     """
@@ -35,13 +35,15 @@ def source_files() -> list[str]:
 
 def _git(*arguments: str) -> str:
     try:
-        done = subprocess.run(["git", *arguments], capture_output=True, check=True)
+        done = subprocess.run(
+            ["git", *arguments], capture_output=True, encoding="utf-8", check=True
+        )
     except FileNotFoundError:
         raise OSError("git is not installed; a release needs it to list the sources") from None
     except subprocess.CalledProcessError as error:
-        reason = " ".join(error.stderr.decode(errors="replace").split())
+        reason = " ".join(error.stderr.split())
         raise OSError(f"git cannot list the sources ({reason})") from None
-    return done.stdout.decode()
+    return done.stdout
 
 
 def files_in(folder: Path, root: Path) -> list[str]:

@@ -17,10 +17,8 @@ from thirdbody.release.files import files_in
 
 
 def describe_content(data: Path, kinds: dict[str, str]) -> dict[str, Any]:
-    """Values for the template of ``README.md``, from the folder ``data`` of an archive.
-
-    ``kinds`` has the titles of the folders of products, of which ``datasets`` must be one.
-    """
+    """Values for the template of ``README.md``, from the folder ``data`` of an archive; ``kinds`` has the titles of
+    the folders of products, of which ``datasets`` must be one."""
     datasets = {path.name: read_plain(path) for path in sorted(data.glob("datasets/*.nc"))}
     return {
         "kinds": kinds,

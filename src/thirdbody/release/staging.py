@@ -34,30 +34,13 @@ def stage(
 ) -> None:
     """Fill the folder of a release: copy the files, describe them, and seal all with sums.
 
-    What was in the folder is removed.  The current folder must be the root of the repository.
-
-    Parameters
-    ----------
-    folder : Path
-        The folder; ``tagmanifest-sha512.txt`` is the last file that is written.
-    products : sequence of path
-        Files in ``results/``, whose folder there is one of ``KINDS``; at least one dataset.
-    sources : iterable of str
-        Files of the source code, with the programs in ``verification/``.
-    settings : mapping
-        What goes to ``configuration/``, by the name of the file there.
-    jobs : list of dict
-        Jobs of the workflow: ``rule``, the name of its rule and script; ``inputs`` and ``outputs``,
-        paths relative to the root of the repository, products in ``results/``.
-    software : dict
-        Versions of the packages that the workflow ran on, by name.
-    release : Release
-        Name, version, date and citation.
-
-    Raises
-    ------
-    ValueError
-        If nothing describes the columns of a table.
+    The current folder must be the root of the repository.  What was in ``folder`` is removed, and
+    ``tagmanifest-sha512.txt`` is the last file that is written there.  ``products`` are files in ``results/``, whose
+    folder there is one of ``KINDS``, at least one dataset among them; ``sources`` the source code, with the
+    programs in ``verification/``; ``settings`` what goes to ``configuration/``, by the name of the file there.
+    ``jobs`` of the workflow have the name of their ``rule``, and ``inputs`` and ``outputs``, paths relative to the
+    root; ``software`` are the versions of the packages that it ran on.  Raises ``ValueError`` if nothing describes
+    the columns of a table.
     """
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
