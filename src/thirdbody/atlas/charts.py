@@ -24,9 +24,9 @@ CHARTS = {  # the variable of the atlas that each shows
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:
     """What the panels of a chart show, in memory: one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``.
 
-    Each has ``limit`` over ``load`` and ``roughness`` [SI], and ``range`` over ``quantile`` besides;
-    ``solution_status`` of the point of the atlas that is nearest to the limit; the conditions of the panel
-    are coordinates, and the attribute ``ends`` is what the atlas spans of the limit.
+    Each has ``limit`` over ``load`` and ``roughness`` [SI], ``range`` over ``quantile`` besides, and the
+    ``solution_status`` of the point of the atlas that is nearest to the limit; the conditions of the panel are
+    coordinates, and the attribute ``ends`` is what the atlas spans of the limit.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]

@@ -53,7 +53,7 @@ ATTRIBUTES = {
         **PASSED,
     ),
     "turning_point_load": _attributes(
-        "load at the turning point of the contact area", symbol="F_TPCA*"
+        "load at the turning point of the contact area", "1", "F_TPCA*"
     ),
     "turning_point_window_low": _attributes(
         "least particle diameter over roughness with a turning point"
@@ -81,9 +81,8 @@ def write_chunk(
     """Solve some surfaces of the atlas for all inputs and write what is found, little by little.
 
     ``path`` is a NetCDF-4 file, which only this process reads before it is complete; ``axes`` are those of
-    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs that differ from the default in
-    each member of the ensemble, SI.  Of each point under the default inputs the quantities ``kept`` are
-    kept, beside the flags.
+    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs that differ from the default in each
+    member of the ensemble, SI; of each point under the default the quantities ``kept`` are kept.
     """
     members = members or [{}]  # without an ensemble, the default alone
     ensemble = [replace(default, **member) for member in members]

@@ -54,10 +54,10 @@ def solve_surface(
 ) -> dict[str, NDArray]:
     """All that the atlas holds of a few particle densities on one surface, by the names of variables.
 
-    ``axes`` are those of ``thirdbody.atlas.chunk.atlas_axes`` with one roughness; ``sets`` the default inputs,
-    then the others of the ensemble, and ``weights`` how often each is in it; ``kept`` and ``rtol`` are those
-    of ``write_chunk``.  Returned are those kept and the flags, counts of the members in each regime and
-    mode, ``LIMITS`` of the default with their quantiles, and counts of turning points.
+    ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble, and ``weights``
+    how often each is in it; ``kept`` and ``rtol`` are those of ``write_chunk``.  Returned are those kept and the
+    flags, counts of the members in each regime and mode, ``LIMITS`` of the default with their quantiles, and
+    counts of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
@@ -91,10 +91,9 @@ def solve_surface(
 
 
 def quantiles(values: NDArray) -> NDArray[np.float64]:
-    """``QUANTILES`` over the members, the first axis of ``values``, with linear interpolation.
+    """``QUANTILES`` over the members, the first axis of ``values``, with linear interpolation; nan is no value.
 
-    Infinite values are beyond all bounds; nan is no value, and the result where no member has one.
-    numpy's own quantiles are nan between infinite values.
+    Infinite values are beyond all bounds: numpy's own quantiles are nan between them.
     """
     ordered = np.sort(values, axis=0)  # nan last
     last = np.count_nonzero(~np.isnan(values), axis=0) - 1
@@ -133,13 +132,13 @@ def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
 def first_passed(
     along: str, axes: Axes, excess: NDArray, between: Callable[..., NDArray]
 ) -> NDArray:
-    """Where ``excess``, the logarithm of odds above a level, first passes 0 along an axis of a grid.
+    """Where ``excess``, the logarithm of odds above a level, first passes 0 along an axis of a grid, SI.
 
     It is interpolated over the logarithm of the axis, whose value 0 is left out.  Where it leaps, as it
-    does where the first particle touches, ``between`` maps neighbours on the axis [SI], and places on
-    the other four, to where between them the level is passed [SI].  The result has the shape of the grid
-    without the axis, SI: 0 where the level is passed at the first value already, infinite where it never
-    is, nan where points without solution leave that open.
+    does where the first particle touches, ``between`` maps neighbours on the axis, and places on the other
+    four, to where between them the level is passed.  The result has the shape of the grid without the axis:
+    0 where the level is passed at the first value already, infinite where it never is, nan where points
+    without solution leave that open.
     """
     nodes = axes[along][axes[along] > 0.0]
     excess = np.moveaxis(excess, list(axes).index(along), 0)[axes[along] > 0.0]
@@ -166,9 +165,9 @@ def passed_diameter(
 ) -> NDArray:
     """Mean diameter x_a [m] at which A_sa,t* is ``level``: shape (films, densities, loads).
 
-    At a separation d the ratio depends on the particles alone, so that x_a(d) is sought there; the
-    load that belongs to it is F_s + F_f (Eq. 1).  Of several the largest d counts.  ``ends`` are those
-    of d [m]; beyond those of the axis x_a is the end.
+    At a separation d the ratio depends on the particles alone: x_a(d) is sought there, between the ends of
+    its axis, and the load that belongs to it is F_s + F_f (Eq. 1).  Of several the largest d counts; ``ends``
+    are those of d [m].
     """
     sizes, densities, loads = (
         axes[name] for name in ("particle_diameter", "particle_density", "load")
@@ -210,11 +209,8 @@ def passed_viscosity(
     parameters: Parameters,
     rtol: float,
 ) -> NDArray:
-    """Viscosity [m2/s] between two ``ends`` at which L_s is ``level``, at places on the other four axes.
-
-    The solids carry that fraction of the load at one separation, dry or not; the film is as thick
-    (Eqs. 7 and 8).
-    """
+    """Viscosity [m2/s] between two ``ends`` at which L_s is ``level``, at places on the other four axes: the solids
+    carry that fraction of the load at one separation, dry or not, and the film is as thick (Eqs. 7, 8)."""
     names = "load", "particle_diameter", "roughness", "particle_density"
     given = {name: axes[name][each] for name, each in zip(names, place, strict=True)}
     log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
