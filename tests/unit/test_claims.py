@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import yaml
 
-from thirdbody.curves.turning_point import PROMINENCE
+from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import FULL_EFFORT, Curve, TurningPoint
+from thirdbody.study.evidence import FULL_EFFORT, Curve
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -76,9 +76,13 @@ def falling_to(end, begin=1.0):
     return make_curve(solid=np.linspace(begin, end, LOADS.size))
 
 
-def at_load(load, height=0.1):
+def turning(load, height=0.1):
     """A turning point at a load, which stands out by ``height``."""
-    return {"turning_point": lambda condition: TurningPoint(load, 0.2, 0.3, height)}
+    return TurningPoints(load, 0.0, 0.2, 0.3, 1e-7, height)
+
+
+def at_load(load, height=0.1):
+    return {"turning_point": lambda condition: turning(load, height)}
 
 
 def bending(at, solid=1.0):
@@ -331,7 +335,7 @@ def test_trend_along_load(direction, shown):
 def test_trend_along_curves(direction, loads, holds):
     fields = {"given": viscosities(3), "along": "curves", "direction": direction}
     claim = make_claim("trend", "turning_point_load", None, 0.05, relative=True, **fields)
-    point = by_viscosity(*(TurningPoint(load, 0.2, 1.0, 0.1) for load in loads))
+    point = by_viscosity(*(turning(load) for load in loads))
     assert judged(claim, turning_point=point).holds is holds
 
 
@@ -343,7 +347,7 @@ def test_trend_of_a_change_from_a_reference():
 
     def point(condition):
         sparse = condition.particle_density < 1e11
-        return TurningPoint(1e-6 if sparse else 10 * condition.roughness, 0.2, 1.0, 0.1)
+        return turning(1e-6 if sparse else 10 * condition.roughness)
 
     verdict = judged(claim, turning_point=point)
     assert verdict.computed == "0, 2" and verdict.holds

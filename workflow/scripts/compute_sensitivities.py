@@ -1,5 +1,7 @@
 """Elasticities and total Sobol indices of results in the inputs that the paper does not print."""
 
+from dataclasses import replace
+
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
@@ -7,7 +9,7 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT
 from thirdbody.study.sensitivity import (
     Subject,
-    default_elasticities,
+    elasticities,
     sensitivity_rows,
     varied_inputs,
 )
@@ -18,8 +20,12 @@ with logged(snakemake.log[0]):
     subject, defaults = Subject.of(settings), Parameters(**snakemake.params.parameters)
     inputs = varied_inputs(defaults, snakemake.params.unpublished)
     base = subject.values(defaults, FULL_EFFORT)
+
+    def values(changes):
+        return subject.values(replace(defaults, **changes), FULL_EFFORT)
+
     found = (
-        default_elasticities(subject, defaults, inputs, base),
+        elasticities(values, base, inputs),
         default_indices(subject, defaults, inputs, base, settings["sobol"]),
     )
     with atomic_write(snakemake.output.elasticities, snakemake.output.indices) as parts:

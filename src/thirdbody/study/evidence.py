@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.curves.turning_point import turning_points
+from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
 from thirdbody.model.parameters import Parameters
@@ -50,16 +49,6 @@ class Curve:
         """d ln A_t*/d ln F_t* [1]: the slope of the curve on logarithmic axes."""
         area = np.maximum(self.total_contact_area, np.finfo(float).tiny)
         return np.gradient(np.log(area), np.log(self.load))
-
-
-class TurningPoint(NamedTuple):
-    """The most prominent interior maximum of A_sa,t* over the load: F_TPCA*, A_sa,t* and L_s there, and by how
-    much it stands out on both sides [1]; nan where there is none."""
-
-    load: float
-    peak_ratio: float
-    solid_load_fraction: float
-    prominence: float
 
 
 @dataclass(frozen=True)
@@ -140,10 +129,10 @@ class SolvedEvidence:
         return {sigma: (window.low, window.high) for sigma, window in zip(wanted, found)}
 
     @cached_property
-    def turning_points(self) -> dict[Condition, TurningPoint]:
-        """The turning point of the curve at each condition that was asked for one."""
+    def turning_points(self) -> dict[Condition, TurningPoints]:
+        """The turning point of the curve at each condition that was asked for one, in single numbers."""
         wanted = sorted(self.asked["turning_point"])
         separation = self._solution.separation[:, [self._conditions.index(each) for each in wanted]]
         found = turning_points(separation, *np.transpose(wanted), self.parameters, self.effort.rtol)
-        columns = [getattr(found, name).tolist() for name in TurningPoint._fields]
-        return dict(zip(wanted, map(TurningPoint, *columns)))
+        numbers = zip(*(values.tolist() for values in vars(found).values()), strict=True)
+        return {each: TurningPoints(*some) for each, some in zip(wanted, numbers, strict=True)}

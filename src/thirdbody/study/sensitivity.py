@@ -8,15 +8,13 @@ where they do not occur.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from thirdbody.curves.transitions import LIMITS, transitions
-from thirdbody.curves.turning_point import PROMINENCE
-from thirdbody.curves.windows import WindowSearch
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
@@ -27,14 +25,11 @@ STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
 # Finite differences of second order: steps, and weights of the values there over the step.
 CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
-# Fraction of a window's end, to either side, within which it is sought again for changed inputs.
-REACH = 0.01
 
 
 @dataclass(frozen=True)
 class Subject:
-    """Which outputs are computed: of which curves and surfaces (sigma [m], increasing), between which
-    loads [N]."""
+    """Which outputs are computed: of which curves and surfaces (sigma [m]), between which loads [N]."""
 
     turning_points: tuple[Condition, ...]
     transitions: tuple[Condition, ...]
@@ -47,7 +42,7 @@ class Subject:
         return cls(
             tuple(map(Condition.of, settings["turning_points"])),
             tuple(map(Condition.of, settings["transitions"])),
-            tuple(sorted(map(AXES["roughness"].to_si, settings["windows_roughness_nm"]))),
+            tuple(map(AXES["roughness"].to_si, settings["windows_roughness_nm"])),
             tuple(settings["load_N"]),
         )
 
@@ -78,23 +73,10 @@ class Subject:
         evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_points[curve] for curve in self.turning_points]
         points = [
-            point[:2] if point.prominence >= PROMINENCE else (np.nan, np.nan) for point in found
+            (point.load, point.peak_ratio) if point.exists else (np.nan, np.nan) for point in found
         ]
         windows = [evidence.windows[roughness] for roughness in self.window_roughness]
         return np.concatenate([*points, *windows, *last_crossings(evidence, self.transitions)])
-
-    def effort_near(self, values: NDArray[np.float64]) -> Effort:
-        """``FULL_EFFORT`` for outputs close to ``values``, where it looks for windows.
-
-        Each end is in the middle between two values of x_a/sigma, so that the error of
-        interpolating between them cancels in a central difference.
-        """
-        first, count = 2 * len(self.turning_points), 2 * len(self.window_roughness)
-        ends = values[first : first + count].reshape(-1, 2).T
-        near = np.sort(np.concatenate([ends * (1.0 - REACH), ends * (1.0 + REACH)]), axis=0)
-        if not (np.diff(near, axis=0) > 0.0).all():  # a window is missing, or narrow
-            return FULL_EFFORT
-        return replace(FULL_EFFORT, window=WindowSearch(near, tolerance=np.inf))
 
 
 def last_crossings(
@@ -144,13 +126,13 @@ def elasticities(
     values: Callable[[dict[str, float]], NDArray[np.float64]],
     base: NDArray[np.float64],
     inputs: Mapping[str, float],
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+) -> Found:
     """Elasticities d ln(output)/d ln(input) by central differences, one-sided at an upper bound.
 
     ``values`` gives the outputs, shape (outputs,), for a mapping of changed inputs; ``base`` are those
-    for the unchanged ``inputs``.  Returned are the elasticities, shape (outputs, inputs), and by how much
-    they differ with twice the step [1].
+    for the unchanged ``inputs``.  Their error is by how much they differ with twice the step.
     """
+    solved = []
 
     def slopes(width):
         columns = []
@@ -159,29 +141,13 @@ def elasticities(
             steps, weights = INWARD if value * (1.0 + width) > highest else CENTRAL
             changed = [values({name: value * (1.0 + each * width)}) for each in steps]
             columns.append(np.dot(weights, changed) / (width * base))
+            solved.extend(changed)
         return np.transpose(columns)
 
     found = slopes(STEP)
-    return found, np.abs(found - slopes(2.0 * STEP))
-
-
-def default_elasticities(
-    subject: Subject,
-    parameters: Parameters,
-    inputs: Mapping[str, float],
-    base: NDArray[np.float64],
-) -> Found:
-    """Elasticities of the outputs, which are ``base`` at ``parameters``, in some ``inputs``, SI."""
-    effort = subject.effort_near(base)
-    solved = []
-
-    def values(changes):
-        solved.append(subject.values(replace(parameters, **changes), effort))
-        return solved[-1]
-
-    value, error = elasticities(values, base, inputs)
+    error = np.abs(found - slopes(2.0 * STEP))
     occurs = np.isfinite(solved).mean(axis=0)
-    return Found("elasticity", value, error, occurs, np.full(base.shape, np.nan))
+    return Found("elasticity", found, error, occurs, np.full(base.shape, np.nan))
 
 
 def sensitivity_rows(
