@@ -40,21 +40,10 @@ PLACES = 60  # separations between which the maxima under all films are looked f
 class TurningPoints(Tabular):
     """The interior maximum of each curve that stands out most: its turning point if ``exists``.
 
-    Parameters
-    ----------
-    load : array, shape (curves,)
-        F_t* there, F_TPCA* [1]; nan, as all else, where the curve has no interior maximum.
-    load_error : array
-        Bound on the error of ``load`` [1].
-    peak_ratio : array
-        A_sa,t* there [1].
-    solid_load_fraction : array
-        L_s there [1].
-    separation : array
-        d* [m].
-    prominence : array
-        By how much A_sa,t* is higher there than the least value at smaller loads, and than that at
-        larger ones, whichever is less [1].
+    Arrays of shape (curves,), nan where a curve has no interior maximum: ``load`` is F_t* there, F_TPCA* [1],
+    with a bound ``load_error`` on its error; ``peak_ratio`` A_sa,t* [1], ``solid_load_fraction`` L_s [1] and
+    ``separation`` d* [m].  ``prominence`` is by how much A_sa,t* is higher there than the least value at smaller
+    loads, and than that at larger ones, whichever is less [1].
     """
 
     load: NDArray

@@ -37,10 +37,9 @@ class Window(Tabular):
 class WindowSearch:
     """How finely windows are searched.
 
-    ``ratios`` are the x_a/sigma of the first sweep [1], increasing: shape (ratios,), or (ratios, surfaces)
-    where each surface has its own.  ``tolerance`` is the absolute error of both ends [1]; infinite: they
-    are interpolated in the sweep, not refined.  Maxima are looked for between so many ``separations``,
-    and must stand out by ``prominence`` [1]; ``rtol`` is the relative error of what is solved.
+    ``ratios`` are the x_a/sigma of the first sweep [1], increasing; ``tolerance`` is the absolute error of both
+    ends [1]; infinite: they are interpolated in the sweep, not refined.  Maxima are looked for between so many
+    ``separations``, and must stand out by ``prominence`` [1]; ``rtol`` is the relative error of what is solved.
     """
 
     ratios: NDArray
@@ -69,8 +68,7 @@ def turning_point_windows(
         there = roughness[surface]
         return _margin(search, load_range, ratios * there, there, density, parameters)
 
-    columns = search.ratios.reshape(len(search.ratios), -1)
-    ratios, surface = np.broadcast_arrays(columns, np.arange(roughness.size))
+    ratios, surface = np.broadcast_arrays(search.ratios[:, None], np.arange(roughness.size))
     margins = margin(ratios.ravel(), surface.ravel()).reshape(ratios.shape)
     inner, outer, ends = _ends_of_longest_runs(ratios, margins)
     errors = np.where(inner == outer, np.inf, np.abs(outer - inner))

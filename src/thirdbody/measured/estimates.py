@@ -54,14 +54,9 @@ USUAL = {  # usual ends and unit of what is assumed
 class Assumed:
     """What the estimates need besides the model.
 
-    Attributes
-    ----------
-    boundary_friction : float
-        Friction coefficient [1] of what the solids carry; 0.08 to 0.15 are usual of steel in oil.
-    film_friction : float
-        Friction coefficient [1] of what the film carries; 0.01 to 0.07, by oil and sliding.
-    resistivity_ohm_m : float
-        Mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
+    ``boundary_friction`` is the friction coefficient [1] of what the solids carry, 0.08 to 0.15 of steel in oil;
+    ``film_friction`` that of what the film carries, 0.01 to 0.07, by oil and sliding; ``resistivity_ohm_m`` the
+    mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
     """
 
     boundary_friction: float = BOUNDARY_FRICTION

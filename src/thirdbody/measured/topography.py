@@ -20,17 +20,10 @@ from thirdbody.tabular import Tabular
 class MeasuredSurface(Tabular):
     """The equivalent rough surface of one or several measured topographies, SI.
 
-    Attributes
-    ----------
-    roughness : float
-        sigma [m], root mean square height.
-    summit_density, summit_radius : float
-        eta_s [m-2] and R [m] of the summits.
-    slope, curvature : float
-        Root mean square slope [1] and curvature [m-1] of profiles, taken over ``scale``.
-    scale : float
-        The distance [m] over which they were taken.  eta_s and R depend on it: from the tenfold
-        distance, a usual surface has far fewer and blunter summits.
+    ``roughness`` is sigma [m], the root mean square height; ``summit_density`` eta_s [m-2] and ``summit_radius``
+    R [m] of the summits; ``slope`` [1] and ``curvature`` [m-1] are root mean squares of profiles, taken over the
+    distance ``scale`` [m].  eta_s and R depend on it: from the tenfold distance, a usual surface has far fewer
+    and blunter summits.
     """
 
     roughness: float
