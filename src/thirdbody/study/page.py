@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from typing import Any
 
 import pandas as pd
 from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
 from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.study.verdicts import (
-    CONTRADICTED,
     FAILS,
     FAINT,
     Judged,
@@ -36,19 +36,21 @@ def claims_markdown(judged: Judged) -> str:
         wider=_wider_tolerances(judged),
         headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
-        inputs=_inputs(judged.default),
-        contradictions=_contradictions(judged),
+        default=judged.default,
+        claims=judged.claims,
+        verdicts=judged.verdicts,
+        words=dict(zip(table["id"], table["verdict"], strict=True)),
         counts=counts_by_figure(judged),
         comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
-        statements=_statements(table),
+        statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
     )
 
 
 def claims_html(judged: Judged) -> str:
     """The statements and their verdicts as a table, an HTML page."""
-    rows = judged.table.assign(tolerance_text=_tolerances(judged.table)).to_dict("records")
     score = score_sentence(judged).replace("**", "")
+    rows = judged.table.to_dict("records")
     return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
 
 
@@ -124,76 +126,20 @@ def _wider_tolerances(judged: Judged) -> str:
     return " or ".join(f"within {text} ({place})" for text, place in wider.items())
 
 
-def _inputs(default: Mapping) -> pd.DataFrame:
-    """The inputs that were searched, and 90 % of what each seed draws."""
-    return pd.DataFrame(
-        {
-            "input": name,
-            "chosen": f"{default['inputs'][name]:.3g}",
-            "90 % of each seed's sample": ", ".join(
-                "{:.3g} to {:.3g}".format(*ends) for ends in found.get("range_of_each_seed", ())
-            ),
-        }
-        for name, found in default["identification"].items()
-    )
-
-
-def _contradictions(judged: Judged) -> pd.DataFrame:
-    """Each statement that stands aside, whether it would hold, and those taken instead."""
-    words = judged.table.set_index("id")["verdict"]
-    return pd.DataFrame(
-        {
-            "set aside": claim.statement,
-            "would hold": "yes" if judged.verdicts[claim.id].holds else "no",
-            "taken instead": ", ".join(
-                f"{other} ({words[other]})"
-                for other in claim.contradicts
-                if words[other] != CONTRADICTED
-            ),
-            "why": claim.aside,
-        }
-        for claim in judged.claims
-        if claim.aside
-    )
-
-
-def _statements(table: pd.DataFrame) -> pd.DataFrame:
-    """The columns of the table that readers need, with short headings."""
-    agree = {
-        f"{name} {verb}": table[f"{name}_agree"].astype(str)
-        + "/"
-        + table[f"{name}_size"].astype(str)
-        for name, verb in (("ensemble", "agrees"), ("interpretations", "agree"))
-    }
-    return pd.DataFrame(
-        {
-            "id": table["id"],
-            "statement": table["statement"],
-            "paper": table["published"],
-            "model": table["computed"].map(once),
-            "tolerance": _tolerances(table),
-            "score": table["score"].map("{:.3g}".format),
-            "verdict": table["verdict"],
-            "figure left out": table["predicted"],
-        }
-        | agree
-    )
-
-
-def _tolerances(table: pd.DataFrame) -> list[str]:
+def _tolerance(row: Mapping[str, Any]) -> str:
     """What still counts as agreement, as a percentage of the number or in its unit."""
-    pairs = zip(table["tolerance"], table["tolerance_kind"], strict=True)
-    return [
-        f"{100 * size:g} %, relative" if kind == "relative" else f"{size:g}, absolute"
-        for size, kind in pairs
-    ]
+    size = row["tolerance"]
+    relative = row["tolerance_kind"] == "relative"
+    return f"{100 * size:g} %, relative" if relative else f"{size:g}, absolute"
+
+
+def _cell(value: Any) -> str:
+    """A value as a cell of a table in Markdown."""
+    return str(value).replace("|", "\\|")
 
 
 def _as_markdown(table: pd.DataFrame) -> str:
-    if table.empty:
-        return "None."
-    cells = table.map(lambda cell: str(cell).replace("|", "\\|"))
-    return cells.to_markdown(index=False, disable_numparse=True)
+    return table.map(_cell).to_markdown(index=False, disable_numparse=True)
 
 
 ENVIRONMENT = Environment(
@@ -202,7 +148,8 @@ ENVIRONMENT = Environment(
     undefined=StrictUndefined,
     keep_trailing_newline=True,
 )
-ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once}
+FILTERS = {"markdown": _as_markdown, "once": once, "tolerance": _tolerance, "cell": _cell}
+ENVIRONMENT.filters |= FILTERS
 
 
 def _without_nan(content):
