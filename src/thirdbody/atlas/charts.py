@@ -10,8 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 import xarray as xr
 
-from thirdbody.atlas.surfaces import LIMITS
-from thirdbody.data.conditions import AXES, CONDITION_AXES
+from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.quantities import STATUS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
@@ -30,7 +29,7 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
-    (along,) = LIMITS[variable]
+    (along,) = (each for each in DIMENSIONS if each not in atlas[variable].dims)
     ends = atlas[along].values[atlas[along].values > 0.0][[0, -1]]
     panels = []
     for given in charts[name]:

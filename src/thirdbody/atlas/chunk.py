@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import csv
 import json
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import netCDF4
 import numpy as np
 import xarray as xr
 
-from thirdbody.atlas.surfaces import LIMITS, QUANTILES, STATES, solve_surface
+from thirdbody.atlas.surfaces import QUANTILES, solve_surface
 from thirdbody.configuration.rules import axis_values
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.dataset import Axes, described_grid
@@ -33,35 +35,6 @@ COMMENT = (
     "differs from the default in each member, by the names of config/inputs.yaml, SI. A probability is "
     "the fraction of the members; a _range has quantiles of those members that have a value."
 )
-
-
-def _attributes(long_name: str, units: str = "1", symbol: str = "none", **more: Any) -> dict:
-    known = {"units": units, "long_name": long_name, "symbol": symbol}
-    return {**known, "coverage_content_type": "modelResult", **more}
-
-
-PASSED = {"comment": "0: on this side at the least value of the axis already; infinite: at none"}
-ATTRIBUTES = {
-    "largest_particle_diameter": _attributes(
-        f"largest particle diameter that stays out of the particle-surface mode, A_sa,t* = {PARTICLE_LIMIT}",
-        *("m", "x_a"),
-        **PASSED,
-    ),
-    "least_viscosity": _attributes(
-        f"least viscosity that leaves boundary lubrication, L_s = {BOUNDARY_LIMIT}",
-        *("m2 s-1", "nu"),
-        **PASSED,
-    ),
-    "turning_point_load": _attributes(
-        "load at the turning point of the contact area", "1", "F_TPCA*"
-    ),
-    "turning_point_window_low": _attributes(
-        "least particle diameter over roughness with a turning point"
-    ),
-    "turning_point_window_high": _attributes(
-        "largest particle diameter over roughness with a turning point"
-    ),
-}
 
 
 def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:
@@ -141,7 +114,7 @@ def _described(axes, default, members, kept, rtol) -> xr.Dataset:
     described["normal_load"].values[:] = axes["load"]
     quantiles = {"units": "1", "long_name": "fraction of the ensemble below"}
     described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, quantiles)})
-    for name, (dimensions, attributes) in _findings(len(members)).items():
+    for name, dimensions, attributes in _findings(len(members)):
         sizes = [described.sizes[each] for each in dimensions]
         kind = np.int16 if "scale_factor" in attributes else float
         described[name] = dimensions, np.broadcast_to(np.zeros((), kind), sizes), attributes
@@ -153,24 +126,20 @@ def _described(axes, default, members, kept, rtol) -> xr.Dataset:
     )
 
 
-def _findings(members: int) -> dict[str, tuple[tuple[str, ...], dict[str, Any]]]:
-    """Dimensions and attributes of what ``solve_surface`` finds; fractions are stored as counts."""
-    found = {}
-    fraction = {"scale_factor": 1.0 / members}
-    for flag, states in STATES.items():
-        for state in states:
-            kind = f"{state.replace('_', '-')} {flag.partition('_')[0]}"
-            name = f"probability of {kind} over the ensemble"
-            found[f"{state}_probability"] = DIMENSIONS, _attributes(name, **fraction)
-    for name, attributes in ATTRIBUTES.items():
-        dimensions = tuple(each for each in DIMENSIONS if each not in LIMITS[name])
-        ranged = {"long_name": f"{attributes['long_name']}: quantiles of the ensemble"}
-        found[name] = dimensions, attributes
-        found[f"{name}_range"] = (QUANTILE, *dimensions), attributes | ranged
-    for name, of in (("turning_point", "load"), ("turning_point_window", "low")):
-        dimensions, _ = found[f"{name}_{of}"]
-        about = _attributes(
-            f"probability of a {name.replace('_', ' ')} over the ensemble", **fraction
-        )
-        found[f"{name}_probability"] = dimensions, about
-    return found
+def _findings(members: int) -> Iterator[tuple[str, tuple[str, ...], dict[str, Any]]]:
+    """Name, dimensions and attributes of what ``solve_surface`` finds: the rows of ``findings.csv``, and the range of
+    each that is no fraction; fractions are stored as counts."""
+    limits = {"particle_limit": PARTICLE_LIMIT, "boundary_limit": BOUNDARY_LIMIT}
+    with open(Path(__file__).with_name("findings.csv"), encoding="utf-8", newline="") as stream:
+        rows = list(csv.DictReader(stream))
+    for row in rows:
+        name, without = row.pop("name"), row.pop("without").split()
+        dimensions = tuple(each for each in DIMENSIONS if each not in without)
+        attributes = {key: text.format(**limits) for key, text in row.items() if text}
+        attributes["coverage_content_type"] = "modelResult"
+        if name.endswith("_probability"):
+            yield name, dimensions, attributes | {"scale_factor": 1.0 / members}
+        else:
+            ranged = {"long_name": f"{attributes['long_name']}: quantiles of the ensemble"}
+            yield name, dimensions, attributes
+            yield f"{name}_range", (QUANTILE, *dimensions), attributes | ranged

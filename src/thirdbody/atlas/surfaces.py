@@ -32,14 +32,6 @@ from thirdbody.solver.sweep import is_worthwhile, sweep
 
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
 SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)
-# what has a value for each set of inputs and quantiles over the ensemble, and which axes it has not
-LIMITS = {
-    "largest_particle_diameter": ("particle_diameter",),
-    "least_viscosity": ("viscosity",),
-    "turning_point_load": ("load",),
-    "turning_point_window_low": ("load", "particle_diameter"),
-    "turning_point_window_high": ("load", "particle_diameter"),
-}
 QUANTILES = np.array([ENDS[0], 0.5, ENDS[1]])  # nine in ten lie between the first and the last
 EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
 PLACES = 900  # separations between which the diameter that a limit belongs to is interpolated
@@ -56,8 +48,8 @@ def solve_surface(
 
     ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble, and ``weights``
     how often each is in it; ``kept`` and ``rtol`` are those of ``write_chunk``.  Returned are those kept and the
-    flags, counts of the members in each regime and mode, ``LIMITS`` of the default with their quantiles, and
-    counts of turning points.
+    flags, counts of the members in each regime and mode, limits and turning points of the default with their
+    quantiles, and counts of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
