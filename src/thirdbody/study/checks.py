@@ -9,7 +9,7 @@ explained at the head of ``config/claims.yaml``.  ``Judge`` does so for all clai
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -82,16 +82,14 @@ class NotReached(Exception):
     bound, or the logarithm of the ratio of two loads."""
 
 
+@dataclass(frozen=True)
 class Judge:
     """Judges the same statements under any inputs: ``base`` has those that a set of inputs does not give, fields
     of ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
 
-    def __init__(
-        self, claims: Sequence[Claim], base: Mapping[str, Any], newtons: tuple[float, float]
-    ):
-        self.claims = tuple(claims)
-        self.base = base
-        self._newtons = tuple(newtons)
+    claims: Sequence[Claim]
+    base: Mapping[str, Any]
+    newtons: tuple[float, float]
 
     def __call__(
         self,
@@ -109,7 +107,7 @@ class Judge:
                 for claim in some
             ]
         parameters = Parameters(**{**self.base, **inputs})
-        evidence = SolvedEvidence(parameters, referenced_conditions(some), self._newtons, effort)
+        evidence = SolvedEvidence(parameters, referenced_conditions(some), self.newtons, effort)
         return {claim.id: judge(claim, evidence) for claim in some}
 
 
