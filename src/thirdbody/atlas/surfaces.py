@@ -6,7 +6,7 @@ they are in memory: the regime and mode of each, the limits of design, and the t
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +18,7 @@ from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
 from thirdbody.data.quantities import FLAGS
 from thirdbody.data.spread import ENDS
-from thirdbody.model.film import Film, film_load, log_load_parameter
+from thirdbody.model.film import film_load
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
     BOUNDARY_LIMIT,
@@ -104,33 +104,23 @@ def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
     on lubrication is no longer boundary lubrication."""
     ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
     diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
-
-    def between_sizes(ends, load, film, surface, density):
-        return np.clip(diameter[film, density, load], *ends)
-
-    def between_films(ends, *place):
-        return passed_viscosity(BOUNDARY_LIMIT, ends, place, axes, parameters, rtol)
-
     particles = logit(solution.particle_contact_area_ratio) - logit(PARTICLE_LIMIT)
     film = logit(BOUNDARY_LIMIT) - logit(solution.solid_load_fraction)
     return {
-        "largest_particle_diameter": first_passed(
-            "particle_diameter", axes, particles, between_sizes
-        ),
-        "least_viscosity": first_passed("viscosity", axes, film, between_films),
+        "largest_particle_diameter": first_passed("particle_diameter", axes, particles, diameter),
+        "least_viscosity": first_passed("viscosity", axes, film),
     }
 
 
 def first_passed(
-    along: str, axes: Axes, excess: NDArray, between: Callable[..., NDArray]
+    along: str, axes: Axes, excess: NDArray, at_leaps: NDArray | None = None
 ) -> NDArray:
     """Where ``excess``, the logarithm of odds above a level, first passes 0 along an axis of a grid, SI.
 
     It is interpolated over the logarithm of the axis, whose value 0 is left out.  Where it leaps, as it
-    does where the first particle touches, ``between`` maps neighbours on the axis, and places on the other
-    four, to where between them the level is passed.  The result has the shape of the grid without the axis:
-    0 where the level is passed at the first value already, infinite where it never is, nan where points
-    without solution leave that open.
+    does where the first particle touches, it is ``at_leaps``, if that is given.  The result has the shape of
+    the grid without the axis: 0 where the level is passed at the first value already, infinite where it
+    never is, nan where points without solution leave that open.
     """
     nodes = axes[along][axes[along] > 0.0]
     excess = np.moveaxis(excess, list(axes).index(along), 0)[axes[along] > 0.0]
@@ -143,10 +133,9 @@ def first_passed(
     ends = nodes[high - 1], nodes[high]
     below, above = (excess[(place, *others)] for place in (high - 1, high))
     crossing = ends[0] * (ends[1] / ends[0]) ** (below / (below - above))
-    leaps = np.flatnonzero(~np.isnan(below) & ~(np.abs(above - below) < EVEN))
-    if leaps.size:
-        some = tuple(end[leaps] for end in ends)
-        crossing[leaps] = between(some, *(places[leaps] for places in others))
+    if at_leaps is not None:
+        leaps = ~np.isnan(below) & ~(np.abs(above - below) < EVEN)
+        crossing = np.where(leaps, np.clip(at_leaps[others], *ends), crossing)
     found[others] = crossing
     return found
 
@@ -155,7 +144,7 @@ def first_passed(
 def passed_diameter(
     level: float, axes: Axes, ends: tuple[float, float], parameters: Parameters, rtol: float
 ) -> NDArray:
-    """Mean diameter x_a [m] at which A_sa,t* is ``level``: shape (films, densities, loads).
+    """Mean diameter x_a [m] at which A_sa,t* is ``level``: shape (loads, films, 1, densities).
 
     At a separation d the ratio depends on the particles alone: x_a(d) is sought there, between the ends of
     its axis, and the load that belongs to it is F_s + F_f (Eq. 1).  Of several the largest d counts; ``ends``
@@ -187,36 +176,10 @@ def passed_diameter(
     total = parameters.interpretation.film_load.total_load(solid, film[:, np.newaxis])
     total = np.maximum.accumulate(np.log(total), axis=-1)
     log_diameter = log_diameter.reshape(densities.size, -1)
-    found = np.empty((*total.shape[:2], loads.size))
-    for place in np.ndindex(total.shape[:2]):
-        found[place] = np.interp(np.log(loads), total[place], log_diameter[place[1]])
-    return np.exp(found)
-
-
-def passed_viscosity(
-    level: float,
-    ends: tuple[NDArray, NDArray],
-    place: Sequence[NDArray],
-    axes: Axes,
-    parameters: Parameters,
-    rtol: float,
-) -> NDArray:
-    """Viscosity [m2/s] between two ``ends`` at which L_s is ``level``, at places on the other four axes: the solids
-    carry that fraction of the load at one separation, dry or not, and the film is as thick (Eqs. 7, 8)."""
-    names = "load", "particle_diameter", "roughness", "particle_density"
-    given = {name: axes[name][each] for name, each in zip(names, place, strict=True)}
-    log_fluid = parameters.interpretation.film_load.log_fraction(np.log1p(-level))
-    log_parameter = log_load_parameter(np.log(given["load"]) + log_fluid, parameters)  # ln W
-    dry = given | {"load": level * given["load"], "viscosity": np.zeros(1)}
-    separation = solve_arrays(dry, parameters, rtol, ["separation"]).separation
-    wanted = separation / parameters.ball_radius
-
-    def excess(log_viscosity):
-        film = Film.of(np.exp(log_viscosity), given["roughness"], parameters)
-        return np.log(film.thickness(log_parameter)[0] / wanted)
-
-    root, _ = bracketed_roots(excess, *np.log(ends), 0.1 * rtol)
-    return np.exp(root)
+    found = np.empty((loads.size, *total.shape[:2]))
+    for film, place in np.ndindex(total.shape[:2]):
+        found[:, film, place] = np.interp(np.log(loads), total[film, place], log_diameter[place])
+    return np.exp(found[:, :, np.newaxis])
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
