@@ -24,13 +24,6 @@ def bracketed_roots(
     that bracket, at most ``tolerance`` where float64 allows it.
 
     Chandrupatla (1997), Adv. Eng. Software 28:145.
-
-    Examples
-    --------
-    >>> import numpy
-    >>> roots, _ = bracketed_roots(lambda x: x**2 - 2.0, numpy.zeros(1), numpy.full(1, 2.0), 1e-12)
-    >>> roots.round(9)
-    array([1.41421356])
     """
     newest, other, last = low, high, high
     f_newest, f_other = function(low), function(high)

@@ -71,19 +71,7 @@ class Assumed:
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite
 def measurable(found: Solution, parameters: Parameters, assumed: Assumed) -> dict[str, NDArray]:
-    """All that can be measured of a solution, by the columns of ``MEASURED`` and in their units.
-
-    Examples
-    --------
-    The resistance of one spot of 0.01 mm2 between bodies of steel:
-
-    >>> from types import SimpleNamespace
-    >>> known = ("film_thickness", "separation", "solid_load_fraction", "fluid_load_fraction")
-    >>> found = SimpleNamespace(total_contact_area=0.01, **dict.fromkeys(known, 0.5))
-    >>> parameters = SimpleNamespace(apparent_area=1e-6, ball_radius=0.006)
-    >>> round(float(measurable(found, parameters, Assumed())["contact_resistance_ohm"]), 5)
-    0.00195
-    """
+    """All that can be measured of a solution, by the columns of ``MEASURED`` and in their units."""
     area = found.total_contact_area * parameters.apparent_area
     solids = assumed.boundary_friction * found.solid_load_fraction
     return {

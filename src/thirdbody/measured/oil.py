@@ -129,15 +129,7 @@ def _doubled(viscosity):
 
 
 def viscosity_index_of(at_40: float, at_100: float) -> float:
-    """Viscosity index of an oil with these viscosities [cSt] at 40 C and, from 2 on, at 100 C (ASTM D2270).
-
-    Examples
-    --------
-    Two of the examples of the standard:
-
-    >>> round(viscosity_index_of(73.30, 8.86)), round(viscosity_index_of(22.83, 5.05))
-    (92, 156)
-    """
+    """Viscosity index of an oil with these viscosities [cSt] at 40 C and, from 2 on, at 100 C (ASTM D2270)."""
     *_, (_, a, b, c, d, e, f) = (row for row in INDEX if row[0] <= at_100)
     low = (a * at_100 + b) * at_100 + c
     high = (d * at_100 + e) * at_100 + f

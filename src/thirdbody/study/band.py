@@ -41,17 +41,6 @@ def band(
     inputs that differ from ``base``, SI.  Every member is solved at the conditions and loads F_t* of
     ``dataset``, whose own values count as well, so that the band encloses its curves.  Returned are
     variables ``<quantity>_low`` and ``<quantity>_high``, laid out as the quantity is in ``dataset``.
-
-    Examples
-    --------
-    >>> import thirdbody as tb
-    >>> inputs = tb.load_parameters()
-    >>> axes = dict(viscosity=9e-5, particle_diameter=3e-7, roughness=3e-7, particle_density=1e11)
-    >>> points = tb.grid(load=[1e-6, 1e-5], **axes, parameters=inputs)
-    >>> envelope = band(points, inputs, [{"apparent_area": 0.9 * inputs.apparent_area}])
-    >>> low, high = (envelope[f"separation_{end}"].values for end in ("low", "high"))
-    >>> bool(((low <= points["separation"].values) & (points["separation"].values <= high)).all())
-    True
     """
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]

@@ -158,11 +158,8 @@ class Objective:
 
 
 def loss(score: ArrayLike) -> ArrayLike:
-    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1].
-
-    It is small where the statement holds, steepest where it ceases to, and grows slowly far off,
-    so that a statement that cannot hold does not outweigh the others.
-    """
+    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1]: small where it holds, steepest where
+    it ceases to, and nearly flat far off, so that one that cannot hold does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
