@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from thirdbody.data.readable import result_name
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import QUICK_EFFORT
@@ -52,13 +51,12 @@ def total_indices(
     ``positions``, shape (sets, inputs), are those of the solved sets of inputs, from -1 to 1, and
     ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returned are the
     indices of the response surface, shape (inputs,), and the fraction of the variance that the fit to
-    all other sets misses [1].  ``ValueError`` is raised if the output occurs in too few sets.
+    all other sets misses [1]; nan if the output occurs in too few sets.
     """
     terms, involved = legendre_terms(positions)
     known = np.isfinite(values)
-    least = int(np.ceil(LEAST_SETS * terms.shape[1]))
-    if known.sum() < least:
-        raise ValueError(f"occurs in {known.sum()} sets of inputs; allowed: at least {least}")
+    if known.sum() < LEAST_SETS * terms.shape[1]:
+        return np.full(positions.shape[1], np.nan), np.nan
     terms, logarithms = terms[known], np.log(values[known])
     basis, triangle = np.linalg.qr(terms)
     coefficients = np.linalg.solve(triangle, basis.T @ logarithms)
@@ -78,8 +76,7 @@ def default_indices(
 ) -> Found:
     """Total Sobol indices of the outputs, which are ``base`` at ``parameters``, in some ``inputs``, SI.
 
-    Their error is what the response surface misses, as any input may take part in it.  An output that
-    occurs in too few of the solved sets keeps nan, and a line of text says so.  ``settings`` is the entry
+    Their error is what the response surface misses, as any input may take part in it.  ``settings`` is the entry
     ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to either side, as far as the
     input may have such values, ``solved`` the number of sets of inputs, ``seed`` that of their scatter.
     """
@@ -95,12 +92,7 @@ def default_indices(
     value = np.full((base.size, len(inputs)), np.nan)
     unexplained = np.full(base.shape, np.nan)
     for index in np.flatnonzero(np.isfinite(base)):
-        try:
-            value[index], unexplained[index] = total_indices(
-                2.0 * scattered - 1.0, solved[:, index]
-            )
-        except ValueError as few:
-            print(f"{result_name(subject.outputs[index])}: {few}")
+        value[index], unexplained[index] = total_indices(2.0 * scattered - 1.0, solved[:, index])
     error = np.broadcast_to(unexplained[:, None], value.shape)
     occurs = np.isfinite(solved).mean(axis=0)
     return Found("sobol_total", value, error, occurs, unexplained)
