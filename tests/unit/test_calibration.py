@@ -14,8 +14,7 @@ from thirdbody.study.calibration import Interpretation, Objective, Unknown, loss
 from thirdbody.study.checks import Judge
 from thirdbody.study.claims import load_claims
 from thirdbody.study.results import acceptable, mixed_ensemble, price_front, shortlist, summary
-from thirdbody.study.sampling import posterior_sample
-from thirdbody.study.search import search
+from thirdbody.study.search import posterior_sample, search
 
 CONFIG = Path(__file__).parents[2] / "config"
 CLAIMS = load_claims(CONFIG / "claims.yaml")

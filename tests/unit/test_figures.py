@@ -22,8 +22,7 @@ from thirdbody.figures.marks import TURNING_POINTS as STARS
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import sections, state_of
-from thirdbody.study.claims import load_claims
-from thirdbody.study.printed import printed_rows
+from thirdbody.study.claims import load_claims, printed_rows
 
 pytestmark = pytest.mark.usefixtures("style")
 

@@ -11,8 +11,7 @@ from thirdbody.configuration.schema import config_directory
 from thirdbody.data.conditions import CONDITION_AXES
 from thirdbody.data.paper_tables import paper_table
 from thirdbody.data.tables import TABLES, read_csv, write_csv
-from thirdbody.study.claims import load_claims
-from thirdbody.study.printed import printed_rows
+from thirdbody.study.claims import load_claims, printed_rows
 
 PRINTED = Path(__file__).parents[2] / "config" / "paper_tables.yaml"
 

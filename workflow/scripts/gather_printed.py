@@ -3,8 +3,7 @@
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged
-from thirdbody.study.claims import load_claims
-from thirdbody.study.printed import printed_rows
+from thirdbody.study.claims import load_claims, printed_rows
 
 with logged(snakemake.log[0]), atomic_write(snakemake.output.table) as part:
     write_csv(part, printed_rows(load_claims(snakemake.input.claims)), TABLES["printed"])

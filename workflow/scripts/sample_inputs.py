@@ -5,7 +5,7 @@ import numpy as np
 from thirdbody.job_log import logged
 from thirdbody.study.calibration import Interpretation, Objective, read_rows, write_rows
 from thirdbody.study.claims import load_claims
-from thirdbody.study.sampling import posterior_sample
+from thirdbody.study.search import posterior_sample
 
 with logged(snakemake.log[0]):
     settings, seed = snakemake.params.settings, int(snakemake.wildcards.seed)

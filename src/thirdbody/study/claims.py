@@ -7,9 +7,10 @@ kinds of claims and the fields of each are explained at the head of ``config/cla
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ import numpy as np
 
 from thirdbody.configuration.schema import read_valid
 from thirdbody.data.conditions import CONDITION_AXES, Condition
+from thirdbody.data.places import FIGURE
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
 CURVE_QUANTITIES = (
@@ -185,3 +187,50 @@ def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
         for axis in CONDITION_AXES
         if (given := conditions.get(axis.key)) is not None
     ]
+
+
+def printed_rows(claims: Iterable[Claim]) -> list[dict]:
+    """Rows of the table ``printed``: a number with its tolerance for each curve it is printed for.
+
+    A change from a reference has none, as it has no place on a figure.
+    """
+    rows = []
+    for claim in claims:
+        is_change = claim.reference and claim.quantity not in BETWEEN_CURVES
+        if claim.kind not in ("value", "span", "window") or is_change:
+            continue
+        number = FIGURE.match(claim.place)
+        levels = [(name, value) for name, value in claim.limits.items() if name in CURVE_QUANTITIES]
+        at_quantity, at_level = levels[0] if levels else ("", None)
+        curves = claim.curves
+        if claim.quantity == REVERSAL_LOAD:  # one number: that of the middle curve
+            curves = curves[len(curves) // 2 :][:1]
+        for condition, (extreme, quantity, value) in product(curves, _numbers(claim)):
+            margin = abs(value) * claim.tolerance if claim.relative else claim.tolerance
+            known = {n: None if np.isnan(v) else v for n, v in condition.columns.items()}
+            rows.append(
+                {
+                    "id": claim.id,
+                    "figure": f"fig{int(number[1]):02d}" if number else "",
+                    "at_quantity": at_quantity,
+                    "at_level": at_level,
+                    "load_max": claim.limits.get("load_max"),
+                    "load_max_N": claim.limits.get("load_max_N"),
+                    **known,
+                    "quantity": quantity,
+                    "extreme": extreme,
+                    "value": value,
+                    "low": value - margin,
+                    "high": value + margin,
+                }
+            )
+    return rows
+
+
+def _numbers(claim):
+    """Extreme, quantity and value of each number of a claim."""
+    if claim.kind == "window":
+        return zip(("", ""), ("window_low", "window_high"), claim.published, strict=True)
+    if claim.kind == "span":
+        return zip(("minimum", "maximum"), [claim.quantity] * 2, claim.published, strict=True)
+    return [(claim.extreme, claim.quantity, claim.published)]

@@ -1,4 +1,5 @@
-"""Searching the unknown inputs of an interpretation for those that explain most of the paper."""
+"""Searching the unknown inputs of an interpretation for those that explain most of the paper, and drawing sets
+that explain about as much."""
 
 from __future__ import annotations
 
@@ -7,6 +8,8 @@ from typing import Any
 
 import cma
 import numpy as np
+from emcee import EnsembleSampler, State
+from emcee.moves import DEMove, DESnookerMove
 from numpy.typing import NDArray
 from scipy.stats.qmc import LatinHypercube
 
@@ -14,6 +17,9 @@ from thirdbody.study.calibration import Interpretation
 
 FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
 SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
+START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, for each unknown
+# Steps by the difference of two walkers; those of its whole length lead from one valley to another.
+MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
 def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
@@ -63,3 +69,38 @@ def search(
     least = min(row[-1] for row in rows)
     print(f"{interpretation.name} seed {seed}: {len(rows)} evaluations, least {least:.3f}")
     return np.array(rows)
+
+
+def posterior_sample(
+    interpretation: Interpretation,
+    objective: Callable[[Interpretation, NDArray[np.float64]], float],
+    evaluations: NDArray[np.float64],
+    budget: Mapping[str, int],
+    seed: int,
+) -> NDArray[np.float64]:
+    """Draw sets of inputs with a density of exp(-objective), by an ensemble of walkers.
+
+    Walkers start from the best of the ``evaluations`` of a search; ``budget`` says how many ``walkers`` make how
+    many ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same result: positions
+    and, in the last column, the objective there [1], shape (rows, unknowns + 1).
+
+    Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
+    doi:10.1007/s11222-008-9104-9.
+    """
+
+    def log_density(positions):
+        if ((positions < 0.0) | (positions > 1.0)).any():
+            return -np.inf
+        return -objective(interpretation, positions)
+
+    walkers, steps, unknowns = budget["walkers"], budget["steps"], len(interpretation.unknowns)
+    random = np.random.RandomState(seed)
+    ordered = evaluations[np.argsort(evaluations[:, -1], kind="stable")]
+    good = ordered[ordered[:, -1] <= ordered[0, -1] + START_ABOVE_BEST * unknowns, :-1]
+    chosen = good[np.linspace(0, len(good) - 1, walkers).astype(int)]
+    start = np.clip(chosen + 1e-3 * random.normal(size=chosen.shape), 1e-6, 1.0 - 1e-6)
+    sampler = EnsembleSampler(walkers, unknowns, log_density, moves=MOVES)
+    sampler.run_mcmc(State(start, random_state=random.get_state()), steps)
+    dropped = steps // 4
+    places = sampler.get_chain(discard=dropped, flat=True)
+    return np.column_stack([places, -sampler.get_log_prob(discard=dropped, flat=True)])
