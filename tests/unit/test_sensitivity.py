@@ -13,7 +13,7 @@ from thirdbody.curves.transitions import LIMITS
 from thirdbody.data.tables import TABLES, read_csv, write_csv
 from thirdbody.figures.sensitivity import SHADES, plot
 from thirdbody.solver.solve import solve
-from thirdbody.study.evidence import FULL_EFFORT, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, solve_evidence
 from thirdbody.study.sensitivity import (
     STEP,
     Found,
@@ -69,7 +69,7 @@ def test_an_input_at_its_upper_bound_is_stepped_inwards():
 
 def test_crossings_are_where_the_limits_are_crossed(subject, parameters):
     asked = {"curve": set(subject.transitions), "turning_point": set(), "window": set()}
-    evidence = SolvedEvidence(parameters, asked, subject.newtons)
+    evidence = solve_evidence(parameters, asked, subject.newtons)
     found = last_crossings(evidence, subject.transitions)
     assert np.isfinite(found).any()
     for condition, loads in zip(subject.transitions, found, strict=True):

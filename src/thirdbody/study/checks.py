@@ -31,7 +31,7 @@ from thirdbody.study.claims import (
     Claim,
     referenced_conditions,
 )
-from thirdbody.study.evidence import FULL_EFFORT, Effort, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
 
 MISSING_SCORE = 10.0  # the greatest score, also given where there is nothing to compare
 # Loads may miss the bound that a claim sets by this before its score grows: a line's width.
@@ -107,11 +107,11 @@ class Judge:
                 for claim in some
             ]
         parameters = Parameters(**{**self.base, **inputs})
-        evidence = SolvedEvidence(parameters, referenced_conditions(some), self.newtons, effort)
+        evidence = solve_evidence(parameters, referenced_conditions(some), self.newtons, effort)
         return {claim.id: judge(claim, evidence) for claim in some}
 
 
-def judge(claim: Claim, evidence: SolvedEvidence) -> Verdict:
+def judge(claim: Claim, evidence: Evidence) -> Verdict:
     """Compare the model with a statement of the paper; ``evidence`` has at least what it refers to."""
     try:
         found = CHECKS[claim.kind](claim, evidence)

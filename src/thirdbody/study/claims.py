@@ -141,7 +141,7 @@ class Claim:
 
     @property
     def source(self) -> str:
-        """What of ``thirdbody.study.evidence.SolvedEvidence`` the claim refers to."""
+        """What of ``thirdbody.study.evidence.Evidence`` the claim refers to."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
@@ -171,7 +171,7 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """What must be solved to judge ``claims``, as ``SolvedEvidence`` takes it: a set of ``Condition`` for ``curve``
+    """What must be solved to judge ``claims``, as ``solve_evidence`` takes it: a set of ``Condition`` for ``curve``
     and ``turning_point``, of sigma [m] for ``window``."""
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:

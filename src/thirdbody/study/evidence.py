@@ -69,70 +69,54 @@ SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VAR
 
 
 @dataclass(frozen=True)
-class SolvedEvidence:
-    """Curves, turning points and windows for one set of inputs, solved when first asked for.
-
-    ``asked`` is what ``thirdbody.study.claims.referenced_conditions`` gives, ``newtons`` the first and last
-    normal load of every curve [N].
-    """
+class Evidence:
+    """What the model gives for one set of inputs: curves and turning points, in single numbers, by the condition,
+    and both ends of the windows [1] by sigma [m]."""
 
     parameters: Parameters
-    asked: Mapping[str, set]
-    newtons: tuple[float, float]
-    effort: Effort = FULL_EFFORT
+    effort: Effort
+    curves: dict[Condition, Curve]
+    turning_points: dict[Condition, TurningPoints]
+    windows: dict[float, tuple[float, float]]
 
-    @cached_property
-    def load_range(self) -> tuple[float, ...]:
-        """First and last load F_t* [1] of every curve."""
-        return tuple(force / self.parameters.newtons_per_load for force in self.newtons)
 
-    @cached_property
-    def _conditions(self):
-        return sorted(self.asked["curve"] | self.asked["turning_point"])
-
-    @cached_property
-    def _loads(self):
-        return np.geomspace(*self.load_range, self.effort.loads)
-
-    @cached_property
-    def _solution(self):
-        return solve(
-            load=self._loads[:, None],
-            **Condition(*np.transpose(self._conditions))._asdict(),
-            parameters=self.parameters,
-            rtol=self.effort.rtol,
+def solve_evidence(
+    parameters: Parameters,
+    asked: Mapping[str, set],
+    newtons: tuple[float, float],
+    effort: Effort = FULL_EFFORT,
+) -> Evidence:
+    """Solve what is ``asked`` for, as ``thirdbody.study.claims.referenced_conditions`` gives it; ``newtons`` are
+    the first and last normal load of every curve [N]."""
+    load_range = tuple(force / parameters.newtons_per_load for force in newtons)
+    loads = np.geomspace(*load_range, effort.loads)
+    conditions = sorted(asked["curve"] | asked["turning_point"])
+    curves, points = {}, {}
+    if conditions:
+        columns = np.transpose(conditions)
+        solution = solve(
+            load=loads[:, None],
+            **Condition(*columns)._asdict(),
+            parameters=parameters,
+            rtol=effort.rtol,
             variables=(*SOLVED_FIELDS, "solution_status", "error_bound"),
         )
-
-    @cached_property
-    def curves(self) -> dict[Condition, Curve]:
-        """The curve over all loads at each condition that was asked for."""
-        solution = self._solution
-        newtons = self._loads * self.parameters.newtons_per_load
         solved = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
-        return {
-            condition: Curve(
-                load=self._loads,
-                normal_load=newtons,
+        for index, condition in enumerate(conditions):
+            curves[condition] = Curve(
+                load=loads,
+                normal_load=loads * parameters.newtons_per_load,
                 solved=solved[:, index],
                 **{name: getattr(solution, name)[:, index] for name in SOLVED_FIELDS},
             )
-            for index, condition in enumerate(self._conditions)
-        }
-
-    @cached_property
-    def windows(self) -> dict[float, tuple[float, float]]:
-        """Ends of the range of x_a/sigma [1] with a dry turning point, by sigma [m]."""
-        wanted = sorted(self.asked["window"])
-        given = wanted, WINDOW_DENSITY, self.load_range, self.parameters
-        found = turning_point_windows(self.effort.window, *given)
-        return {sigma: (window.low, window.high) for sigma, window in zip(wanted, found)}
-
-    @cached_property
-    def turning_points(self) -> dict[Condition, TurningPoints]:
-        """The turning point of the curve at each condition that was asked for one, in single numbers."""
-        wanted = sorted(self.asked["turning_point"])
-        separation = self._solution.separation[:, [self._conditions.index(each) for each in wanted]]
-        found = turning_points(separation, *np.transpose(wanted), self.parameters, self.effort.rtol)
+        places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
+        separation = solution.separation[:, places]
+        found = turning_points(separation, *columns[:, places], parameters, effort.rtol)
         numbers = zip(*(values.tolist() for values in vars(found).values()), strict=True)
-        return {each: TurningPoints(*some) for each, some in zip(wanted, numbers, strict=True)}
+        for index, some in zip(places, numbers, strict=True):
+            points[conditions[index]] = TurningPoints(*some)
+    surfaces = sorted(asked["window"])
+    given = surfaces, WINDOW_DENSITY, load_range, parameters
+    found = turning_point_windows(effort.window, *given)
+    windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, found, strict=True)}
+    return Evidence(parameters, effort, curves, points, windows)

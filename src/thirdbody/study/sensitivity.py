@@ -18,7 +18,7 @@ from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.data.conditions import AXES, Condition
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
-from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, SolvedEvidence
+from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, Evidence, solve_evidence
 
 # Relative change of an input to either side, where the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
@@ -70,7 +70,7 @@ class Subject:
             "turning_point": set(self.turning_points),
             "window": set(self.window_roughness),
         }
-        evidence = SolvedEvidence(parameters, asked, self.newtons, effort)
+        evidence = solve_evidence(parameters, asked, self.newtons, effort)
         found = [evidence.turning_points[curve] for curve in self.turning_points]
         points = [
             (point.load, point.peak_ratio) if point.exists else (np.nan, np.nan) for point in found
@@ -79,9 +79,7 @@ class Subject:
         return np.concatenate([*points, *windows, *last_crossings(evidence, self.transitions)])
 
 
-def last_crossings(
-    evidence: SolvedEvidence, conditions: Sequence[Condition]
-) -> NDArray[np.float64]:
+def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray[np.float64]:
     """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits), nan where
     it does not."""
     found = np.full((len(conditions), len(LIMITS)), np.nan)
