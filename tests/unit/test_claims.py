@@ -26,8 +26,8 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     area, ratio, solid, film, solved = (
         np.broadcast_to(values, LOADS.shape) for values in (area, ratio, solid, film, solved)
     )
-    normal_load = LOADS * 8e5
-    return Curve(LOADS, normal_load, area, ratio, solid, film, film * 6.35e-3, solved)
+    found = (np.where(solved, each, np.nan) for each in (area, ratio, solid, film, film * 6.35e-3))
+    return Curve(LOADS, LOADS * 8e5, *found)
 
 
 def make_claim(kind, quantity="", published=None, size=0.1, relative=False, given=None, **fields):

@@ -340,7 +340,6 @@ def _departure_sharpness(claim, evidence):
     for dry, wet in _pairs(claim, evidence):
         log_load = np.log(wet.load)
         slope = np.diff(_log(wet.film_thickness / dry.film_thickness)) / np.diff(log_load)
-        slope[~(wet.solved & dry.solved)[1:]] = np.nan
         middle = 0.5 * (log_load[1:] + log_load[:-1])
         later = np.interp(middle + 0.1 * np.log(10.0), middle, slope)
         found.append(np.max(later - slope) / np.maximum(np.max(slope), TINY))
@@ -419,15 +418,14 @@ def _sample(curve, quantity, x, against="load"):
     """A quantity where the quantity ``against`` is ``x``, between points by logarithms; nan if unsolved."""
     if quantity == against:
         return x
+    values = getattr(curve, quantity)
     if x is curve.load:  # nothing lies between
-        return np.where(curve.solved, getattr(curve, quantity), np.nan)
+        return values
     known = np.log(curve.load) if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
-    values = getattr(curve, quantity)
-    logarithmic = (values > 0.0).all()
-    values = np.where(curve.solved, np.log(values) if logarithmic else values, np.nan)
-    found = np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
-    return np.exp(found) if logarithmic else found
+    if (values <= 0.0).any():
+        return np.interp(np.log(x), known[forward], values[forward], np.nan, np.nan)
+    return np.exp(np.interp(np.log(x), known[forward], np.log(values[forward]), np.nan, np.nan))
 
 
 def _rise_miss(values, step):
@@ -501,12 +499,12 @@ def _excursion(curve, step):
     """How far each point is outside a step, such as "mixed hybrid or full_film"; negative inside."""
     excursions = []
     for alternative in step.split(" or "):
-        outside = np.where(curve.solved, -np.inf, np.nan)
+        outside = []
         for name in alternative.split():
             quantity, low, high = STATES[name]
             values = getattr(curve, quantity)
-            outside = np.maximum(outside, np.maximum(low - values, values - high))
-        excursions.append(outside)
+            outside += [low - values, values - high]
+        excursions.append(np.max(outside, axis=0))
     return np.min(excursions, axis=0)
 
 

@@ -26,8 +26,8 @@ LARGEST_ERROR = 1e-3
 class Curve:
     """A solved curve over the load: arrays of shape (loads,), named as in the datasets, SI.
 
-    ``film_thickness`` is d/R_x [1], with or without a film; ``solved`` says which points have values
-    with an error bound of at most ``LARGEST_ERROR``.
+    ``film_thickness`` is d/R_x [1], with or without a film.  What is solved is nan at points without values, or
+    with an error bound above ``LARGEST_ERROR``.
     """
 
     load: NDArray[np.float64]
@@ -37,7 +37,6 @@ class Curve:
     solid_load_fraction: NDArray[np.float64]
     film_thickness: NDArray[np.float64]
     separation: NDArray[np.float64]
-    solved: NDArray[np.bool_]
 
     @cached_property
     def solid_load(self) -> NDArray[np.float64]:
@@ -101,13 +100,13 @@ def solve_evidence(
             rtol=effort.rtol,
             variables=(*SOLVED_FIELDS, "solution_status", "error_bound"),
         )
-        solved = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
+        known = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
+        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in SOLVED_FIELDS}
         for index, condition in enumerate(conditions):
             curves[condition] = Curve(
                 load=loads,
                 normal_load=loads * parameters.newtons_per_load,
-                solved=solved[:, index],
-                **{name: getattr(solution, name)[:, index] for name in SOLVED_FIELDS},
+                **{name: values[:, index] for name, values in solved.items()},
             )
         places = [index for index, each in enumerate(conditions) if each in asked["turning_point"]]
         separation = solution.separation[:, places]
