@@ -119,10 +119,6 @@ def compare(
     **conditions : array_like
         Conditions that are no columns, by any of the names of ``thirdbody.solve``.
 
-    Returns
-    -------
-    Comparison
-
     Raises
     ------
     ValueError

@@ -70,10 +70,6 @@ def surface(
         What a file does not say, as SurfaceTopography's ``read_topography`` takes it: ``unit="um"``,
         ``physical_sizes``, ``height_scale_factor``.
 
-    Returns
-    -------
-    MeasuredSurface
-
     Raises
     ------
     ValueError

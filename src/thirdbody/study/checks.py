@@ -361,7 +361,7 @@ def _table(claim, evidence, group, quantity=""):
     """Abscissa [points] and quantity [curves, points] of curves, where the claim refers to them."""
     curves = [evidence.curves[condition] for condition in group]
     # Bounds of the load hold on a curve itself, not on the reference that it is compared with.
-    x = _loads(claim, curves, curves[bool(claim.references) :])
+    x = _loads(claim, curves[-1], curves[bool(claim.references) :])
     if claim.against != "load":
         spans = [getattr(curve, claim.against) for curve in curves]
         x = _sample(curves[-1], claim.against, x)
@@ -370,10 +370,11 @@ def _table(claim, evidence, group, quantity=""):
     return x, np.array(values)
 
 
-def _loads(claim, curves, bounded):
-    """Loads F_t* [1]: one if the claim names it or a level, else all within its bounds on ``bounded``."""
-    limits, grid = claim.limits, curves[-1]
-    if not limits and all(curve.load is grid.load for curve in curves):
+def _loads(claim, grid, bounded):
+    """Loads F_t* [1] of a curve, ``grid``: one if the claim names it or a level, else all within its bounds on
+    ``bounded`` curves."""
+    limits = claim.limits
+    if not limits:
         return grid.load
     if "load" in limits:
         return np.array([limits["load"]])
@@ -381,8 +382,8 @@ def _loads(claim, curves, bounded):
         excess = _log(getattr(grid, name)) - np.log(limits[name])
         return np.array([_first_fall(grid.load, excess)])
     heaviest = np.interp(limits.get("load_max_N", np.inf), grid.normal_load, grid.load)
-    low = max(limits.get("load_min", 0.0), max(curve.load[0] for curve in curves))
-    high = min(limits.get("load_max", heaviest), min(curve.load[-1] for curve in curves))
+    low = max(limits.get("load_min", 0.0), grid.load[0])
+    high = min(limits.get("load_max", heaviest), grid.load[-1])
     inner = grid.load[(grid.load > low) & (grid.load < high)]
     if not low < high:
         raise NotReached(np.log(low / high))
