@@ -28,14 +28,8 @@ from thirdbody.units import ENGINEERING, UNITS, decimal, registry
 
 SPEED = "speed"
 # a unit of what a column of conditions may be, by its words
-CONDITIONS = {
-    "load": "N",
-    "viscosity": "cSt",
-    "particle diameter": "nm",
-    "roughness": "nm",
-    "particle density": "1/mm**2",
-    SPEED: "m/s",
-}
+CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
+CONDITIONS[SPEED] = "m/s"
 UNITS_OF = dict(MEASURED.values())
 CURVE = 80  # points of the model's curve where one condition varies
 HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")

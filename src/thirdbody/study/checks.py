@@ -18,13 +18,9 @@ from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT
 from thirdbody.study.claims import (
-    BEND_LOAD,
-    BEND_OVER_MIXED,
     BETWEEN_CURVES,
     BOUNDS,
     CURVE_QUANTITIES,
-    DEPARTURE_SHARPNESS,
-    REVERSAL_LOAD,
     STATES,
     TURNING_POINT_QUANTITIES,
     WINDOW_QUANTITIES,
@@ -141,7 +137,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
     last = evidence.curves[claim.curves[0]].load[-1]
-    if claim.quantity == BEND_OVER_MIXED:
+    if claim.quantity == "bend_load_over_mixed_load":
         return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
     loads = _scalars(claim, evidence)
     beyond = loads >= last
@@ -348,12 +344,12 @@ def _departure_sharpness(claim, evidence):
 
 # Quantities that compare whole curves: functions of the claim and the evidence.
 BETWEEN = {
-    REVERSAL_LOAD: _reversal_load,
-    BEND_LOAD: _bend_loads,
-    BEND_OVER_MIXED: lambda claim, evidence: np.divide(
+    "total_contact_area_reversal_load": _reversal_load,
+    "bend_load": _bend_loads,
+    "bend_load_over_mixed_load": lambda claim, evidence: np.divide(
         _bend_loads(claim, evidence), _mixed_loads(claim, evidence)
     ),
-    DEPARTURE_SHARPNESS: _departure_sharpness,
+    "departure_sharpness": _departure_sharpness,
 }
 
 
@@ -536,7 +532,7 @@ def _log(values):
 def _text_of(claim, evidence, values):
     """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
-    if claim.quantity in ("load", REVERSAL_LOAD, BEND_LOAD):
+    if claim.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
         first, last = evidence.curves[claim.curves[0]].load[[0, -1]]
         texts = [f"> {last:.4g}" if v >= last else text for v, text in zip(values, texts)]
         texts = [f"< {first:.4g}" if v <= first else text for v, text in zip(values, texts)]

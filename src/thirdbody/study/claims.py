@@ -32,10 +32,8 @@ TURNING_POINT_QUANTITIES = {
     "turning_point_solid_load": lambda point: point.solid_load_fraction * point.load,
 }
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
-REVERSAL_LOAD = "total_contact_area_reversal_load"
-BEND_LOAD, BEND_OVER_MIXED = "bend_load", "bend_load_over_mixed_load"
-BETWEEN_CURVES = (REVERSAL_LOAD, BEND_LOAD, BEND_OVER_MIXED)  # loads where two curves part or cross
-DEPARTURE_SHARPNESS = "departure_sharpness"
+# loads where two curves part or cross
+BETWEEN_CURVES = ("total_contact_area_reversal_load", "bend_load", "bend_load_over_mixed_load")
 # Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
 # the bound makes sign * (bound - value) positive.
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
@@ -203,7 +201,9 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
         levels = [(name, value) for name, value in claim.limits.items() if name in CURVE_QUANTITIES]
         at_quantity, at_level = levels[0] if levels else ("", None)
         curves = claim.curves
-        if claim.quantity == REVERSAL_LOAD:  # one number: that of the middle curve
+        if (
+            claim.quantity == "total_contact_area_reversal_load"
+        ):  # one number: that of the middle curve
             curves = curves[len(curves) // 2 :][:1]
         for condition, (extreme, quantity, value) in product(curves, _numbers(claim)):
             margin = abs(value) * claim.tolerance if claim.relative else claim.tolerance
