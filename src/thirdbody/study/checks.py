@@ -166,11 +166,10 @@ def check_value(claim: Claim, evidence) -> Measured:
     if claim.kind == "reach":
         beyond = np.maximum if claim.extreme == "minimum" else np.minimum
         compared = beyond(values, claim.published)
-    if not claim.any_curve:
-        return _against_published(claim, compared, text)._replace(numbers=values)
-    each = [_against_published(claim, value, text) for value in values]
-    best = int(np.argmin([found.distance for found in each]))
-    return each[best]._replace(numbers=values, worst=best)
+    each = [_against_published(claim, value, text) for value in compared]
+    pick = np.argmin if claim.any_curve else np.argmax
+    chosen = int(pick([found.distance for found in each]))
+    return each[chosen]._replace(numbers=values, worst=chosen)
 
 
 def check_span(claim: Claim, evidence) -> Measured:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
 from thirdbody.study.calibration import Interpretation, Objective
@@ -182,13 +184,10 @@ def _identification(interpretation, rows, good, samples) -> dict:
 
 def _correlations(interpretation, sample) -> list[dict]:
     """Pairs of unknowns that are correlated among the sets that are drawn."""
-    if len(sample) < 3:
-        return []
-    with np.errstate(invalid="ignore"):
-        matrix = np.atleast_2d(np.corrcoef(sample[:, :-1].T))
     names = [unknown.name for unknown in interpretation.unknowns]
+    coefficients = pd.DataFrame(sample[:, :-1], columns=names).corr()
     return [
-        {"between": [names[a], names[b]], "coefficient": float(f"{matrix[a, b]:.2f}")}
-        for a, b in zip(*np.triu_indices(len(names), 1), strict=True)
-        if abs(matrix[a, b]) >= NOTABLE_CORRELATION
+        {"between": [one, other], "coefficient": float(f"{coefficients.loc[one, other]:.2f}")}
+        for one, other in combinations(names, 2)
+        if abs(coefficients.loc[one, other]) >= NOTABLE_CORRELATION
     ]
