@@ -1,6 +1,7 @@
 """Choose the default by the rule, and search what each headline number that it misses would cost."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 
@@ -53,7 +54,8 @@ with logged(snakemake.log[0]):
     ]
     fronts = {}
     for name in missed:
-        raised = Objective.of(statements, settings, base, name, settings["price_weight"])
+        emphasis = np.where(plain.repeating(name), settings["price_weight"], 1.0)
+        raised = replace(plain, weights=plain.weights * emphasis)
         start = interpretation.positions(inputs)
         rows = search(interpretation, raised, start, settings["budget"], settings["seeds"][0])
         fronts[name] = price_front(interpretation, plain, name, rows, inputs)

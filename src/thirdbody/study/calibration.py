@@ -107,28 +107,18 @@ class Objective:
 
     @classmethod
     def of(
-        cls,
-        claims: Sequence[Claim],
-        settings: Mapping[str, Any],
-        base: Mapping[str, Any],
-        emphasised: str = "",
-        emphasis: float = 1.0,
+        cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
         """Make the objective over ``claims``, without those that stand aside.
 
-        The weight of a statement is that of its kind, shared among the statements of its cluster; that of
-        the statement with the id ``emphasised``, and of those that repeat it, is multiplied by ``emphasis``.
+        The weight of a statement is that of its kind, shared among the statements of its cluster.
         ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are neither
         fixed nor searched.
         """
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
-        chosen = {claim.counted_as for claim in fitted if claim.id == emphasised}
         weights = [
-            settings["weights"].get(claim.kind, 1.0)
-            / sizes[claim.counted_as]
-            * (emphasis if claim.counted_as in chosen else 1.0)
-            for claim in fitted
+            settings["weights"].get(claim.kind, 1.0) / sizes[claim.counted_as] for claim in fitted
         ]
         return cls(Judge(fitted, base, settings["newtons"]), np.array(weights))
 
@@ -136,6 +126,12 @@ class Objective:
     def claims(self) -> tuple[Claim, ...]:
         """Statements that the inputs are fitted to."""
         return self.judge.claims
+
+    def repeating(self, name: str) -> NDArray[np.bool_]:
+        """Which of ``claims`` is the one with the id ``name``, or repeats it."""
+        clusters = [claim.counted_as for claim in self.claims]
+        place = [claim.id for claim in self.claims].index(name)
+        return np.array(clusters) == clusters[place]
 
     def scores(
         self, interpretation: Interpretation, inputs: Mapping[str, Any]

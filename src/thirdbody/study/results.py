@@ -116,8 +116,7 @@ def price_front(
     points is the score of the statement and the objective without it and those that repeat it.
     """
     place = [claim.id for claim in objective.claims].index(name)
-    cluster = objective.claims[place].counted_as
-    own = np.array([claim.counted_as == cluster for claim in objective.claims])
+    own = objective.repeating(name)
     best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
     points = set()
     for some in (dict(inputs), *(interpretation.values(row[:-1]) for row in best)):
