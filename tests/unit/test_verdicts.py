@@ -109,7 +109,7 @@ def test_headline_numbers_have_the_range_of_the_ensemble():
     assert column["one"] == "16 of 21 agree"
     assert column["other"] == "0.05 to 0.95, 1.1 to 2.9"
     assert (table.loc["taken", "paper"], table.loc["taken", "model"]) == ("1.0", "10")
-    rows = verdicts.statements_table(results).set_index("id")
+    rows = results.table.set_index("id")
     ends = rows.loc["other", ["value", "range_low", "range_high"]].tolist()
     assert ends == pytest.approx([2.0, 1.1, 2.9])
     alone = verdicts.headline_table(judged(main, headline=["one"]))
@@ -166,6 +166,6 @@ def test_everything_is_judged_by_the_real_model(parameters):
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
     predicted = found.predicted[content["interpretation"]]
     assert predicted[outside].holds and not predicted[dry].holds
-    table = verdicts.statements_table(found)
+    table = found.table
     assert table["predicted"].tolist() == ["holds", "fails"]
     assert np.isnan(table["range_low"]).all() and (table["ensemble_size"] == 0).all()

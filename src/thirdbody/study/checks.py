@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -513,10 +514,8 @@ def _passed_states(claim, curve):
         for name, (quantity, low, high) in STATES.items()
         if quantity in families
     }
-    points = np.column_stack(list(inside.values()))
-    changes = np.flatnonzero((points[1:] != points[:-1]).any(axis=1)) + 1
-    passed = points[np.insert(changes, 0, 0)].tolist()
-    states = (" ".join(name for name, there in zip(inside, row) if there) for row in passed)
+    passed = groupby(zip(*(values.tolist() for values in inside.values())))
+    states = (" ".join(name for name, there in zip(inside, row) if there) for row, _ in passed)
     return " > ".join(states).strip()
 
 

@@ -54,8 +54,37 @@ class Judged:
 
     @cached_property
     def table(self) -> pd.DataFrame:
-        """Their ``statements_table``, made once."""
-        return statements_table(self)
+        """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
+        claims = self.claims
+        verdicts = [self.verdicts[claim.id] for claim in claims]
+        predicted = self.default_predicted
+        ranges = [
+            number_ranges(self, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
+            for claim, verdict in zip(claims, verdicts, strict=True)
+        ]
+        range_low, range_high = np.transpose(ranges)
+        sets = {"ensemble": self.members, "interpretations": self.interpretations.values()}
+        table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
+        table = table.assign(
+            curves=[claim.curves_text for claim in claims],
+            published=[published_text(claim) for claim in claims],
+            value=[verdict.value for verdict in verdicts],
+            range_low=range_low,
+            range_high=range_high,
+            tolerance_kind=np.where(table["relative"], "relative", "absolute"),
+            verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
+            predicted=[
+                outcome(claim, predicted[claim.id]) if claim.id in predicted else ""
+                for claim in claims
+            ],
+            contradicts=[" ".join(claim.contradicts) for claim in claims],
+            **{
+                f"{name}_agree": [_agreeing(self, some, claim.id) for claim in claims]
+                for name, some in sets.items()
+            },
+            **{f"{name}_size": len(some) for name, some in sets.items()},
+        )
+        return table[[column.name for column in TABLES["claims"]]]
 
     @property
     def default_predicted(self) -> Verdicts:
@@ -171,39 +200,6 @@ def counts_by_figure(judged: Judged) -> pd.DataFrame:
     ]
     held = ["{} of {}".format(*count_once(claims, judged.verdicts)) for claims in parts]
     return counts.assign(**{"hold, repeats once": held}).reset_index()
-
-
-def statements_table(judged: Judged) -> pd.DataFrame:
-    """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
-    claims = judged.claims
-    verdicts = [judged.verdicts[claim.id] for claim in claims]
-    predicted = judged.default_predicted
-    ranges = [
-        number_ranges(judged, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
-        for claim, verdict in zip(claims, verdicts, strict=True)
-    ]
-    range_low, range_high = np.transpose(ranges)
-    sets = {"ensemble": judged.members, "interpretations": judged.interpretations.values()}
-    table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
-    table = table.assign(
-        curves=[claim.curves_text for claim in claims],
-        published=[published_text(claim) for claim in claims],
-        value=[verdict.value for verdict in verdicts],
-        range_low=range_low,
-        range_high=range_high,
-        tolerance_kind=np.where(table["relative"], "relative", "absolute"),
-        verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
-        predicted=[
-            outcome(claim, predicted[claim.id]) if claim.id in predicted else "" for claim in claims
-        ],
-        contradicts=[" ".join(claim.contradicts) for claim in claims],
-        **{
-            f"{name}_agree": [_agreeing(judged, some, claim.id) for claim in claims]
-            for name, some in sets.items()
-        },
-        **{f"{name}_size": len(some) for name, some in sets.items()},
-    )
-    return table[[column.name for column in TABLES["claims"]]]
 
 
 def headline_table(judged: Judged) -> pd.DataFrame:
