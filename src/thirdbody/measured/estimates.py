@@ -1,13 +1,9 @@
-"""What laboratories measure, from a solution of the model: variables of it, and two plain estimates.
+"""What laboratories measure, from a solution of the model: variables of it, and two estimates outside of the paper.
 
-The model has neither friction nor electricity.  Both estimates are outside of the paper, and good for
-the direction and the order of magnitude of a change:
-
-- friction coefficient: ``boundary_friction`` L_s + ``film_friction`` L_f, the sum of what solids and film
-  carry, each with a constant coefficient (load sharing of Johnson, Greenwood & Poon 1972, Wear 19:91);
-- contact resistance: ``resistivity``/(2 a) of one round spot of the area A_t* A_n = pi a^2 (Holm 1967,
-  "Electric Contacts").  Of n equal spots far apart it would be 1/sqrt(n) of that; layers of oxide or oil
-  on the spots add to it.
+The estimates are good for the direction and the order of magnitude of a change.  Friction is that of what
+solids and film carry, each with a constant coefficient (load sharing of Johnson, Greenwood & Poon 1972,
+Wear 19:91).  The contact resistance is that of one round spot of the area A_t* A_n = pi a^2 (Holm 1967,
+"Electric Contacts"): n equal spots far apart have 1/sqrt(n) of it, layers of oxide or oil add to it.
 """
 
 from __future__ import annotations

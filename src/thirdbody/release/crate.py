@@ -20,6 +20,10 @@ METADATA = "ro-crate-metadata.json"
 SCRIPTS = "source/workflow/scripts/"
 WORKFLOW = "source/workflow/Snakefile"
 CONFIGURATION = {"@id": "configuration/config.json"}
+COMPLETED = {  # of each action
+    "actionStatus": "http://schema.org/CompletedActionStatus",
+    "agent": {"@id": "#developers"},
+}
 # folders of products, called as in results/, and their titles
 KINDS = {
     "datasets": "solved points, one file a figure",
@@ -91,20 +95,14 @@ def _file_properties(path: str, release: Release) -> dict[str, Any]:
 
 def _add_actions(described, jobs, files: dict[str, Entity], kinds, release: Release) -> None:
     """Add the run of the whole workflow and its jobs, with the files that are not in the archive."""
-
-    def add_action(identifier, instrument, name, inputs, outputs):
-        properties = {
-            "name": name,
-            "actionStatus": "http://schema.org/CompletedActionStatus",
-            "agent": {"@id": "#developers"},
-        }
-        described.add_action(
-            instrument, identifier, object=inputs, result=outputs, properties=properties
-        )
-
     products = {path: file for path, file in files.items() if path.partition("/")[0] in kinds}
-    name = f"run of the workflow of {release.full_name}"
-    add_action("#run", files[WORKFLOW], name, [CONFIGURATION], list(products.values()))
+    described.add_action(
+        files[WORKFLOW],
+        "#run",
+        object=[CONFIGURATION],
+        result=list(products.values()),
+        properties={"name": f"run of the workflow of {release.full_name}", **COMPLETED},
+    )
     known = {f"results/{path}": file for path, file in products.items()}
     known |= {path.removeprefix("source/"): file for path, file in files.items()}
     about = "written by one job and read by another; not in the archive"
@@ -115,10 +113,10 @@ def _add_actions(described, jobs, files: dict[str, Entity], kinds, release: Rele
                 known[path] = described.add_jsonld(written | {"description": about})
         first = PurePosixPath(job["outputs"][0]).with_suffix("").as_posix()
         name = first.removeprefix("results/")
-        add_action(
-            f"#{job['rule']}/{name}",
+        described.add_action(
             files.get(f"{SCRIPTS}{job['rule']}.py", files[WORKFLOW]),
-            f"{job['rule']} ({name})",
-            [known[path] for path in job["inputs"]] or [CONFIGURATION],
-            [known[path] for path in job["outputs"]],
+            f"#{job['rule']}/{name}",
+            object=[known[path] for path in job["inputs"]] or [CONFIGURATION],
+            result=[known[path] for path in job["outputs"]],
+            properties={"name": f"{job['rule']} ({name})", **COMPLETED},
         )
