@@ -46,9 +46,7 @@ def by_id(found):
 def judged(main, members=(), predicted=None, headline=()):
     settings = {"headline": headline, "headline_tolerances": {}}
     found = by_id(main), by_id(main), tuple(map(by_id, members)), {}
-    return verdicts.Judged(
-        CLAIMS, settings, DEFAULT, *found, {"some": predicted or {}}, pd.DataFrame()
-    )
+    return verdicts.Judged(CLAIMS, settings, DEFAULT, *found, predicted or {}, pd.DataFrame())
 
 
 def test_the_word_for_a_verdict():
@@ -164,7 +162,7 @@ def test_everything_is_judged_by_the_real_model(parameters):
     judge_all = Judge(claims, parameters.as_dict(), SETTINGS["newtons"])
     found = verdicts.judge_everything(judge_all, content, [content], SETTINGS)
     assert [verdict.holds for verdict in found.verdicts.values()] == [True, True]
-    predicted = found.predicted[content["interpretation"]]
+    predicted = found.predicted
     assert predicted[outside].holds and not predicted[dry].holds
     table = found.table
     assert table["predicted"].tolist() == ["holds", "fails"]

@@ -62,9 +62,10 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
     solids = make_contact(diameter, roughness, density, parameters, rtol)
 
     def excess(d):
-        if of_ratio:
-            return particle_ratio(solids, d) - level
-        return load_at(solids, viscosity, roughness, d)[1] - level
+        value = (
+            particle_ratio(solids, d) if of_ratio else load_at(solids, viscosity, roughness, d)[1]
+        )
+        return value - level
 
     at_first, at_last = excess(first), excess(last)
     # within its error a point may lie on the level itself

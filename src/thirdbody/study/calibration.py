@@ -1,12 +1,9 @@
 """Finding the inputs that the paper does not print, as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The
-unknowns are sought for which the paper's statements hold.  ``config/calibration.yaml`` states the
-interpretations, the unknowns with their bounds and usual ranges, the weights of the objective, the
-folds of the cross-validation, and how long to search.
-
-A search works on *positions*: the value of each unknown as its place between its bounds, from 0 to
-1, on a linear or logarithmic scale.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The unknowns are
+sought for which the paper's statements hold, as ``config/calibration.yaml`` states it.  A search works on
+*positions*: the value of each unknown as its place between its bounds, from 0 to 1, on a linear or
+logarithmic scale.
 """
 
 from __future__ import annotations

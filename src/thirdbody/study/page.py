@@ -61,7 +61,7 @@ def claims_json(judged: Judged) -> str:
     of each of its numbers over the ensemble.
     """
     held, of = count_once(judged.claims, judged.verdicts)
-    predicted, tested = count_once(judged.claims, judged.default_predicted)
+    predicted, tested = count_once(judged.claims, judged.predicted)
     rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "score": score_sentence(judged).replace("**", ""),
@@ -94,7 +94,7 @@ def claims_json(judged: Judged) -> str:
 def score_sentence(judged: Judged) -> str:
     """How many statements hold: predicted, fitted, and with fainter turning points."""
     held, of = count_once(judged.claims, judged.verdicts)
-    right, tested = count_once(judged.claims, judged.default_predicted)
+    right, tested = count_once(judged.claims, judged.predicted)
     predicted = (
         f"Of {tested} distinct statements {right} are predicted when their figure is left out of the search. "
         if tested

@@ -38,8 +38,8 @@ class Judged:
     ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file whose
     inputs are the default.  ``verdicts`` are those under these inputs, ``faint`` those where turning points
     count from ``FAINT`` on, ``members`` those of its ensemble.  ``interpretations`` has those of the inputs of
-    each interpretation, ``predicted`` those on statements when their figure was left out, and ``comparison`` is
-    the table from ``compare``.
+    each interpretation, ``predicted`` those of the default on statements when their figure was left out, and
+    ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -49,7 +49,7 @@ class Judged:
     faint: Verdicts
     members: tuple[Verdicts, ...]
     interpretations: dict[str, Verdicts]
-    predicted: dict[str, Verdicts]
+    predicted: Verdicts
     comparison: pd.DataFrame
 
     @cached_property
@@ -57,7 +57,6 @@ class Judged:
         """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
         claims = self.claims
         verdicts = [self.verdicts[claim.id] for claim in claims]
-        predicted = self.default_predicted
         ranges = [
             number_ranges(self, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
             for claim, verdict in zip(claims, verdicts, strict=True)
@@ -74,7 +73,7 @@ class Judged:
             tolerance_kind=np.where(table["relative"], "relative", "absolute"),
             verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
             predicted=[
-                outcome(claim, predicted[claim.id]) if claim.id in predicted else ""
+                outcome(claim, self.predicted[claim.id]) if claim.id in self.predicted else ""
                 for claim in claims
             ],
             contradicts=[" ".join(claim.contradicts) for claim in claims],
@@ -85,11 +84,6 @@ class Judged:
             **{f"{name}_size": len(some) for name, some in sets.items()},
         )
         return table[[column.name for column in TABLES["claims"]]]
-
-    @property
-    def default_predicted(self) -> Verdicts:
-        """Those of ``predicted`` by the interpretation of the default."""
-        return self.predicted.get(self.default["interpretation"], {})
 
 
 def judge_everything(
@@ -111,7 +105,7 @@ def judge_everything(
         judge_all(inputs, FAINT_EFFORT),
         tuple(judge_all({**inputs, **member}, QUICK_EFFORT) for member in default["ensemble"]),
         interpretations,
-        predicted,
+        predicted.get(default["interpretation"], {}),
         compare(judge_all, contents, interpretations, predicted, settings),
     )
 
