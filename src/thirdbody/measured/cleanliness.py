@@ -22,9 +22,10 @@ def cleanliness(
 ) -> Answer:
     """Particles per area in a film of oil of an ISO 4406 code: the count in the volume of the film.
 
-    The code counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, as those of
-    the paper (20 to 1000 nm), no such code counts: there are more of them.  That the flow takes
-    particles into the contact, or keeps large ones out of it, is not considered, nor what wear makes there.
+    The answer has for each size the least and the most particles per m2 of the code's class.  The code
+    counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, as those of the
+    paper (20 to 1000 nm), no such code counts: there are more of them.  That the flow takes particles
+    into the contact, or keeps large ones out of it, is not considered, nor what wear makes there.
 
     Parameters
     ----------
@@ -36,11 +37,6 @@ def cleanliness(
         Inputs of the model, whose nominal area A_n counts, by default the published ones.
     enrichment : float
         By how many times particles are more in the contact than in the sample.
-
-    Returns
-    -------
-    Answer
-        For each size the least and the most particles per m2 of the code's class.
 
     Raises
     ------

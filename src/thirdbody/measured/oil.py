@@ -39,18 +39,13 @@ def oil_viscosity(
     Parameters
     ----------
     temperature_C : array_like
-        Temperatures [C], from -70 to 370.
+        Temperatures [C], from -70 to 370, whose shape the result has.
     grade : int, optional
         ISO viscosity grade (ISO 3448): the middle of its range at 40 C, which is 10 % on both sides.
     viscosity_index : float, optional
         Goes with the grade, and gives the second point, at 100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
         In place of these, two temperatures [C] and the viscosities [cSt] that were measured there.
-
-    Returns
-    -------
-    array
-        Viscosities [cSt], of the shape of ``temperature_C``.
 
     Raises
     ------
