@@ -127,10 +127,10 @@ def _described(axes, default, members, kept, rtol) -> xr.Dataset:
 
 
 def _findings(members: int) -> Iterator[tuple[str, tuple[str, ...], dict[str, Any]]]:
-    """Name, dimensions and attributes of what ``solve_surface`` finds: the rows of ``findings.csv``, and the range of
+    """Name, dimensions and attributes of what ``solve_surface`` finds: the rows of ``chunk.csv``, and the range of
     each that is no fraction; fractions are stored as counts."""
     limits = {"particle_limit": PARTICLE_LIMIT, "boundary_limit": BOUNDARY_LIMIT}
-    with open(Path(__file__).with_name("findings.csv"), encoding="utf-8", newline="") as stream:
+    with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     for row in rows:
         name, without = row.pop("name"), row.pop("without").split()

@@ -21,7 +21,7 @@ LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
 # ASTM D2270: rows of seven numbers, as the file says
-INDEX = np.loadtxt(Path(__file__).with_name("viscosity_index.csv"), delimiter=",")
+INDEX = np.loadtxt(Path(__file__).with_suffix(".csv"), delimiter=",")
 
 
 def oil_viscosity(
