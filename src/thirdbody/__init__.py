@@ -1,6 +1,6 @@
 """Dry and lubricated three-body contact of rough surfaces, after Chen & Horng (2024).
 
-Begin with the calibrated inputs and one point, in SI units (loads are dimensionless):
+Solve one point with the calibrated inputs, in SI units (loads are dimensionless):
 
 >>> import thirdbody as tb
 >>> point = tb.solve(
@@ -14,12 +14,13 @@ Begin with the calibrated inputs and one point, in SI units (loads are dimension
 >>> print(f"{point.solid_load_fraction:.3f} of the load is carried by solids")
 0.251 of the load is carried by solids
 
-``solve`` takes arrays as well, ``grid`` returns a dataset over five axes, ``plot`` draws it and
-``stream`` writes one larger than memory.  The equations stand in ``thirdbody.model``, the balance of forces in
-``thirdbody.solver``: both need numpy and scipy alone.  Other packages say which extra they need.
+``solve`` also takes arrays.  ``grid`` returns a dataset over five axes, ``plot`` draws it, and
+``stream`` writes datasets larger than memory.  The equations are in ``thirdbody.model`` and the
+force balance in ``thirdbody.solver``; both need only numpy and scipy.  The other packages name the
+extra that they need.
 """
 
-# where each stands, for Python; __init__.pyi says it to editors and type checkers
+# the module of each public name; __init__.pyi repeats them for editors and type checkers
 _MODULES = {
     "Interface": "answers.interface",
     "OutOfRangeWarning": "conditions.usual",
@@ -45,7 +46,7 @@ __all__ = ["__version__", *_MODULES]
 
 
 def __getattr__(name: str):
-    """Public names are imported when first used: an import of the package itself costs nothing."""
+    """Import a public name on first use, so that importing the package is quick."""
     if name == "__version__":
         from importlib.metadata import version
 
@@ -55,10 +56,10 @@ def __getattr__(name: str):
     from importlib import import_module
 
     found = getattr(import_module(f"thirdbody.{_MODULES[name]}"), name)
-    globals()[name] = found  # where it is found before this is called
+    globals()[name] = found  # cached, so that this function is not called again
     return found
 
 
 def __dir__() -> list[str]:
-    """The public names, whether imported yet or not."""
+    """All public names, imported or not."""
     return sorted(__all__)

@@ -4,7 +4,7 @@ import sys
 
 
 def run() -> int:
-    """Answer one question, in any encoding; Ctrl-C ends it quietly while modules are imported, too."""
+    """Run the command in any encoding; Ctrl-C ends it quietly, even while modules are imported."""
     sys.stdout.reconfigure(errors="backslashreplace")
     try:
         from thirdbody.command.main import main

@@ -1,7 +1,7 @@
-"""One line that says what to install where an optional dependency is missing.
+"""A one-line error that says what to install if an optional dependency is missing.
 
-Numpy and scipy are enough for the equations and for solving them.  A package that needs more says so
-in its ``__init__``, so that each of its modules, however imported, gives the same line.
+The equations and the solver need only numpy and scipy.  A package that needs more calls ``require``
+in its ``__init__``, so that importing any of its modules raises the same error.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from importlib.util import find_spec
 
 
 def require(extra: str, *modules: str) -> None:
-    """Raises ``ModuleNotFoundError``, in one line that says how to install them, unless the modules that
-    an ``extra`` of ``pyproject.toml`` installs are there; imports none of them."""
+    """Raise ``ModuleNotFoundError``, in one line with the pip command, if a module of an ``extra``
+    of ``pyproject.toml`` is not installed; imports none of them."""
     missing = [name for name in modules if find_spec(name) is None]
     if missing:
         message = f'needs {", ".join(missing)}: pip install "thirdbody[{extra}]"'

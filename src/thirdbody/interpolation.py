@@ -1,4 +1,4 @@
-"""Smooth functions read off tables: quintic Hermite polynomials on equal pieces of an interval."""
+"""Tables of smooth functions: piecewise quintic Hermite interpolation on a uniform grid."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from copy import copy
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-ELSEWHERE = 1.25  # the error in the middle of a piece is the largest, but for this factor
+ELSEWHERE = 1.25  # largest error of a piece over the error at its midpoint
 
 
 class HermiteTable:
-    """Functions of one variable, with their slopes, as quintic polynomials.
+    """Functions of one variable and their slopes, as piecewise quintic polynomials.
 
-    Each polynomial has the value, slope and curvature of its function at both ends of a piece.
+    Each polynomial matches the value, slope and curvature of its function at both ends.
 
     Parameters
     ----------
@@ -24,12 +24,12 @@ class HermiteTable:
     start, end : float
         The interval of x.
     pieces : int
-        Number of polynomials, each on a piece of the same width.
+        Number of polynomials, on pieces of equal width.
 
     Attributes
     ----------
     error : array, shape (functions,)
-        Estimate of the largest error of the values: ``ELSEWHERE`` times that in the middle of a piece.
+        Estimate of the largest error of the values: ``ELSEWHERE`` times the error at midpoints.
 
     Examples
     --------
@@ -57,7 +57,7 @@ class HermiteTable:
 
     @classmethod
     def joined(cls, tables: Sequence[HermiteTable]) -> HermiteTable:
-        """Tables of the same interval and pieces as one, of all functions of the first, then of the
+        """Combine tables on the same interval and pieces: all functions of the first, then of the
         second, and so on."""
         found = copy(tables[0])
         found._rows = np.concatenate([table._rows for table in tables])
@@ -65,7 +65,7 @@ class HermiteTable:
         return found
 
     def __call__(self, x: ArrayLike, which: ArrayLike = 0) -> tuple[NDArray, NDArray]:
-        """Value and slope of the functions of index ``which`` at an array ``x`` in the interval."""
+        """Value and slope of the functions with index ``which`` at ``x``, an array in the interval."""
         position = (x - self.start) * self._per_piece
         piece = position.astype(np.intp)
         x = position - piece
@@ -79,7 +79,7 @@ class HermiteTable:
 
 
 def _quintics(nodes, step):
-    """Coefficients of the powers of the place in each piece, from 0 to 1: (functions, pieces, 6)."""
+    """Coefficients in powers of the position (0 to 1) in each piece: (functions, pieces, 6)."""
     y, y_1, y_2 = nodes[:, 0, :-1], nodes[:, 1, :-1] * step, nodes[:, 2, :-1] * step**2
     z, z_1, z_2 = nodes[:, 0, 1:], nodes[:, 1, 1:] * step, nodes[:, 2, 1:] * step**2
     rise, rise_1, rise_2 = z - y - y_1 - 0.5 * y_2, z_1 - y_1 - y_2, z_2 - y_2

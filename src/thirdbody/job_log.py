@@ -11,8 +11,9 @@ from pathlib import Path
 def logged(log: str | Path) -> Iterator[None]:
     """Send what a script prints to the file ``log``.
 
-    After ``ValueError``, ``OSError`` and ``MemoryError``, which a user can mend, the log ends with their
-    message instead of a traceback, and the script with code 1; with a message if there is no room for a log.
+    For ``ValueError``, ``OSError`` and ``MemoryError``, which a user can fix, the log ends with the
+    message instead of a traceback, and the script exits with code 1.  If the log cannot be written,
+    the message goes to standard error.
     """
     try:
         stream = open(log, "w", encoding="utf-8", buffering=1)  # noqa: SIM115

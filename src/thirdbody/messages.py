@@ -1,4 +1,4 @@
-"""How a message shows what it names: in one line, and cut where it is long."""
+"""Values and file names in one-line messages; long ones are cut."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ LONGEST = 60  # letters
 
 
 def shown(value: Any) -> str:
-    """A value as a message shows it.
+    """The ``repr`` of a value on one line, cut if it is long.
 
     Examples
     --------
@@ -21,7 +21,7 @@ def shown(value: Any) -> str:
 
 
 def shown_file(path: str | PathLike) -> str:
-    """The name of a file as a message shows it, in quotes where it is no plain text.
+    """The name of a file, quoted if it is empty or not printable.
 
     Examples
     --------

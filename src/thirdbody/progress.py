@@ -1,7 +1,7 @@
-"""How far a long call has come: a bar on a terminal, a line now and then in a log.
+"""Progress of a long call: a bar on a terminal, an occasional line in a log.
 
-Both go to the standard error stream.  A call that is over soon writes nothing.  The package ``tqdm`` is
-not used: its import takes a sixth of the time of all others, and its bar fills a log with one long line.
+Both go to standard error.  A short call writes nothing.  ``tqdm`` is not used: its import takes a
+sixth as long as all other imports, and its bar fills a log with one long line.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ WIDTH = 30  # letters of the bar
 
 
 def check_progress(progress: Any) -> None:
-    """Raises ``ValueError`` unless ``progress`` says whether progress is shown."""
+    """Raise ``ValueError`` unless ``progress`` is a bool."""
     if not isinstance(progress, bool):
         raise ValueError(f"progress is {progress!r}; allowed: True or False")
 
 
 class Progress:
-    """The progress of one call, a context manager; nothing is written unless it ``is_shown``.
+    """Context manager that reports the progress of one call, if ``is_shown``.
 
     Examples
     --------
@@ -39,7 +39,7 @@ class Progress:
         self._is_bar = self._stream is not None and self._stream.isatty()
         self._start = monotonic()
         self._due = self._start + (FIRST_BAR if self._is_bar else FIRST_LINE)
-        self._last: int | None = None  # how many were done when this was last written
+        self._last: int | None = None  # the count when last written
 
     def __enter__(self) -> Self:
         return self
@@ -49,7 +49,7 @@ class Progress:
             self._write(end="\n")
 
     def add(self, count: int) -> None:
-        """So many more are done."""
+        """Count ``count`` more as done."""
         self._done += count
         if self._stream is not None and monotonic() >= self._due:
             self._write(end="" if self._is_bar else "\n")
@@ -63,9 +63,9 @@ class Progress:
             text += f", about {_duration(spent / fraction - spent)} left"
         if self._is_bar:
             bar = "#" * int(fraction * WIDTH)
-            text = f"\r[{bar:<{WIDTH}}] {text}\x1b[K"  # and what was longer is wiped out
+            text = f"\r[{bar:<{WIDTH}}] {text}\x1b[K"  # \x1b[K clears the rest of the line
         self._last = self._done
-        with suppress(OSError, ValueError):  # a stream that is full or closed stops no call
+        with suppress(OSError, ValueError):  # a full or closed stream must not stop the call
             self._stream.write(text + end)
             self._stream.flush()
 

@@ -1,4 +1,4 @@
-"""``Tabular``: results that are tables, for pandas, xarray and notebooks."""
+"""``Tabular``: tabular results for pandas, xarray and notebooks."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ MOST_ROWS = 60  # shown in a notebook
 class Tabular:
     """A result with ``to_dataframe`` and ``to_dataset``, and a table in notebooks.
 
-    A dataclass whose fields are arrays of one shape, or numbers, is a table with a row an element;
-    others have a ``to_dataframe`` of their own.
+    A dataclass whose fields are numbers, or arrays of one shape, becomes a table with one row per
+    element.  Other classes override ``to_dataframe``.
     """
 
     def to_dataframe(self) -> pd.DataFrame:
@@ -36,5 +36,5 @@ class Tabular:
     def _repr_html_(self) -> str | None:
         try:
             return self.to_dataframe().to_html(index=False, max_rows=MOST_ROWS)
-        except ModuleNotFoundError:  # then notebooks take __repr__
+        except ModuleNotFoundError:  # notebooks then use __repr__
             return None

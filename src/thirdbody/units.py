@@ -1,8 +1,8 @@
 """Units of the five conditions: names that carry a unit, and quantities of other packages.
 
-``viscosity`` is in SI, ``viscosity_cSt`` in centistokes.  ``load`` is F_t* [1], ``load_N`` the normal
-load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arrays of xarray with the attribute
-``units``, bring their own unit.
+``viscosity`` is in SI, ``viscosity_cSt`` in centistokes.  ``load`` is F_t* [1], ``load_N`` the
+normal load F_t [N].  Quantities of pint, astropy, unyt and quantities, and arrays of xarray with
+the attribute ``units``, carry their own unit.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from thirdbody.messages import shown
 class Unit:
     """A name for a condition, such as ``viscosity_cSt``, and its unit.
 
-    ``condition`` is the argument of ``solve`` that it stands for, ``text`` the unit as UDUNITS spells it
-    and ``scale`` the unit in SI; of ``load_N`` 1, because it also needs F_t/F_t*.
+    ``condition`` is the corresponding argument of ``solve``, ``text`` the unit in UDUNITS spelling
+    and ``scale`` its value in SI (1 for ``load_N``, whose conversion also needs F_t/F_t*).
     """
 
     key: str
@@ -33,7 +33,7 @@ class Unit:
     scale: float = 1.0
 
     def to_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """``values`` in SI, as the floats nearest to their decimals: 300 nm are 3e-07 m.
+        """``values`` in SI, as the floats nearest to the decimal result: 300 nm is 3e-07 m.
 
         Examples
         --------
@@ -45,7 +45,7 @@ class Unit:
         return np.asarray(values, float) if self.scale == 1.0 else decimal(values, self.scale)
 
     def from_si(self, values: ArrayLike, newtons_per_load: float = 1.0) -> NDArray:
-        """Values in SI in this unit."""
+        """Convert values in SI to this unit."""
         if self.key == LOAD_IN_NEWTONS:
             return np.divide(values, 1.0 / newtons_per_load)
         return np.divide(values, self.scale)
@@ -69,7 +69,7 @@ UNITS = {
 }
 # name of each condition in engineering units
 ENGINEERING = {unit.condition: key for key, unit in UNITS.items() if key != unit.condition}
-# Default ends of a search, in engineering units: the paper's ranges (Table 2) and about a decade beyond
+# default search ranges in engineering units: those of the paper (Table 2) and a decade beyond
 SEARCHED = {
     "load": (0.01, 1000.0),
     "viscosity": (1.0, 1000.0),
@@ -80,13 +80,13 @@ SEARCHED = {
 
 
 def unit_of(key: Any) -> Unit:
-    """The unit of a name; ``ValueError`` in one line if there is no such name."""
+    """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
         raise ValueError(f"there is no axis {shown(key)}; allowed: {', '.join(UNITS)}")
     return UNITS[key]
 
 
-# what each condition may be as a quantity: a unit, as pint reads it, and in words
+# the dimension of each condition as a quantity: a unit of pint, and words for messages
 FORCE = "N", "a force, as in N"
 WANTED = {
     "load": ("dimensionless", f"a number without dimension or {FORCE[1]}"),
@@ -98,15 +98,16 @@ WANTED = {
 
 
 def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
-    """Bare numbers in SI of a quantity, a list or an array of some; anything else is returned as it is.
+    """Convert a quantity, or a list or array of quantities, to plain numbers in SI; anything else
+    is returned unchanged.
 
-    ``unit`` is that of the name under which they are given, ``newtons_per_load`` turns a force into a
-    load.  Raises ``ValueError`` for a unit that is unknown or of another dimension, and for
-    uncertainties; ``ModuleNotFoundError`` if pint is not installed.
+    ``unit`` belongs to the name of the argument; ``newtons_per_load`` converts a force to a load.
+    Raises ``ValueError`` for an unknown unit, a wrong dimension and uncertainties, and
+    ``ModuleNotFoundError`` if pint is not installed.
     """
     if is_labelled(given) and has_unit(given.data):
         given = given.data
-    given = getattr(given, "quantity", given)  # of an array of pint-pandas
+    given = getattr(given, "quantity", given)  # an array of pint-pandas
     of_objects = isinstance(given, np.ndarray) and given.dtype == np.dtype("O")
     if of_objects or isinstance(given, (list, tuple)):
         parts = list(given.flat) if of_objects else given
@@ -132,12 +133,12 @@ def without_unit(unit: Unit, given: Any, newtons_per_load: float) -> Any:
 
 
 def has_unit(given: Any) -> bool:
-    """Whether an object, or those of a class, are quantities or arrays that name their unit."""
+    """Whether an object or a class is a quantity, or an array with a unit."""
     return is_quantity(given) or _unit_text(given) is not None
 
 
 def is_quantity(given: Any) -> bool:
-    """Whether an object, or those of a class, are quantities of pint."""
+    """Whether an object or a class is a quantity of pint."""
     return hasattr(given, "dimensionality") and hasattr(given, "to")
 
 
@@ -147,7 +148,7 @@ def is_labelled(given: Any) -> bool:
 
 
 def _unit_text(given: Any) -> str | None:
-    """The unit of a quantity of another package than pint, or of an array of xarray."""
+    """The unit of an array of xarray, or of a quantity of a package other than pint."""
     if is_labelled(given):
         attributes = getattr(given, "attrs", None)
         return attributes.get("units") if isinstance(attributes, dict) else None
@@ -156,13 +157,13 @@ def _unit_text(given: Any) -> str | None:
 
 
 def _of_pint(unit: Unit, given: Any) -> Any:
-    """A quantity of another package as one of pint."""
+    """Convert a quantity of another package to pint."""
     text = _unit_text(given)
     try:
         found = registry().Unit(text or "dimensionless")
     except ModuleNotFoundError:
         raise
-    except Exception:  # pint raises many kinds
+    except Exception:  # pint raises many types
         message = f"{unit.key} has the unit {shown(text)}, which is unknown"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
     return registry().Quantity(np.asarray(given), found)
@@ -170,7 +171,7 @@ def _of_pint(unit: Unit, given: Any) -> Any:
 
 @cache
 def registry() -> Any:
-    """The registry of pint, which reads ``m2 s-1`` as well, as UDUNITS does."""
+    """The unit registry of pint, which also reads powers as in UDUNITS: ``m2 s-1``."""
     require("data", "pint")
     import pint
 
@@ -179,5 +180,5 @@ def registry() -> Any:
 
 
 def decimal(values: ArrayLike, scale: float = 1.0, digits: int = 12) -> NDArray:
-    """``scale`` times ``values`` to some digits, without what rounding of a product adds."""
+    """``scale`` times ``values``, rounded to ``digits`` significant digits."""
     return np.vectorize(lambda value: float(f"{value * scale:.{digits}g}"), otypes=[float])(values)

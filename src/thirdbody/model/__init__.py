@@ -1,7 +1,7 @@
-"""The paper's equations and nothing else: what a load, an area or a film's thickness is at a point.
+"""The equations of the paper: loads, areas and film thickness at a point.
 
-Imports numpy, scipy.special and no other package of the library.  Begin with ``parameters``, the inputs,
-and ``interpretations``, what the paper leaves open; then ``asperity`` (F_ss, A_ss), ``particles`` (Eqs. 4
-to 6) and ``film`` (Eqs. 7 and 8).  ``contact`` puts the solids together at a given separation, and
-``regimes`` names the states of an interface.
+Uses numpy, scipy.special and no other package of the library.  Start with ``parameters``, the
+inputs, and ``interpretations`` of what the paper leaves open, then read ``asperity`` (F_ss, A_ss),
+``particles`` (Eqs. 4 to 6) and ``film`` (Eqs. 7 and 8).  ``contact`` combines the solids at a given
+separation, and ``regimes`` classifies the state of an interface.
 """

@@ -1,14 +1,14 @@
 """Rough surface against rough surface: one asperity, then a Gaussian population of summits.
 
 The paper takes F_ss and A_ss from Zhao, Maietta & Chang (2000), J. Tribol. 122:86.  An asperity
-pressed by omega yields first at omega_1 and is fully plastic from omega_2 on; the interface has
-eta_s summits in a square metre, whose heights z are normal (first half of Eq. 6):
+with interference omega first yields at omega_1 and is fully plastic from omega_2 on.  The interface
+has eta_s summits per square metre, with normally distributed heights z (first half of Eq. 6):
 
     F_ss/A_n = eta_s * integral of F(omega) phi(z),   A_ss/A_n = eta_s * integral of A(omega) phi(z)
 
-over all z above d, with omega = z - d and both heights counted from the plane of the summits.  In
-units of their standard deviation, the population is a function of the separation
-t = (d - y_s)/sigma_s alone; an interference is w = omega/sigma_s there.
+over all z above d, with omega = z - d; both heights are measured from the plane of the summits.
+Scaled by the standard deviation of the heights, they depend on t = (d - y_s)/sigma_s alone, and the
+interference is w = omega/sigma_s.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def area_growth(ratio: ArrayLike, plastic_ratio: float) -> NDArray:
 
 
 def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float) -> NDArray:
-    """F/(A H) [1] of an asperity that yields: k at first yield, 1 when fully plastic.
+    """F/(A H) [1] of a yielding asperity: k at first yield, 1 when fully plastic.
 
     ``ratio`` is omega/omega_1 [1], ``yield_ratio`` k [1], ``plastic_ratio`` omega_2/omega_1 [1].
     """
@@ -47,9 +47,9 @@ def pressure_fraction(ratio: ArrayLike, yield_ratio: float, plastic_ratio: float
 class SummitPopulation:
     """Load and area of a Gaussian population of equal summits, per apparent area.
 
-    The fields are eta_s R sigma_s and sigma_s/R, scalars or arrays with a population for each point,
-    H/E_ss, k and omega_2/omega_1 [1].  Elastic, elastoplastic and plastic summits are each summed by
-    Gauss-Legendre quadrature.
+    The fields are eta_s R sigma_s and sigma_s/R (scalars, or arrays with an element per point),
+    H/E_ss, k and omega_2/omega_1 [1].  Elastic, elastoplastic and plastic summits are each
+    integrated by Gauss-Legendre quadrature.
 
     Examples
     --------
@@ -69,7 +69,7 @@ class SummitPopulation:
 
     @classmethod
     def of(cls, surface: Surface, parameters: Parameters) -> SummitPopulation:
-        """The population that ``surface`` and the materials describe."""
+        """The population of a ``surface`` with the materials of ``parameters``."""
         return cls(
             surface.summit_density * surface.summit_radius * surface.summit_deviation,
             surface.summit_deviation / surface.summit_radius,
@@ -79,7 +79,7 @@ class SummitPopulation:
         )
 
     def take(self, chosen) -> SummitPopulation:
-        """The populations of the points that an index or mask ``chosen`` picks."""
+        """The populations of the points selected by an index or mask ``chosen``."""
         columns = self.summit_parameter[chosen], self.sharpness[chosen]
         return replace(self, summit_parameter=columns[0], sharpness=columns[1])
 
@@ -89,13 +89,13 @@ class SummitPopulation:
         return (0.75 * np.pi * self.yield_ratio * self.hardness_ratio) ** 2 / self.sharpness
 
     def log_load(self, t: ArrayLike) -> tuple[NDArray, NDArray]:
-        """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative by ``t``, the separation
-        (d - y_s)/sigma_s [1]."""
+        """ln(F_ss/(A_n E_ss)) of all summits [1], and its derivative with respect to the separation
+        ``t`` [1]."""
         above, v, area, pressure = self._summits(t)
         return self._logarithm(above, v, area * pressure, self.hardness_ratio)[:2]
 
     def log_load_and_area(self, t: ArrayLike) -> NDArray:
-        """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives by ``t``: an array of the
+        """ln F_ss* and ln(A_ss/A_n), each with its first two derivatives with respect to ``t``:
         shape (2, 3, ...)."""
         above, v, area, pressure = self._summits(t)
         load = self._logarithm(above, v, area * pressure, self.hardness_ratio)
@@ -107,11 +107,11 @@ class SummitPopulation:
         return np.where(ratio < 1.0, self.yield_ratio * np.sqrt(ratio), yielding)
 
     def _summits(self, t):
-        """max(t, 0), and at the nodes of a quadrature, in arrays of shape (..., 3, nodes): v = w + min(t, 0);
-        A/(pi R sigma_s) times the weights of the summit and of the node; and F/(A H).
+        """max(t, 0), and at the quadrature nodes, in arrays of shape (..., 3, nodes): v = w +
+        min(t, 0); A/(pi R sigma_s) times the height density and the quadrature weight; and F/(A H).
 
-        The largest weight of a summit, exp(-max(t, 0)^2/2), is left out: so a tail far beyond float64
-        keeps its digits.
+        The factor exp(-max(t, 0)^2/2) of the density is left out, so that the tail keeps its digits
+        where float64 would underflow.
         """
         t = np.asarray(t, dtype=float)
         above, below = np.maximum(t, 0.0), np.minimum(t, 0.0)
@@ -119,7 +119,7 @@ class SummitPopulation:
         start = np.maximum(-below - WIDEST, 0.0)
         end = WIDEST**2 / (above + np.hypot(above, WIDEST)) - below
         inner = (np.minimum(np.maximum(w, start), end) for w in (w_1, w_1 * self.plastic_ratio))
-        # w = root^2 makes half powers smooth
+        # with w = root^2, half powers of w are smooth
         edges = np.sqrt(np.stack(np.broadcast_arrays(start, *inner, end), axis=-1))
         width = (edges[..., 1:] - edges[..., :-1])[..., None]
         root = edges[..., :-1, None] + width * NODES
@@ -137,9 +137,8 @@ class SummitPopulation:
         return above, v, area, pressure
 
     def _logarithm(self, above, v, terms, unit):
-        """ln of the sum of ``terms`` in a ``unit`` of pi eta_s R sigma_s, and its first two derivatives
-        by t."""
-        # in one axis, along which sums do not depend on other points
+        """ln of the sum of ``terms`` times ``unit`` pi eta_s R sigma_s, and two derivatives."""
+        # on a single axis, so that the sum at a point does not depend on other points
         nodes = *above.shape, 3 * NODES.size
         terms, v = terms.reshape(nodes), v.reshape(nodes)
         total = np.maximum(terms.sum(-1), np.finfo(float).tiny)
@@ -152,12 +151,12 @@ class SummitPopulation:
 
 
 def gauss_legendre(count: int) -> tuple[NDArray, NDArray]:
-    """``count`` nodes and weights [1] of the interval from 0 to 1, each 1-D."""
+    """``count`` Gauss-Legendre nodes and weights [1] on the interval from 0 to 1, each 1-D."""
     nodes, weights = np.polynomial.legendre.leggauss(count)
     return 0.5 * (nodes + 1.0), 0.5 * weights
 
 
 # Errors of ln F_ss and ln A_ss are below 1e-13 for any material.
 NODES, WEIGHTS = gauss_legendre(48)
-# Summits whose weight is below exp(-37) of the largest do not matter in float64: in v beyond this.
+# Beyond this v the height density is below exp(-37) of its maximum: negligible in float64.
 WIDEST = np.sqrt(2.0 * 37.0)

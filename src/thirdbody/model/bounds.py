@@ -1,7 +1,8 @@
-"""What the numbers among the inputs may be: within it the model is known to be computed right.
+"""Bounds of the numeric inputs, within which the model is known to be computed correctly.
 
-Each interval is closed, in SI, and reaches well beyond real materials and surfaces.  ``Parameters``
-and the files of inputs are held to it alike.  Needs no numpy, which files are read without.
+Each interval is closed, in SI, and much wider than the range of real materials and surfaces.
+``Parameters`` and input files are checked against the same bounds.  The module does not import
+numpy, so that files are read without it.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from __future__ import annotations
 from numbers import Real
 from typing import NamedTuple
 
-# A narrower size distribution is a step of the load that float64 cannot resolve to 1e-9.
+# A narrower size distribution makes a step in the load that float64 cannot resolve to 1e-9.
 LEAST_SPREAD = 1e-6
 
 
@@ -29,7 +30,7 @@ class Bounds(NamedTuple):
     most: float
 
     def hold(self, value: object) -> bool:
-        """Whether ``value`` is one of these numbers."""
+        """Whether ``value`` is a number in the interval."""
         is_number = isinstance(value, Real) and not isinstance(value, bool)
         return is_number and self.least <= value <= self.most
 

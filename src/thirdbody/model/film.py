@@ -1,13 +1,12 @@
-"""Central film thickness of rough line and point contacts (Eqs. 7 and 8), and where it holds.
+"""Central film thickness of rough line and point contacts (Eqs. 7 and 8), and its validity.
 
-Eq. 7, with sigma* = sigma/R_x, is the thickness of the film between smooth bodies times what
-roughness makes of it:
+Eq. 7, with sigma* = sigma/R_x, is the film thickness of smooth bodies times a roughness factor:
 
     H_c = 3.672 W^(-0.045 kappa^0.18) U^(0.663 kappa^0.025) G^(0.502 kappa^0.064)
               (1 - 0.573 e^(-0.74 kappa))
           (1 + 0.025 sigma*^1.248 V^0.119 W^-0.133 U^-0.884 G^-0.977 kappa^0.081)
 
-so that ln H_c of either term is a sum of logarithms, and a straight line over ln W.
+The logarithm of each of the two terms is a sum of logarithms, linear in ln W.
 
 Source: Masjedi & Khonsari (2015).
 """
@@ -19,18 +18,18 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import scipy  # of which special is loaded when it is first used: many jobs never do
+import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.interpolation import HermiteTable
 from thirdbody.model.parameters import Parameters
 
 EPSILON = np.finfo(float).eps
-THICKEST = 0.01  # H_c of what is still a film between two bodies
-# of a thickness, in EPSILON: a few, and those of logarithms, exponents and their products
+THICKEST = 0.01  # largest H_c that still describes a film between two bodies
+# of a thickness, in EPSILON: a constant, and one per size of the logarithms
 ROUNDINGS, ROUNDINGS_PER_SIZE = 8.0, 1.75
-INVERSE_STEPS = 6  # leave nothing of an error that starts below a factor of 2 in thickness
-# the table of the inverse of Eq. 7: its range in ln H_c, its pieces, and its error in ln W
+INVERSE_STEPS = 6  # reduce an initial error of up to a factor of 2 in thickness to rounding
+# table of the inverse of Eq. 7: range in ln H_c, number of pieces, and error in ln W
 INVERSE_RANGE, INVERSE_PIECES, INVERSE_ERROR = (-6.0, 14.0), 2400, 1e-13
 
 
@@ -40,21 +39,21 @@ def log_load_parameter(log_load: ArrayLike, parameters: Parameters) -> NDArray:
 
 
 def has_film(viscosity: ArrayLike) -> NDArray:
-    """Whether there is a film where the kinematic ``viscosity`` is so much [m2/s]."""
+    """Whether a kinematic ``viscosity`` [m2/s] means a film: 0 is dry."""
     return viscosity > 0.0
 
 
 def film_load(
     separation: NDArray, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters
 ) -> tuple[NDArray, NDArray]:
-    """F* [1] in W under which films are as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
+    """F* [1] in W of films as thick as a separation (Eqs. 7 and 8), and d ln F*/dd [m-1].
 
     Parameters
     ----------
     separation, viscosity : array
         d [m] and nu [m2/s], of shapes that broadcast.
     roughness : array or float
-        sigma [m], of each film or of all.
+        sigma [m], per film or common to all.
     parameters : Parameters
         Inputs of the model.
 
@@ -74,12 +73,12 @@ def film_load(
 class Film:
     """Eq. 7 as a function of the load parameter: H_c = e^(s + a ln W) + e^(r + b ln W).
 
-    The first term is the smooth film, the second what roughness adds to it.  ``smooth`` and ``rough``
-    are s and r, of the shape of the points, ``smooth_size`` the sum of the sizes of all logarithms in
-    s and ``rough_size`` of those that r adds, with which rounding grows; ``exponents`` are a and b.
-    ``turning_ratio`` is that of the second term to the first where H_c is least over the speed U, and
-    ``greatest`` is ln W of a film that presses on all of the interface as hard as the softer surface
-    is: the bodies of Eq. 7 are elastic.  All are dimensionless.
+    The first term is the smooth film, the second the effect of roughness.  ``smooth`` and ``rough``
+    are s and r, of the shape of the points.  Rounding grows with ``smooth_size``, the sum of the
+    absolute logarithms in s, and ``rough_size``, the sum of those that r adds.  ``exponents`` are a
+    and b.  ``turning_ratio`` is the second term over the first where H_c is least over the speed U.
+    ``greatest`` is ln W at which the mean film pressure reaches the softer hardness, as Eq. 7
+    assumes elastic bodies.  All are dimensionless.
     """
 
     smooth: NDArray
@@ -92,8 +91,7 @@ class Film:
 
     @classmethod
     def of(cls, viscosity: NDArray, roughness: ArrayLike, parameters: Parameters) -> Film:
-        """The film of an oil of kinematic viscosity nu [m2/s], positive, between surfaces of sigma [m],
-        a scalar or of the same shape.
+        """The film for nu [m2/s], positive, and sigma [m], a scalar or of the same shape.
 
         Examples
         --------
@@ -111,7 +109,7 @@ class Film:
         ln_speed, ln_viscosity = math.log(parameters.speed_per_viscosity), np.log(viscosity)
         ln_U, ln_sigma = ln_speed + ln_viscosity, np.log(roughness / parameters.ball_radius)
         a, of_U, of_G = -0.045 * kappa**0.18, 0.663 * kappa**0.025, 0.502 * kappa**0.064
-        # Eq. 7, all but the powers of W
+        # Eq. 7 without the powers of W
         smooth = math.log(3.672 * (1.0 - 0.573 * math.exp(-0.74 * kappa)))
         smooth = smooth + of_U * ln_U + of_G * ln_G
         rough = math.log(0.025 * kappa**0.081) + 1.248 * ln_sigma + 0.119 * ln_V
@@ -126,32 +124,32 @@ class Film:
         return cls(smooth, smooth + rough, *sizes, exponents, turning_ratio, greatest)
 
     def take(self, chosen) -> Film:
-        """The film at the points that an index or mask ``chosen`` picks."""
+        """The film at the points selected by an index or mask ``chosen``."""
         columns = self.smooth, self.rough, self.smooth_size, self.rough_size
         picked = (column[chosen] for column in columns)
         return Film(*picked, self.exponents, self.turning_ratio, self.greatest)
 
     def thickness(self, log_load_parameter: ArrayLike) -> tuple[NDArray, NDArray]:
-        """H_c [1] (Eq. 7) and dH_c/d ln W [1] under ln W [1], a scalar or of the shape of the points."""
+        """H_c [1] (Eq. 7) and dH_c/d ln W [1] at ln W [1], a scalar or an array over the points."""
         a, b = self.exponents
         smooth = np.exp(self.smooth + a * log_load_parameter)
         rough = np.exp(self.rough + b * log_load_parameter)
         return smooth + rough, a * smooth + b * rough  # Eq. 7
 
-    def rounding(self, log_load_parameter: ArrayLike, fall: ArrayLike) -> NDArray:
-        """Relative error [1] that rounding leaves in H_c, the exponential of logarithms, at ln W [1]
-        and for a ``fall`` d ln H_c/d ln W [1]."""
+    def rounding(self, log_load_parameter: ArrayLike, slope: ArrayLike) -> NDArray:
+        """Relative rounding error [1] of H_c, an exponential of logarithms, at ln W [1], where
+        ``slope`` is d ln H_c/d ln W [1]."""
         a, b = self.exponents
-        rough = (fall - a) / (b - a)  # the fraction of the second term
-        size = self.smooth_size + rough * self.rough_size + np.abs(fall * log_load_parameter)
+        rough = (slope - a) / (b - a)  # fraction of the second term
+        size = self.smooth_size + rough * self.rough_size + np.abs(slope * log_load_parameter)
         return EPSILON * (ROUNDINGS + ROUNDINGS_PER_SIZE * size)
 
     def load_parameter_and_slope(self, thickness: ArrayLike) -> tuple[NDArray, NDArray]:
-        """ln W [1] under which the film has a ``thickness`` H_c [1], positive: the inverse of Eq. 7; and
-        d ln W/d ln H_c [1] there.
+        """ln W [1] at which the film has a positive ``thickness`` H_c [1], the inverse of Eq. 7,
+        and d ln W/d ln H_c [1].
 
-        Seen from where both terms of Eq. 7 are equal, all films of one ellipticity are the same
-        curve: it is read off a table.
+        Relative to the point of equal terms in Eq. 7, all films of one ellipticity lie on one
+        curve, which is tabulated.
         """
         a, b = self.exponents
         log_parameter = (self.smooth - self.rough) / (b - a)  # where both terms are equal
@@ -167,10 +165,10 @@ class Film:
         return value + log_parameter, slope
 
     def is_meaningful(self, log_load_parameter: ArrayLike) -> NDArray:
-        """Whether H_c rises with viscosity under ln W [1], and surfaces are hard enough to carry it.
+        """Whether H_c increases with viscosity at ln W [1], and surfaces can carry the film.
 
-        Eq. 7 lets the film grow without bound as U goes to zero: where dH_c/dU < 0 it has lost its
-        meaning.  At kappa = 1 that is where the roughness term exceeds 3.
+        By Eq. 7 the film grows without bound as U goes to zero; it is not valid where dH_c/dU < 0.
+        At kappa = 1 this is where the roughness term exceeds 3.
         """
         a, b = self.exponents
         turning = (np.log(self.turning_ratio) + self.smooth - self.rough) / (b - a)
@@ -178,8 +176,8 @@ class Film:
 
 
 def _inverse(x, a, b):
-    """y of e^x = e^(a y) + e^(b y), and its first two derivatives, by Newton's method on the logarithm:
-    it starts where one term is e^x by itself, so that it cannot overshoot."""
+    """y of e^x = e^(a y) + e^(b y), and its first two derivatives, by Newton's method on the
+    logarithm.  It starts where one term alone equals e^x, so that it cannot overshoot."""
     y = np.maximum(x / a, x / b)
     for _ in range(INVERSE_STEPS):
         y = y - (np.logaddexp(a * y, b * y) - x) / (b + (a - b) * scipy.special.expit((a - b) * y))
@@ -190,5 +188,5 @@ def _inverse(x, a, b):
 
 @lru_cache(maxsize=64)
 def _inverse_table(a, b):
-    """``_inverse`` as a table, for the exponents of one ellipticity."""
+    """``_inverse``, tabulated for the exponents of one ellipticity."""
     return HermiteTable(lambda x: np.stack(_inverse(x, a, b))[None], *INVERSE_RANGE, INVERSE_PIECES)

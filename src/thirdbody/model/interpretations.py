@@ -1,12 +1,12 @@
-"""The interpretations: what the paper leaves open, each one as an object.
+"""Interpretations of what the paper leaves open, each as an object.
 
-Six places of the paper can be interpreted in several ways.  ``INTERPRETATIONS`` has them by the words
-that the configuration has for them.  This module alone knows these words: all others ask the objects
-that ``Parameters.interpretation`` holds.
+Six places of the paper have several interpretations.  ``INTERPRETATIONS`` maps the words of the
+configuration to them.  Only this module uses these words; all others use the objects in
+``Parameters.interpretation``.
 
-A new interpretation of a place is one object more in ``INTERPRETATIONS``, one word more in
-``config/inputs.yaml``, and the same interpretation in the independent implementations:
-``verification/plain_model.py``, ``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
+To add an interpretation, add an object to ``INTERPRETATIONS`` and a word to ``config/inputs.yaml``,
+and implement it in the independent codes: ``verification/plain_model.py``,
+``tests/oracle/contact.c`` and ``tests/oracle/in_mpmath.py``.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from thirdbody.model.bounds import LEAST_SPREAD
 if TYPE_CHECKING:
     from thirdbody.model.parameters import Parameters
 
-# ASSUME: summits have their own plane, which is not in the paper.  McCool (1986): its height and the loss
-# of variance, over 1/(eta_s R)
+# ASSUME: summits have their own plane, which is not in the paper.  McCool (1986): its height and
+# the loss of variance, in units of 1/(eta_s R)
 SUMMIT_PLANE = 0.045944
 SUMMIT_VARIANCE = 3.717e-4
 
@@ -34,27 +34,27 @@ SUMMIT_VARIANCE = 3.717e-4
 
 
 class SummitsAtTheMeanPlane:
-    """Summits scatter about the mean plane as widely as the surface itself."""
+    """Summit heights have the mean plane and the standard deviation of the surface."""
 
     def deviation_and_offset(
         self, roughness: ArrayLike, density: ArrayLike, radius: ArrayLike
     ) -> tuple[ArrayLike, ArrayLike]:
         """sigma_s and y_s [m] for sigma [m], eta_s [m-2] and R [m], scalars or of one shape.
 
-        Raises ``ValueError`` if this leaves no variance to such summits.
+        Raises ``ValueError`` if this leaves no summit variance.
         """
         return roughness, 0.0 * roughness
 
 
 class SummitsAboveTheMeanPlaneAsRough(SummitsAtTheMeanPlane):
-    """Summits lie above the mean plane and scatter as widely as the surface: one sigma for both."""
+    """Summits lie above the mean plane, with the standard deviation of the surface."""
 
     def deviation_and_offset(self, roughness, density, radius):
         return roughness, SUMMIT_PLANE / (density * radius)
 
 
 class SummitsAboveTheMeanPlane(SummitsAtTheMeanPlane):
-    """Summits lie above the mean plane and scatter less than the surface (McCool 1986)."""
+    """Summits lie above the mean plane, with a smaller standard deviation (McCool 1986)."""
 
     def deviation_and_offset(self, roughness, density, radius):
         curvature_length = 1.0 / (density * radius)
@@ -65,20 +65,19 @@ class SummitsAboveTheMeanPlane(SummitsAtTheMeanPlane):
             raise ValueError(
                 f"summit_parameter is {parameter:.4g} at roughness "
                 f"{sigma:g} m; allowed: above {math.sqrt(SUMMIT_VARIANCE):.5f}, where summits "
-                "keep a variance"
+                "have a variance"
             )
         return np.sqrt(variance), SUMMIT_PLANE * curvature_length
 
 
-# --- third particles ---
+# --- third-body particles ---
 # ASSUME: X_min is 0, and X_max ``truncation`` deviations above the mean: Eqs. 4 and 5 print no values.
 
 
 @dataclass(frozen=True)
 class SizeLaw:
-    """One interpretation of phi_a as numbers: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the smallest size.
-
-    Their meaning is said at the head of ``thirdbody.model.particles``.
+    """Coefficients of one interpretation of phi_a: m, S [m], c_1 [m2]; c_2, c_3 and alpha of the
+    smallest size.  ``thirdbody.model.particles`` defines them.
     """
 
     mean: NDArray
@@ -90,28 +89,27 @@ class SizeLaw:
 
 
 class Uncentred:
-    """How the sizes of particles are distributed, phi_a of Eqs. 4-6.  Eq. 6 as printed: m = 0,
-    S = sigma_a; sizes from X_min = 0."""
+    """Size distribution phi_a of Eqs. 4-6, Eq. 6 as printed: m = 0, S = sigma_a; X_min = 0."""
 
     def law(self, diameter: NDArray, roughness: ArrayLike, parameters: Parameters) -> SizeLaw:
-        """Which sizes count in the integrals of Eqs. 4 and 5, and with what weight.
+        """Coefficients of the integrals in Eqs. 4 and 5.
 
-        For x_a [m] and sigma [m], a scalar or of its shape; fields of the law have that of x_a.
+        For x_a [m] and sigma [m], a scalar or of its shape; array fields have the shape of x_a.
         """
         spread = parameters.spread_ratio * diameter
         return SizeLaw(np.zeros_like(spread), spread, spread**2, 0.0, 1.0, 0.0)
 
     def sizes(self, diameter: ArrayLike, parameters: Parameters) -> tuple[ArrayLike, ArrayLike]:
-        """Mean and spread [m] of the particles' own normal distribution, for x_a [m]."""
+        """Mean and standard deviation [m] of the normal size distribution, for x_a [m]."""
         return 0.0, parameters.spread_ratio * diameter
 
     def can_be_equal(self, parameters: Parameters) -> bool:
-        """Whether particles may all have one size, as something else spreads the gaps they meet."""
+        """Whether all particles may have one size, because the gaps they meet vary."""
         return False
 
 
 class Centred(Uncentred):
-    """N(m, sigma_a^2) about the mean diameter, as the text speaks of x_a; sizes from X_min = 0."""
+    """N(m, sigma_a^2) about the mean diameter, as the text describes x_a; sizes from X_min = 0."""
 
     def law(self, diameter, roughness, parameters):
         mean, spread = parameters.mean_ratio, parameters.spread_ratio
@@ -125,7 +123,7 @@ class Centred(Uncentred):
 
 
 class GapConvolved(Centred):
-    """Particles of all sizes meet the local gap: its spread joins that of the sizes."""
+    """Particles of all sizes meet the local gap, whose variance adds to that of the sizes."""
 
     def law(self, diameter, roughness, parameters):
         mean = parameters.mean_ratio * diameter
@@ -139,44 +137,43 @@ class GapConvolved(Centred):
 
 @dataclass(frozen=True)
 class ParticlePlane:
-    """From which plane the separation is measured that particles meet: that of the summits,
-    d = h - y_s, as the paper writes one d in the integrals over both; or the mean plane, h = R_x H_c."""
+    """Plane from which the separation at the particles is measured: the summit plane, d = h - y_s,
+    as the paper has one d in both integrals; or the mean plane, h = R_x H_c."""
 
-    is_that_of_summits: bool
+    is_summit_plane: bool
 
     def height(self, roughness: ArrayLike, parameters: Parameters) -> ArrayLike:
         """Height of that plane above the mean plane [m], of the shape of ``roughness`` sigma [m]."""
-        if self.is_that_of_summits:
+        if self.is_summit_plane:
             return parameters.surface(roughness).summit_offset
         return 0.0 * roughness
 
 
 @dataclass(frozen=True)
 class ElasticLimits:
-    """Which particles deform elastically in Eqs. 4 and 5: those between d and d + ``side`` h_e.
+    """Particles that deform elastically in Eqs. 4 and 5: sizes between d and d + ``side`` h_e.
 
-    -1 as the integral is printed; 1 for particles that are pressed by less than h_e.  Larger
-    particles are plastic.
+    ``side`` is -1 as printed, and 1 if particles pressed by less than h_e are elastic.
     """
 
     side: float
 
     @property
     def beyond(self) -> float:
-        """How much farther apart than their size particles carry load, in h_e [1]."""
+        """Largest separation at which particles carry load, less their size, in h_e [1]."""
         return max(-self.side, 0.0)
 
     def weights(self, elastic_factor: float) -> tuple[float, float]:
-        """How much sizes above d count in A_sa, and those above d + ``side`` h_e, for an elastic factor
-        [1]: see the head of ``thirdbody.model.particles``."""
+        """Weights in A_sa of the sizes above d, and of those above d + ``side`` h_e, for an elastic
+        factor [1]; see ``thirdbody.model.particles``."""
         weights = elastic_factor, 1.0 - elastic_factor
         return weights if self.side > 0.0 else weights[::-1]
 
 
 @dataclass(frozen=True)
 class CoverageLimits:
-    """Which particles take room from the summits' load in Eq. 4: if ``contacting``, those that touch at
-    the separation d, as in Eq. 5; if not, all from X_min to X_max, as the integral is printed."""
+    """Particles that reduce the summit load in Eq. 4: if ``contacting``, those in contact at the
+    separation d, as in Eq. 5; otherwise all from X_min to X_max, as printed."""
 
     contacting: bool
 
@@ -187,11 +184,11 @@ class CoverageLimits:
 
 @dataclass(frozen=True)
 class FilmLoad:
-    """Which load F stands in the film's load parameter W = F/(E_ss R_x^2) (Eq. 8).
+    """The load F in the load parameter of the film, W = F/(E_ss R_x^2) (Eq. 8).
 
-    If W ``depends_on_shares`` it is the load that the fluid carries, F_f: solids and film share the
-    load.  Else it is F_t, as Eq. 8 is printed: the film's thickness is known beforehand, and the
-    solids carry everything where it is below their dry separation.
+    If W ``depends_on_shares``, F is the load F_f carried by the fluid: solids and film share the
+    load.  Otherwise it is F_t, as printed: the film thickness is known in advance, and the solids
+    carry all the load where it is below their dry separation.
     """
 
     depends_on_shares: bool
@@ -201,10 +198,10 @@ class FilmLoad:
         return log_fluid_fraction if self.depends_on_shares else 0.0
 
     def total_load(self, solid_load: ArrayLike, film_load: ArrayLike) -> ArrayLike:
-        """F_t* [1] that holds the surfaces at a separation where solids carry ``solid_load`` [1] and
-        ``film_load`` is the load F* [1] in W under which the film is as thick."""
-        joined = np.add if self.depends_on_shares else np.maximum
-        return joined(solid_load, film_load)
+        """F_t* [1] at a separation where solids carry ``solid_load`` [1], and a film of that
+        thickness has the load ``film_load`` F* [1] in W."""
+        combine = np.add if self.depends_on_shares else np.maximum
+        return combine(solid_load, film_load)
 
 
 # --- all of them ---
@@ -228,15 +225,15 @@ INTERPRETATIONS = {
 
 
 def chosen_interpretations(parameters: Parameters) -> SimpleNamespace:
-    """The interpretation of each place that the words in ``parameters`` mean, by the names of
+    """The interpretations selected by the words in ``parameters``, by the names of
     ``INTERPRETATIONS``.
 
-    Raises ``ValueError`` that names the field, its word and the words that it may have.
+    Raises ``ValueError`` with the field, its word and the allowed words.
     """
     chosen = {}
     for name, known in INTERPRETATIONS.items():
         word = getattr(parameters, name)
-        if word not in list(known):  # which a word that cannot be hashed is not either
+        if word not in list(known):  # a list, as the word may be unhashable
             allowed = ", ".join(map(str, known))
             raise ValueError(f"{name} is {word!r}; allowed: {allowed}")
         chosen[name] = known[word]

@@ -1,4 +1,4 @@
-"""The load that a dimensionless one counts: tables are written with it alone, and load no numpy."""
+"""Conversion of dimensionless loads to newtons, without numpy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The inputs of the model: one frozen record of every number and interpretation that it depends on."""
+"""The inputs of the model: a frozen dataclass of all numbers and interpretations."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import chosen_interpretations
 from thirdbody.model.load_unit import newtons_per_load
 
-# sigma [m] for which all numbers of a surface are finite, whatever the inputs within their bounds
+# range of sigma [m] in which surfaces are finite for all inputs within their bounds
 LEAST_ROUGHNESS, MOST_ROUGHNESS = 1e-30, 1e30
 
 
@@ -29,7 +29,7 @@ class Surface:
     summit_density, summit_radius : float or array
         eta_s [m-2] and R [m].
     summit_deviation, summit_offset : float or array
-        sigma_s and y_s [m]: scatter and height of the summits about the mean plane.
+        sigma_s and y_s [m]: standard deviation and mean height of the summits.
     """
 
     roughness: float | NDArray
@@ -43,17 +43,17 @@ class Surface:
 class Parameters:
     """All inputs of the model, in SI units.
 
-    ``config/inputs.yaml`` says of each field what it is and where its value comes from,
-    ``thirdbody.model.bounds`` what numbers may be; ``thirdbody.load_parameters`` gives them with the
-    calibrated values.  Fields that are words, and ``summit_offset``, choose an interpretation of the paper:
-    ``interpretation`` has the object for each.
+    ``config/inputs.yaml`` describes each field and the source of its value,
+    ``thirdbody.model.bounds`` the allowed numbers; ``thirdbody.load_parameters`` returns the
+    calibrated values.  Fields that are words, and ``summit_offset``, select interpretations of the
+    paper, which ``interpretation`` holds as objects.
 
     Raises
     ------
     ValueError
-        In one line that names the field, its value and what is allowed: for a number out of its
-        bounds, what is no number, and an unknown word.  Equal particles, ``spread_ratio`` 0, are
-        allowed where ``gap_ratio`` spreads the gaps that they meet.
+        For a number out of bounds, a value that is not a number, and an unknown word: one line with
+        the field, its value and what is allowed.  A ``spread_ratio`` of 0 (particles of equal size)
+        is allowed only if ``gap_ratio`` makes the gaps vary.
 
     Examples
     --------
@@ -103,7 +103,7 @@ class Parameters:
     film_load: str
 
     def __post_init__(self):
-        # the objects that words choose
+        # the objects that the words select
         object.__setattr__(self, "interpretation", chosen_interpretations(self))
         outside = [name for name, bounds in BOUNDS.items() if not bounds.hold(getattr(self, name))]
         sizes = self.interpretation.size_distribution
@@ -122,7 +122,7 @@ class Parameters:
 
     @cached_property
     def elastic_weights(self) -> tuple[float, float]:
-        """How much both limits of the elastic integral count in A_sa [1]: ``ElasticLimits.weights``."""
+        """Weights [1] of both limits of the elastic integral; see ``ElasticLimits.weights``."""
         return self.interpretation.elastic_limits.weights(self.elastic_factor)
 
     @cached_property
@@ -134,8 +134,8 @@ class Parameters:
     def softer_hardness(self) -> float:
         """min(H_s1, H_s2) [Pa]: where two surfaces touch, the softer one yields.
 
-        ASSUME: the paper's model of the summits (Zhao, Maietta & Chang 2000) has one hardness, its
-        Table 1 two; below Eq. 8 it takes "the Vickers hardness of softer material" for the pair.
+        ASSUME: the summit model of the paper (Zhao, Maietta & Chang 2000) has one hardness, Table 1
+        two; below Eq. 8 the paper uses "the Vickers hardness of softer material" for the pair.
         """
         return min(self.hardness_surface_1, self.hardness_surface_2)
 
@@ -145,10 +145,10 @@ class Parameters:
         return newtons_per_load(self.apparent_area, self.elastic_modulus_surfaces)
 
     def surface(self, roughness: float | NDArray) -> Surface:
-        """Summits of a surface, or of several.
+        """Summits of one surface or several.
 
-        eta_s R sigma and R follow power laws of the roughness, which are assumptions; scatter and
-        height of the summits are those of the interpretation ``summit_offset``.
+        eta_s R sigma and R are assumed to follow power laws of the roughness; the interpretation
+        ``summit_offset`` gives the standard deviation and height of the summits.
 
         Parameters
         ----------
@@ -163,8 +163,8 @@ class Parameters:
         Raises
         ------
         ValueError
-            Where ``summit_parameter`` leaves no variance to the summits, and for a roughness that
-            is not between 1e-30 and 1e30 m, where power laws of it may leave float64.
+            If ``summit_parameter`` leaves no summit variance, and for a roughness that is not
+            between 1e-30 and 1e30 m, where its power laws may overflow.
 
         Examples
         --------
@@ -190,5 +190,5 @@ class Parameters:
         )
 
     def as_dict(self) -> dict:
-        """Plain mapping of all inputs."""
+        """All inputs as a dict."""
         return asdict(self)

@@ -1,23 +1,22 @@
-"""Third particles between the surfaces: load, area and coverage in closed form (Eqs. 4-6).
+"""Third-body particles: load, area and coverage in closed form (Eqs. 4-6).
 
 Every interpretation of the size distribution phi_a gives the second moment above a size a as
 
     T(alpha) = c_1 M(alpha),   M = Q(alpha) + (c_2 + c_3 alpha) phi(alpha),   alpha = (a - m)/S,
 
-with phi and Q the density and upper tail of the standard normal distribution, so that
-I(a, b) = T(alpha) - T(beta).  Interpretations differ in m, S, c_1, c_2, c_3 alone, of which c_2 and c_3
-are the same for all particles of one interpretation: the fields of ``SizeLaw``.  Particles begin at X_min and
-end at X_max = m + truncation * S, so M is never needed deep in the tail; what is called the *moment*
-here is M less that of X_max, constant below X_min and zero from X_max on.
+with phi and Q the density and upper tail of the standard normal distribution, and I(a, b) =
+T(alpha) - T(beta).  Interpretations differ only in m, S, c_1, c_2 and c_3, the fields of
+``SizeLaw``; c_2 and c_3 are the same for all particles of one interpretation.  Sizes range from
+X_min to X_max = m + truncation * S, so M is never needed deep in the tail.  The *moment* is M minus
+its value at X_max: constant below X_min and zero above X_max.
 
-Particles that are plastic count whole, elastic ones with the elastic factor e of Eqs. 4 and 5: with
-moment(d) and moment(d'), where d' is the other limit of the elastic integral, the area A_sa is
-proportional to
+Plastic particles have the weight 1, elastic ones the elastic factor e of Eqs. 4 and 5.  With d' the
+other limit of the elastic integral, the area A_sa is proportional to
 
     printed,  d' = d - h_e:   e (moment(d') - moment(d)) + moment(d)
     physical, d' = d + h_e:   e (moment(d) - moment(d')) + moment(d')
 
-In either case the moments have weights, e and 1 - e, that add up to 1.
+In both cases the weights of the two moments are e and 1 - e.
 """
 
 from __future__ import annotations
@@ -26,21 +25,21 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-import scipy  # of which special is loaded when it is first used: many jobs never do
+import scipy  # scipy.special is loaded on first use: many jobs do not need it
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.model.asperity import gauss_legendre
 from thirdbody.model.parameters import Parameters
 
 TINY, EPSILON = np.finfo(float).tiny, np.finfo(float).eps
-LARGEST_DIAMETER = 1e100  # x_a [m] whose powers float64 holds; larger ones are taken for it
-FULL = -700.0  # logarithm of a fraction that is none
+LARGEST_DIAMETER = 1e100  # limit of x_a [m]: powers of a larger one could overflow
+FULL = -700.0  # ln of a bare fraction that counts as zero
 INV_SQRT_2PI = 1.0 / np.sqrt(2.0 * np.pi)
-LEAST = 5e-324  # the smallest number: below TINY it is the unit of rounding
+LEAST = 5e-324  # smallest positive number: the unit of rounding below TINY
 FARTHEST = -40.0  # alpha below which phi is zero in float64
 LOWEST = -9.0  # alpha below which sizes add nothing to a moment in float64
-NEXT_TO_LARGEST = 0.25  # in alpha, or less where phi decays by more than e over that
-NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that length
+NEXT_TO_LARGEST = 0.25  # width in alpha; less where phi decays by more than e over it
+NODES, WEIGHTS = gauss_legendre(6)  # exact to rounding over that width
 SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 
 
@@ -48,12 +47,11 @@ SHAPE_SAMPLES = np.concatenate([[0.0], np.geomspace(1e-5, 1.0, 199)])
 class ParticleLayer:
     """Particles on a surface: one mean diameter and density for each point.
 
-    ``mean`` and ``spread`` are m and S [m] of the size distribution; m is counted from the plane between
-    the surfaces, as d is: where particles meet the separation of the summits' planes, y_s is added.
-    ``depth`` is h_e/S [1].  ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a
-    surface and the ``moment`` is the fraction of the interface that particles take (Eqs. 4 and 5).
-    ``log_bare`` is ln of the fraction that the particles of Eq. 4 leave bare, where they are the same
-    at every separation; else 0.
+    ``mean`` and ``spread`` are m and S [m] of the size distribution; m includes y_s if particles
+    meet the separation of the summit planes, so that it compares with d.  ``depth`` is h_e/S [1].
+    ``factor``, pi eta_a p c_1/(H_s1 + H_s2) [Pa-1], times the hardness of a surface and the
+    ``moment`` is the fraction of the interface covered by particles (Eqs. 4 and 5).  ``log_bare``
+    is ln of the bare fraction in Eq. 4 if it does not depend on the separation; else 0.
     """
 
     mean: NDArray
@@ -99,7 +97,7 @@ class ParticleLayer:
         return cls(sizes.mean + height, sizes.spread, depth, factor, log_bare, moment, parameters)
 
     def take(self, chosen) -> ParticleLayer:
-        """The layer at the points that an index or mask ``chosen`` picks."""
+        """The layer at the points selected by an index or mask ``chosen``."""
         columns = self.mean, self.spread, self.depth, self.factor, self.log_bare
         picked = (column[chosen] for column in columns)
         return ParticleLayer(*picked, self.moment, self.parameters)
@@ -113,8 +111,8 @@ class ParticleLayer:
     def contact(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray, NDArray]:
         """Area and coverage of the particles that touch at ``separation`` d [m] (Eq. 5).
 
-        Returns A_sa/A_n [1] and its derivative by d [m-1], then the fraction of the interface under
-        particles larger than d [1] and its derivative [m-1].
+        Returns A_sa/A_n [1] and its slope d/dd [m-1], then the fraction of the interface covered by
+        particles larger than d [1] and its slope [m-1].
         """
         limits = self.parameters.interpretation.elastic_limits
         alpha = (separation - self.mean) / self.spread
@@ -132,32 +130,34 @@ class ParticleLayer:
         )
 
     def rounding(self, separation: NDArray, area: NDArray, slope: NDArray) -> NDArray:
-        """Relative error [1] that rounding leaves in the ``area`` that ``contact`` returns, with its
-        ``slope``, at ``separation`` d [m]; 0 where no particle touches."""
+        """Relative rounding error [1] of the ``area`` that ``contact`` returns, with its ``slope``,
+        at ``separation`` d [m]; 0 where no particle touches."""
         weights = sum(map(abs, self.parameters.elastic_weights))
         terms = (8.0 + self.moment.largest**2) * weights
         terms = terms * self.moment.cancellation * area
-        placed = 2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
-        lost = EPSILON * (terms + placed) + LEAST
+        rounding_of_d = (
+            2.0 * np.abs(slope) * (np.abs(separation) + self.mean + self.depth * self.spread)
+        )
+        lost = EPSILON * (terms + rounding_of_d) + LEAST
         return np.where(area > 0.0, lost / np.maximum(area, LEAST), 0.0)
 
-    def log_bare_load(self, room: tuple[NDArray, NDArray]) -> tuple[NDArray, ArrayLike]:
-        """ln of the fraction of the summits' load that particles leave, the bracket of Eq. 4, and its
-        derivative by d [m-1]; ``room`` is that of the summits' area (Eq. 5)."""
+    def log_bare_load(self, bare: tuple[NDArray, NDArray]) -> tuple[NDArray, ArrayLike]:
+        """ln of the bare fraction in the summit load, the bracket of Eq. 4, and its slope d/dd
+        [m-1]; ``bare`` is the same for the summit area (Eq. 5)."""
         if self.parameters.interpretation.coverage_limits.contacting:
-            return room
+            return bare
         return self.log_bare, 0.0
 
-    def leave_no_room(self, coverage: NDArray) -> NDArray:
-        """Whether particles cover the whole interface, in Eq. 4 or in Eq. 5, for the ``coverage`` [1] of
-        those larger than d; Eq. 4 counts at least those."""
+    def cover_all(self, coverage: NDArray) -> NDArray:
+        """Whether particles cover the whole interface in Eq. 4 or 5, for the ``coverage`` [1] of
+        those larger than d, which Eq. 4 always includes."""
         if self.parameters.interpretation.coverage_limits.contacting:
             return 1.0 - coverage <= EPSILON
         return self.log_bare < FULL
 
 
 class Moment:
-    """M(alpha) less that of X_max, for all particles of an interpretation.
+    """M(alpha) minus its value at X_max, for all particles of an interpretation.
 
     ``constant`` and ``linear`` are c_2 and c_3; ``smallest`` and ``largest`` alpha of X_min and of X_max.
     """
@@ -165,32 +165,31 @@ class Moment:
     def __init__(self, constant: float, linear: float, smallest: float, largest: float):
         self.constant, self.linear = constant, linear
         self.smallest, self.largest = smallest, largest
-        self.next_to_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
+        self.near_largest = largest - min(NEXT_TO_LARGEST, 1.0 / largest)
         self.of_largest = float(self._untruncated(np.array(largest))[0])
-        nearest = max(self.next_to_largest, smallest)
-        # by how much rounding of M is magnified in the moment at most
+        nearest = max(self.near_largest, smallest)
+        # largest magnification of the rounding of M in the moment
         self.cancellation = 1.0 + 2.0 * self.of_largest / float(self(np.array(nearest))[0])
         self.of_all = float(self(np.array(-np.inf))[0])
 
     def __call__(self, alpha: NDArray) -> tuple[NDArray, NDArray]:
         """The moment and its slope d/dalpha [1] at an array ``alpha``.
 
-        Next to the largest size it is an integral of its slope, since a difference would lose its
-        digits.
+        Near the largest size the slope is integrated, because a difference would lose digits.
         """
         clipped = np.minimum(np.maximum(alpha, self.smallest), self.largest)
         value, slope = self._untruncated(clipped)
         within = (alpha > self.smallest) & (alpha < self.largest)
         moment = np.array(np.maximum(value - self.of_largest, 0.0))
-        next_to_it = within & (alpha > self.next_to_largest)
-        if next_to_it.any():
-            length = self.largest - alpha[next_to_it]
+        near = within & (alpha > self.near_largest)
+        if near.any():
+            length = self.largest - alpha[near]
             _, slopes = self._untruncated(self.largest - length[:, None] * NODES)
-            moment[next_to_it] = -length * (WEIGHTS * slopes).sum(-1)
+            moment[near] = -length * (WEIGHTS * slopes).sum(-1)
         return moment, np.where(within, slope, 0.0)
 
     def samples(self) -> tuple[NDArray, NDArray]:
-        """Increasing moments [1] from zero on, and alpha there [1]."""
+        """Moments [1], increasing from zero, and their alpha [1]."""
         lowest = max(self.smallest, LOWEST)
         alpha = self.largest - SHAPE_SAMPLES * (self.largest - lowest)
         return self(alpha)[0], alpha
@@ -207,29 +206,29 @@ _moment = lru_cache(maxsize=64)(Moment)
 
 
 def log_bare_fraction(coverage: NDArray, slope: NDArray) -> tuple[NDArray, NDArray]:
-    """ln of the fraction that a ``coverage`` leaves bare, and its ``slope`` by d [m-1]; below ``FULL``
-    and 0 where particles cover everything."""
+    """ln of the bare fraction for a ``coverage`` and its ``slope`` d/dd [m-1], and its own slope;
+    below ``FULL`` and 0 where particles cover everything."""
     bare = _bare_fraction(coverage)
     covers = bare == TINY
     return np.log(bare), np.where(covers, 0.0, -slope) / bare
 
 
 def _bare_fraction(coverage):
-    """1 - coverage, or next to nothing where particles cover everything."""
+    """1 - coverage, or ``TINY`` where particles cover everything."""
     bare = 1.0 - coverage
     return np.where(bare <= EPSILON, TINY, bare)
 
 
 def has_particles(diameter: ArrayLike, density: ArrayLike) -> NDArray:
-    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover more than float64's zero."""
+    """Whether particles of ``diameter`` [m] and ``density`` [m-2] cover any area in float64."""
     return diameter * diameter * density > TINY
 
 
 def separation_carrying(area: ArrayLike, layer: ParticleLayer) -> NDArray:
-    """About the separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
+    """Approximate separation d [m] at which particles alone have the ``area`` A_sa/A_n [1].
 
-    It is the larger of those at which the sizes above d, or above the other limit of the elastic
-    integral, have the area by themselves; minus infinity where all particles have less.
+    It is the larger of the separations at which the sizes above d, or above the other limit of the
+    elastic integral, alone have this area; minus infinity if all particles together have less.
     """
     parameters = layer.parameters
     wanted = area / (layer.factor * parameters.hardness_surface_2)

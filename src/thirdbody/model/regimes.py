@@ -12,7 +12,7 @@ SURFACE_LIMIT = 0.05  # of A_sa,t*
 
 LUBRICATION_REGIMES = ("boundary", "mixed", "full_film")
 CONTACT_MODES = ("two_body", "surface_surface", "hybrid", "particle_surface")
-# in the order of the codes that stand for them in data files
+# in the order of their codes in data files
 SOLUTION_STATUSES = (
     "converged",
     "outside_film_formula",
@@ -38,7 +38,7 @@ MILDEST_FIRST = (
     "coverage_exceeded",
     "load_exceeded",
 )
-FILM_COUNTS = 1e-3  # of L_f: a film that carries less leaves the other quantities as they are
+FILM_COUNTS = 1e-3  # of L_f: a film that carries less does not affect the other quantities
 
 
 def lubrication_regime(solid_load_fraction: ArrayLike) -> NDArray[np.int8]:
@@ -86,8 +86,8 @@ def has_values(solution_status: ArrayLike) -> NDArray[np.bool_]:
 
 
 def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
-    """Index into ``SOLUTION_STATUSES`` of the gravest of all that apply at each point: arrays of bool, of
-    one shape, by the names of statuses.
+    """Index into ``SOLUTION_STATUSES`` of the most severe status at each point; ``applies`` are
+    bool arrays of one shape, by status.
 
     Examples
     --------
@@ -104,5 +104,5 @@ def gravest_status(**applies: NDArray) -> NDArray[np.int8]:
 
 
 def _between(above, below, index):
-    """``index``, or the next where ``above`` or the one before where ``below``, as int8."""
+    """``index`` as int8, plus 1 where ``above`` and minus 1 where ``below``."""
     return np.int8(index) + np.subtract(above, below, dtype=np.int8)

@@ -82,7 +82,7 @@ def bracket(points: Points) -> Brackets:
         beyond = number > 0
         # a film so thin that particles cover everything is no balance
         particles = some.contact.particles
-        covered = particles.leave_no_room(particles.contact(low[several])[2])
+        covered = particles.cover_all(particles.contact(low[several])[2])
         count[several] = (held[several] & ~covered) + number
         if points.film is not None and not points.shares_load:
             # along a plateau as high as the load nothing may be found beyond the film

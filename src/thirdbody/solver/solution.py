@@ -208,7 +208,7 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
     void = np.isnan(found["separation"])
-    no_room = has_particles and points.contact.particles.leave_no_room(ends.coverage[1])
+    no_room = has_particles and points.contact.particles.cover_all(ends.coverage[1])
     add_flags(
         found,
         points.film,

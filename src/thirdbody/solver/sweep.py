@@ -308,7 +308,7 @@ def _parts(contact, d):
     slopes = solids.load_beside_slope, solids.area_slope, solids.beside_slope
     parts = np.stack([*values, *slopes], axis=1)
     if contact.particles is not None:
-        parts[contact.particles.leave_no_room(solids.coverage)] = np.nan
+        parts[contact.particles.cover_all(solids.coverage)] = np.nan
     return parts
 
 
