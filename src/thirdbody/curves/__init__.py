@@ -1,7 +1,7 @@
-"""What a curve over the load holds beside its points: turning points, their windows, transitions.
+"""Features of curves over the load: turning points, their windows, and transitions.
 
-This package finds at which load the fraction of the particles in the contact area turns
-(``turning_point``; the paper's TPCA), for which diameters it does so (``windows``), and at which
-loads one lubrication regime or contact mode passes into the next (``transitions``).  It may import
-``thirdbody.solver`` and ``thirdbody.model``.  Begin with ``turning_point.turning_points``.
+This package finds the load at which the particle fraction of the contact area turns
+(``turning_point``; the TPCA of the paper), the diameters for which it does (``windows``), and the
+loads at which the lubrication regime or contact mode changes (``transitions``).  It may import
+``thirdbody.solver`` and ``thirdbody.model``.  Start with ``turning_point.turning_points``.
 """

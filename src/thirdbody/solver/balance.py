@@ -1,8 +1,8 @@
-"""The balance of forces F_t = F_s(d) + F_f(d) (Eq. 1), solved for the separation d.
+"""The force balance F_t = F_s(d) + F_f(d) (Eq. 1), solved for the separation d.
 
-A separation is accepted only where the sum of forces changes its sign between two separations around
-it, by more than rounding and tables may change it.  Both are kept: the values of all variables are
-means of those at the two, and their differences bound the error.
+A root is accepted only if the sum of forces changes sign between two separations around it, by more
+than rounding and table errors.  All variables are means of their values at these two, and the
+differences bound the error.
 """
 
 from __future__ import annotations
@@ -14,23 +14,23 @@ from numpy.typing import NDArray
 
 from thirdbody.model.particles import EPSILON, separation_carrying
 from thirdbody.solver.points import Forces, Points
-from thirdbody.solver.several import enclose_largest, may_be_several
+from thirdbody.solver.several import bracket_largest, may_have_several
 
 MAX_ITERATIONS = 200
-THINNER = 1e-3  # a film thinner by so much carries more than the load for certain
-CURVED = 0.05  # of the tolerance: what the next step of Newton's method may leave
+FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
+STEP_LEFT = 0.05  # of the tolerance: error allowed after the next Newton step
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
-WIDER = 4.0  # by which an interval grows in which no change of sign is seen
+GROWTH = 4.0  # growth of an interval without a change of sign
 
 
 class Brackets(NamedTuple):
-    """Between which separations [m] the forces balance, at each of some points.
+    """Bracket [m] of the root of the force balance at each point.
 
-    They do so between ``low`` and ``high``, near ``guess``; ``low`` is nan where they do nowhere.  They are
-    too large at ``low`` for certain where this is ``sure``.  Where a film whose thickness F_t sets
-    (Eq. 8 as printed) is ``held``, any separation between both is right.  ``count`` says at how many
-    separations the forces balance, of which the largest is meant, and ``certain`` whether rounding
-    leaves no doubt of that.
+    The root is between ``low`` and ``high``, near ``guess``; ``low`` is nan if there is none.
+    ``sure`` means that the forces at ``low`` are certainly too large.  Where a film whose thickness
+    F_t sets (Eq. 8 as printed) is ``held``, every separation in the bracket is a solution.
+    ``count`` is the number of roots, of which the largest is bracketed, and ``certain`` whether
+    this holds despite rounding.
     """
 
     guess: NDArray
@@ -43,8 +43,8 @@ class Brackets(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """The ``forces`` at two separations between which they balance, of shape (2, points), and whether
-    their change of sign is ``certain``; ``count`` is that of ``Brackets``."""
+    """The ``forces`` at two separations around the root, of shape (2, points), and whether their
+    change of sign is ``certain``; ``count`` is the number of roots."""
 
     forces: Forces
     certain: NDArray
@@ -52,20 +52,20 @@ class Balance(NamedTuple):
 
 
 def bracket(points: Points) -> Brackets:
-    """Enclose the largest separation d >= 0 at which solids and film carry the load.
+    """Bracket the largest separation d >= 0 at which solids and film carry the load.
 
-    A film of F_f carries the load by itself at d = R_x H_c(F_t), so the root is there or beyond.  A film
-    of F_t keeps the surfaces at that separation, unless the solids need a larger one to carry F_t.
-    Points that ``may_be_several`` must not have tables, whose errors may hide a separation.
+    If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
+    or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
+    Points that ``may_have_several`` roots must not use tables, whose errors may hide a root.
     """
     guess = first_separation(points)
     alone, rounded = np.zeros((2, guess.size))
     if points.film is not None:
         alone, rounded = points.film_separation()
         guess = np.maximum(guess, alone)
-    high = _too_high(points, guess)
+    high = _upper_bounds(points, guess)
     if points.shares_load:
-        low = alone * (1.0 - THINNER)
+        low = alone * (1.0 - FILM_MARGIN)
         exists, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
         sure = exists.copy()
     else:
@@ -75,17 +75,17 @@ def bracket(points: Points) -> Brackets:
         held = (forces.excess < 0.0) & (points.film is not None)
         exists &= ~held
     count, certain = (exists | held).astype(int), np.ones(guess.shape, bool)
-    several = np.flatnonzero(may_be_several(points))
+    several = np.flatnonzero(may_have_several(points))
     if several.size:
         some = points.take(several)
-        near, far, number, undecided = enclose_largest(some, low[several], guess[several])
+        near, far, number, undecided = bracket_largest(some, low[several], guess[several])
         beyond = number > 0
-        # a film so thin that particles cover everything is no balance
+        # no root where particles cover everything at the film thickness
         particles = some.contact.particles
         covered = particles.cover_all(particles.contact(low[several])[2])
         count[several] = (held[several] & ~covered) + number
         if points.film is not None and not points.shares_load:
-            # along a plateau as high as the load nothing may be found beyond the film
+            # on a plateau at the load, no root may be found beyond the film
             held[several] = ~beyond & (held[several] | undecided)
             count[several] = np.maximum(count[several], undecided)
         exists[several], sure[several] = beyond, True
@@ -99,10 +99,10 @@ def bracket(points: Points) -> Brackets:
 
 
 def first_separation(points: Points) -> NDArray:
-    """About the separation d [m] at which the solids alone carry the load.
+    """Approximate separation d [m] at which the solids alone carry the load.
 
-    It is the larger of those that summits alone and particles alone would have, where the solids
-    carry between one and two times the load.
+    It is the larger of the separations for summits alone and for particles alone, at which the
+    solids carry one to two times the load.
     """
     surfaces, particles = points.contact.summits, points.contact.particles
     guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
@@ -112,8 +112,8 @@ def first_separation(points: Points) -> NDArray:
     return np.maximum(guess, 0.0)
 
 
-def _too_high(points, guess):
-    """Separations [m] at which summits, particles and film each carry far less than the load."""
+def _upper_bounds(points, guess):
+    """Upper bounds [m], at which summits, particles and film each carry far less than the load."""
     far = np.maximum(guess, points.contact.summits.offset)
     if points.contact.particles is not None:
         far = np.maximum(far, points.contact.particles.reach)
@@ -121,18 +121,18 @@ def _too_high(points, guess):
 
 
 def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
-    """Narrow the brackets by Newton's method until no variable differs by more than ``tolerance``.
+    """Narrow the brackets by Newton's method until the variables converge to ``tolerance``.
 
-    Once a step should leave no error that counts, signs are looked at on either side; where rounding
-    could hide them the interval is widened.
+    When the next step would converge, the signs on both sides of it are checked; if rounding could
+    hide them, the interval is widened.
     """
     guess, low, high, sure, held, count, certain = brackets
     ends = np.full((len(Forces._fields), 2, guess.size), np.nan)
     fixed = np.flatnonzero(held)
     if fixed.size:
         film = points.take(fixed)
-        ends[:, 0, fixed] = _beside_a_film(film.forces(low[fixed], with_areas=True))
-        ends[:, 1, fixed] = _beside_a_film(film.forces(high[fixed], with_areas=True))
+        ends[:, 0, fixed] = _held_by_film(film.forces(low[fixed], with_areas=True))
+        ends[:, 1, fixed] = _held_by_film(film.forces(high[fixed], with_areas=True))
     certain = certain.copy()
     active = np.flatnonzero(~held & ~np.isnan(low))
     points = points.take(active)
@@ -150,7 +150,7 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
         newton = (new >= low) & (new <= high) & (step <= np.maximum(0.5 * last, 1e-3 * d))
         change = step * forces.steepest
         left = change * change * (1.0 + forces.steepest / steepness)
-        close = newton & ((left <= CURVED * tolerance) | (size <= 2.0 * forces.noise))
+        close = newton & ((left <= STEP_LEFT * tolerance) | (size <= 2.0 * forces.noise))
         final = (high - low <= NARROW * d) | (iteration == MAX_ITERATIONS - 1)
         d = np.where(newton, new, 0.5 * (low + high))
         last = np.where(newton, step, 0.5 * (high - low))
@@ -170,8 +170,8 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
         for end, each in zip(ends, both, strict=True):
             end[0][finished], end[1][finished] = each[0][done], each[1][done]
         certain[finished] &= holds[done]
-        # where a sign is wrong, the search goes on from there
-        doubt[close] *= WIDER
+        # where a sign is wrong, iterate from there
+        doubt[close] *= GROWTH
         lower, higher = ~done & below[0], ~done & above[1]
         high[close[lower]], low[close[higher]], sure[close[higher]] = a[lower], b[higher], True
         d[close[lower]] = np.fmax(2.0 * a - b, low[close])[lower]
@@ -183,9 +183,9 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
     return Balance(Forces(*ends), certain, count)
 
 
-def _beside_a_film(forces):
-    """The forces where a film of known thickness, within rounding, takes what solids leave."""
+def _held_by_film(forces):
+    """The forces where a film of known thickness carries the load that the solids leave."""
     fluid = -np.expm1(np.minimum(forces.log_solid, 0.0))
-    less = np.exp(forces.log_solid) / fluid  # F_s/F_f, by which rounding of F_s is magnified
+    less = np.exp(forces.log_solid) / fluid  # F_s/F_f, which magnifies the rounding of F_s
     rounding = forces.rounding + forces.solid_noise * less
     return np.stack(forces._replace(log_fluid=np.log(fluid), rounding=rounding))

@@ -1,4 +1,4 @@
-"""The points to be solved, and the forces on each at a given separation (Eq. 1)."""
+"""The points to solve, and the forces at each for a given separation (Eq. 1)."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def make_contact(
     parameters: Parameters,
     table_rtol: float | None = None,
 ) -> Contact:
-    """The solids of points that all have particles or all have none.
+    """The solids of points that are either all with or all without particles.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def make_contact(
     parameters : Parameters
         Inputs of the model.
     table_rtol : float, optional
-        Relative error for which tables of the summits are good; by default they are integrated.
+        Relative error of the summit tables; by default the summits are integrated.
     """
     particles = None
     if has_particles(particle_diameter[0], particle_density[0]):
@@ -42,13 +42,13 @@ def make_contact(
 
 
 class Forces(NamedTuple):
-    """What solids and film carry together at separations d: arrays of their shape.
+    """Forces of solids and film at separations d: arrays of the shape of d.
 
-    ``excess`` is ln((F_s + F_f)/F_t) [1], ``slope`` its derivative by d [m-1], and ``noise`` what rounding
-    and tables may change in it.  ``steepest`` bounds |d ln v/dd| [m-1] of d and of each part v of loads
-    and areas, and ``rounding`` is the relative error that rounding and tables leave in any of them.
-    ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1], and ``solid_noise`` is the
-    noise of the first.  The others are those of ``SolidLoad``.
+    ``excess`` is ln((F_s + F_f)/F_t) [1], ``slope`` its derivative d/dd [m-1], and ``noise`` its
+    error from rounding and tables.  ``steepest`` bounds |d ln v/dd| [m-1] of d and of each
+    contribution v to loads and areas; ``rounding`` is their relative error from rounding and
+    tables.  ``log_solid`` and ``log_fluid`` are ln(F_s/F_t) and ln(F_f/F_t) [1]; ``solid_noise`` is
+    the noise of the first.  The others are as in ``SolidLoad``.
     """
 
     separation: NDArray
@@ -69,9 +69,9 @@ class Forces(NamedTuple):
 
 @dataclass(frozen=True)
 class Points:
-    """Points to be solved, all with or without particles and all with or without a film.
+    """Points to solve: all with or all without particles, and all with or all without a film.
 
-    ``film`` is None where the interface is dry; ``log_load`` is ln F_t* [1], 1-D.
+    ``film`` is None for dry contact; ``log_load`` is ln F_t* [1], 1-D.
     """
 
     contact: Contact
@@ -96,11 +96,11 @@ class Points:
 
     @property
     def shares_load(self) -> bool:
-        """Whether the film takes part in the balance: whether W of Eq. 8 holds F_f, not F_t."""
+        """Whether the film is part of the force balance: whether W of Eq. 8 contains F_f, not F_t."""
         return self.film is not None and self.parameters.interpretation.film_load.depends_on_shares
 
     def take(self, chosen) -> Points:
-        """The points that an index or mask ``chosen`` picks."""
+        """The points selected by an index or mask ``chosen``."""
         film = self.film and self.film.take(chosen)
         return Points(self.contact.take(chosen), film, self.log_load[chosen])
 
@@ -132,7 +132,7 @@ class Points:
         )
 
     def log_film_load(self, separation: NDArray) -> tuple[NDArray, NDArray, NDArray]:
-        """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope by d [m-1], and its noise."""
+        """ln(F_f/F_t) of films as thick as ``separation`` d [m], its slope d/dd [m-1], and its noise."""
         thickness = separation / self.parameters.ball_radius
         log_parameter, slope = self.film.load_parameter_and_slope(thickness)
         noise = self.film.rounding(log_parameter, 1.0 / slope) * np.abs(slope)

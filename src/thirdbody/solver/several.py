@@ -1,7 +1,7 @@
-"""Several separations that balance the forces: which one is taken, and how many there are.
+"""Force balances with several roots: find the largest and count all.
 
-Where F_s rises with d, F_s(d) + F_f(d) = F_t (Eq. 1) may hold at several separations.  Surfaces that
-close meet the largest first, and stay there; so this is the one that is solved.
+Where F_s increases with d, F_s(d) + F_f(d) = F_t (Eq. 1) may have several roots.  Approaching
+surfaces reach the largest first and stay there, so this one is the solution.
 """
 
 from __future__ import annotations
@@ -13,89 +13,88 @@ from thirdbody.model.contact import greatest_single_load
 from thirdbody.model.particles import EPSILON
 from thirdbody.solver.points import Points
 
-SUMMIT_PLACES = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
-SIZE_PLACES = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
-SAMPLES = 24  # between two neighbouring places
-ZOOMS = 8  # how often an extremum is looked at more closely, each time
-CLOSER = 9  # at so many places
-HALVINGS = 60  # of an interval, which leave only rounding
-ROUNDED = 1e-12  # of a load, beside the noise of solids: nearer to F_t no sample tells its side
+SUMMIT_KNOTS = -4.0, -2.0, 0.0, 2.0, 4.0, 8.0  # (d - y_s)/sigma_s between which F_s is sampled
+SIZE_KNOTS = -3.0, -1.5, 0.0, 1.5  # and (d - m)/S
+SAMPLES = 24  # between two neighbouring knots
+ZOOMS = 8  # refinements about an extremum
+ZOOM_SAMPLES = 9  # samples in each refinement
+BISECTIONS = 60  # bisections that reduce an interval to rounding
+LOAD_ROUNDING = 1e-12  # of a load, plus the noise of solids: closer to F_t a sign is uncertain
 
 
-def may_be_several(points: Points) -> NDArray:
-    """Whether more than one separation may balance the forces, at each point."""
+def may_have_several(points: Points) -> NDArray:
+    """Whether the force balance may have more than one root, at each point."""
     if points.contact.particles is None:
         return np.zeros(points.log_load.shape, bool)
     return np.exp(points.log_load) > greatest_single_load(points.parameters)
 
 
-def enclose_largest(
+def bracket_largest(
     points: Points, start: NDArray, end: NDArray
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    """Find all separations that balance the forces from ``start`` [m] on, and enclose the largest.
+    """Find all roots of the force balance from ``start`` [m] on, and bracket the largest.
 
-    The sum of loads is sampled between all places at which its parts change their ways, to beyond
-    ``end`` [m] and all that carries, and again about each extremum that may reach F_t.
+    The total load is sampled between all kinks of its contributions, up to beyond ``end`` [m] and
+    all contacts, and again around each extremum that may reach F_t.
 
-    Returns separations [m] on either side of the largest, nan where nothing balances; how many there
-    are, of which two so close together that rounding hides what lies between pass for none; and
-    whether rounding leaves open which is the largest, or whether there is any, as loads stay near F_t
-    along a plateau or at a crest.
+    Returns separations [m] on both sides of the largest root, nan without one; the number of roots,
+    where two are not counted if rounding hides what lies between them; and whether rounding leaves
+    the largest root, or its existence, undecided, as on a plateau or at a crest near F_t.
     """
 
     def excess(separation, which):
         forces = points.take(which).forces(separation)
-        return forces.excess, ROUNDED + forces.noise
+        return forces.excess, LOAD_ROUNDING + forces.noise
 
     every = np.arange(start.size)
-    # two bodies together may carry more, farther out, than either of them alone
+    # farther out, summits and particles together may carry more than each alone
     end = np.maximum(np.maximum(end, start), points.contact.particles.reach)
     end = end + points.contact.summits.deviation
-    while (carries := excess(end, every)[0] > -ROUNDED).any():
-        end = np.where(carries, 1.25 * end, end)
-    places = _places(points, start, end)
-    which = np.repeat(every, places.shape[1])
-    values, noise = (each.reshape(places.shape) for each in excess(places.ravel(), which))
+    while (too_large := excess(end, every)[0] > -LOAD_ROUNDING).any():
+        end = np.where(too_large, 1.25 * end, end)
+    samples = _samples(points, start, end)
+    which = np.repeat(every, samples.shape[1])
+    values, noise = (each.reshape(samples.shape) for each in excess(samples.ravel(), which))
     above, below = values > noise, ~(values >= -noise)
-    farthest = places.shape[1] - 1
+    farthest = samples.shape[1] - 1
     found, decided = (values > 0.0).any(axis=1), above.any(axis=1)
     before = np.where(decided, _last(above), _last(values > 0.0))
-    last = np.maximum(_last(~below), before)  # beyond it loads are too small for certain
-    low = np.where(found, places[every, before], np.nan)
-    high = np.where(found, places[every, np.minimum(last + 1, farthest)], np.nan)
-    # a single place next to the separation may be as good as on it
-    undecided = places[every, last] > places[every, np.minimum(before + 1, farthest)]
+    last = np.maximum(_last(~below), before)  # beyond it loads are certainly too small
+    low = np.where(found, samples[every, before], np.nan)
+    high = np.where(found, samples[every, np.minimum(last + 1, farthest)], np.nan)
+    # a single undecided sample next to the root does not matter
+    undecided = samples[every, last] > samples[every, np.minimum(before + 1, farthest)]
     undecided = np.where(decided, undecided, ~below.all(axis=1))
-    values = _where_room_is_left(points.contact.particles, excess, places, values)
+    values = _replace_covered(points.contact.particles, excess, samples, values)
     count = _changes(values > 0.0, above | below)
-    pairs = _hidden_pairs(excess, places, values, noise)
+    pairs = _close_pairs(excess, samples, values, noise)
     point, *_, certain = pairs
     np.add.at(count, point[certain], 2)
-    count = np.maximum(count, found)  # where it balances under full cover alone, or along a plateau
+    count = np.maximum(count, found)  # a root only under full coverage, or on a plateau
     for index, crest, foot, certain in zip(*pairs, strict=True):
-        if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other separations
+        if crest > 0.0 and not crest <= low[index]:  # above F_t, and beyond all other roots
             undecided[index] |= not certain
             if certain:
                 low[index], high[index] = crest, foot
     return low, high, count, undecided
 
 
-def _where_room_is_left(particles, excess, places, values):
-    """The ``values`` where particles cover everything, which mean nothing, become that where they begin
-    to leave room."""
+def _replace_covered(particles, excess, samples, values):
+    """Replace ``values`` where particles cover everything, which have no meaning, by the first one
+    where they do not."""
 
-    def is_room(separation, which):
+    def is_bare(separation, which):
         return 1.0 - particles.take(which).contact(separation)[2] > EPSILON
 
-    rows, columns = places.shape
-    room = is_room(places.ravel(), np.repeat(np.arange(rows), columns)).reshape(places.shape)
-    first = room.argmax(axis=1)  # as coverage falls with d
+    rows, columns = samples.shape
+    bare = is_bare(samples.ravel(), np.repeat(np.arange(rows), columns)).reshape(samples.shape)
+    first = bare.argmax(axis=1)  # coverage decreases with d
     some = np.flatnonzero(first)
-    low, high = places[some, first[some] - 1], places[some, first[some]]
-    for _ in range(HALVINGS):
+    low, high = samples[some, first[some] - 1], samples[some, first[some]]
+    for _ in range(BISECTIONS):
         middle = 0.5 * (low + high)
-        wide = is_room(middle, some)
-        low, high = np.where(wide, low, middle), np.where(wide, middle, high)
+        here = is_bare(middle, some)
+        low, high = np.where(here, low, middle), np.where(here, middle, high)
     there, _ = excess(high, some)
     values = values.copy()
     covered = np.arange(columns) < first[some, np.newaxis]
@@ -104,40 +103,40 @@ def _where_room_is_left(particles, excess, places, values):
 
 
 def _last(holds):
-    """Index of the last place of each row that ``holds``; that of the last one where none does."""
+    """Index of the last true element of each row of ``holds``; of the last element if none is true."""
     return holds.shape[1] - 1 - holds[:, ::-1].argmax(axis=1)
 
 
 def _changes(signs, known):
-    """How often ``signs`` change along each row, between places where they are ``known``."""
+    """Number of sign changes along each row, between elements where the signs are ``known``."""
     latest = np.maximum.accumulate(np.where(known, np.arange(signs.shape[1]), 0), axis=1)
     signs = np.take_along_axis(signs, latest, axis=1)
     return (signs[:, 1:] != signs[:, :-1]).sum(axis=1)
 
 
-def _places(points, start, end):
-    """Where loads are sampled, increasing from ``start`` to ``end``: a row for each point."""
+def _samples(points, start, end):
+    """Separations [m] to sample, increasing from ``start`` to ``end``: a row for each point."""
     surfaces, particles = points.contact.summits, points.contact.particles
-    alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_PLACES]
+    alphas = [particles.moment.largest, particles.moment.smallest, *SIZE_KNOTS]
     shift = points.parameters.interpretation.elastic_limits.side * particles.depth
     kinks = [alpha + np.zeros_like(shift) for alpha in alphas]
     kinks += [alpha - shift for alpha in alphas]
-    places = [particles.mean + alpha * particles.spread for alpha in kinks]
-    places += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_PLACES]
-    edges = np.sort(np.clip(np.stack([start, *places, end], axis=1), start[:, None], end[:, None]))
+    samples = [particles.mean + alpha * particles.spread for alpha in kinks]
+    samples += [surfaces.offset + t * surfaces.deviation + 0.0 * start for t in SUMMIT_KNOTS]
+    edges = np.sort(np.clip(np.stack([start, *samples, end], axis=1), start[:, None], end[:, None]))
     part = np.sin(0.5 * np.pi * np.arange(SAMPLES) / SAMPLES) ** 2
-    part = part**2 * (3.0 - 2.0 * part)  # from 0 to 1, closest next to the kinks
+    part = part**2 * (3.0 - 2.0 * part)  # from 0 to 1, clustered at the kinks
     between = edges[:, :-1, None] + np.diff(edges)[..., None] * part
     return np.concatenate([between.reshape(start.size, -1), edges[:, -1:]], axis=1)
 
 
-def _hidden_pairs(excess, places, values, noise):
-    """Pairs of separations between samples that all are on one side of F_t, where a crest just reaches
-    F_t or a trough just falls below; a turn within the ``noise`` is none.
+def _close_pairs(excess, samples, values, noise):
+    """Pairs of roots between samples of one sign, where a crest just exceeds F_t or a trough just
+    falls below it; extrema within the ``noise`` are ignored.
 
-    Returns for each pair its point, a place [m] on its crest and one farther out where loads are too
-    small for certain, and whether F_t is reached by more than rounding.  The crest is 0 for a trough,
-    whose separations are not the largest.
+    Returns for each pair its point, a separation [m] on its crest and one farther out where loads
+    are certainly too small, and whether F_t is exceeded by more than rounding.  The crest is 0 for
+    a trough, whose roots are not the largest.
     """
     near = np.abs(values)
     rises = np.abs(np.diff(values))
@@ -147,22 +146,22 @@ def _hidden_pairs(excess, places, values, noise):
     turn = np.maximum(rises[:, :-1], rises[:, 1:])
     turns &= (near[:, 1:-1] < 4.0 * turn) & (turn > noise[:, 1:-1])
     point, place = np.nonzero(turns)
-    low, high = places[point, place], places[point, place + 2]
-    beyond = (values < -noise)[point] & (np.arange(places.shape[1]) > place[:, None] + 1)
-    foot = places[point, np.where(beyond.any(axis=1), beyond.argmax(axis=1), -1)]
+    low, high = samples[point, place], samples[point, place + 2]
+    beyond = (values < -noise)[point] & (np.arange(samples.shape[1]) > place[:, None] + 1)
+    foot = samples[point, np.where(beyond.any(axis=1), beyond.argmax(axis=1), -1)]
     sign = np.where(values[point, place + 1] > 0.0, 1.0, -1.0)
     found = [np.zeros((4, 0))]
     for zoom in range(ZOOMS):
         if not point.size:
             break
-        fine = np.linspace(low, high, CLOSER, axis=1)
-        which = np.repeat(point, CLOSER)
+        fine = np.linspace(low, high, ZOOM_SAMPLES, axis=1)
+        which = np.repeat(point, ZOOM_SAMPLES)
         value, noise = (each.reshape(fine.shape) for each in excess(fine.ravel(), which))
         closer = sign[:, None] * value
-        best = np.clip(closer.argmin(axis=1), 1, CLOSER - 2)
+        best = np.clip(closer.argmin(axis=1), 1, ZOOM_SAMPLES - 2)
         rows = np.arange(point.size)
         certain = (closer < -noise).any(axis=1)
-        # what lies between the last samples may be as much higher as they differ
+        # between the last samples, values may be higher by their spread
         nearly = closer <= noise + np.ptp(closer, axis=1, keepdims=True)
         reached = certain if zoom < ZOOMS - 1 else nearly.any(axis=1)
         furthest = _last(np.where(certain[:, None], closer < -noise, nearly))

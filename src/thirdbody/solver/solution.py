@@ -1,4 +1,4 @@
-"""What is known of solved points; a variable that nobody asks for costs nothing."""
+"""``Solution``, the variables of solved points, and how they follow from the forces."""
 
 from __future__ import annotations
 
@@ -34,10 +34,10 @@ if TYPE_CHECKING:
 class Solution(Tabular):
     """Solved points: what ``solve`` returns.
 
-    Every attribute is an array of the broadcast shape of the arguments of ``solve``, of xarray if one
-    of these is, or None if it was not asked for.  Points without solution hold nan, or -1 where a
-    flag has no meaning.  Printed, it says what each is, with regimes, modes and statuses by name;
-    ``to_dataset`` and ``to_dataframe`` give all of them with their labels.
+    Every attribute is an array of the broadcast shape of the arguments of ``solve`` (of xarray if
+    one of them is), or None if it was not requested.  Points without solution hold nan, or -1 for a
+    flag.  The printed form lists the variables, with regimes, modes and statuses by name;
+    ``to_dataset`` and ``to_dataframe`` return all of them with labels.
 
     Attributes
     ----------
@@ -54,17 +54,16 @@ class Solution(Tabular):
     lubrication_regime, contact_mode, solution_status : array of int8
         Indices into the tuples of ``thirdbody.model.regimes``.
     separation_count : array of int8
-        At how many separations the forces balance; of several the largest is given, which closing
-        surfaces meet first.
+        Number of separations at which the forces balance; the largest is given, which approaching
+        surfaces reach first.
     error_bound : array
-        What the relative error of every quantity stays below [1], if the quantity is above 2.2e-308:
-        what loads and areas differ by between two separations at which the forces are seen to
-        be too large and too small, and rounding.  Where it is above the ``rtol`` that was asked for,
-        the status is ``not_converged``, but the values stand.
+        Bound on the relative error of every quantity [1], if the quantity is above 2.2e-308: the change of
+        loads and areas between two separations at which the forces are too large and too small, plus
+        rounding.  Above the requested ``rtol`` the status is ``not_converged``; the values are kept.
     conditions : mapping
-        The five conditions that were solved, by name, SI: arrays that broadcast to the shape.
+        The five conditions by name, SI: arrays that broadcast to the shape.
     newtons_per_load : float, optional
-        F_t/F_t* [N], with which a dataset has the load in newtons.
+        F_t/F_t* [N]; datasets then include the load in newtons.
     """
 
     total_contact_area: NDArray | None = None
@@ -84,7 +83,7 @@ class Solution(Tabular):
 
     @property
     def known(self) -> dict[str, Any]:
-        """The variables that were asked for, by name."""
+        """The requested variables, by name."""
         return {name: getattr(self, name) for name in VARIABLES if getattr(self, name) is not None}
 
     def to_dataset(self) -> xr.Dataset:
@@ -93,15 +92,15 @@ class Solution(Tabular):
         Returns
         -------
         xarray.Dataset
-            Variables are those that were asked for, flags integers with ``flag_values`` and
-            ``flag_meanings``.  The conditions and ``normal_load`` [N] are coordinates.  A dimension has the name of the
-            condition that alone varies along it, else it is called ``point``; arrays of xarray keep
-            their dimensions and coordinates.
+            The requested variables; flags are integers with ``flag_values`` and ``flag_meanings``.
+            The conditions and ``normal_load`` [N] are coordinates.  A dimension is named after the
+            condition if only one varies along it, otherwise ``point``; arrays of xarray keep their
+            dimensions and coordinates.
 
         Raises
         ------
         ModuleNotFoundError
-            In one line, if xarray is not installed: the extra ``data`` brings it.
+            If xarray is not installed: the extra ``data`` installs it.
 
         Examples
         --------
@@ -126,18 +125,18 @@ class Solution(Tabular):
         return labelled_dataset(self.known, self.conditions, self.newtons_per_load)
 
     def to_dataframe(self) -> pd.DataFrame:
-        """The points as a table: one row a point, its conditions first.
+        """The points as a table: one row per point, its conditions first.
 
         Returns
         -------
         pandas.DataFrame
-            Numbers are in SI, the units in ``attrs["units"]``.  Flags are categories by their names,
-            nan where a point has none.
+            Numbers are in SI, the units in ``attrs["units"]``.  Flags are categories by name, nan
+            where a point has none.
 
         Raises
         ------
         ModuleNotFoundError
-            In one line, if xarray and its pandas are not installed: the extra ``data`` brings them.
+            If xarray and pandas are not installed: the extra ``data`` installs them.
 
         Examples
         --------
@@ -173,9 +172,9 @@ QUANTITIES = tuple(name for name in VARIABLES if name not in (*WHOLE, "error_bou
 
 
 def _in_words(name, values) -> str:
-    """A number, or the least and the greatest; of a flag the names, each with how many have it."""
+    """A number, or the range of numbers; for a flag the names with their counts."""
     if name in FLAGS:
-        words = *FLAG_MEANINGS[name], "none"  # the last of which NO_FLAG finds
+        words = *FLAG_MEANINGS[name], "none"  # NO_FLAG indexes the last
         if values.size == 1:
             return words[values.item()]
         found = np.unique(values, return_counts=True)
@@ -188,12 +187,12 @@ def _in_words(name, values) -> str:
 
 
 def type_of(variable: str) -> type:
-    """Type of the values of a ``variable`` of ``Solution``."""
+    """Data type of a ``variable`` of ``Solution``."""
     return np.int8 if variable in WHOLE else float
 
 
 def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray]:
-    """The variables of ``Solution`` at points, by name, as 1-D arrays; ``rtol`` was asked for."""
+    """The variables of ``Solution`` at points, by name, as 1-D arrays; ``rtol`` was requested."""
     ends = balance.forces
     has_particles = points.contact.particles is not None
     solid = expit(ends.log_solid - ends.log_fluid)  # Eq. 9, at both ends
@@ -207,8 +206,8 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
     error = _error_bound(ends, solid, fluid, particle_ratio, summit_ratio)
     error = np.where(balance.certain & (error <= 1.0), error, np.inf)
     found |= {"error_bound": error, "separation_count": balance.count}
-    void = np.isnan(found["separation"])
-    no_room = has_particles and points.contact.particles.cover_all(ends.coverage[1])
+    unsolved = np.isnan(found["separation"])
+    covered = has_particles and points.contact.particles.cover_all(ends.coverage[1])
     add_flags(
         found,
         points.film,
@@ -217,15 +216,15 @@ def describe(points: Points, balance: Balance, rtol: float) -> dict[str, NDArray
         has_particles,
         several_separations=balance.count > 1,
         not_converged=~(error <= rtol),
-        coverage_exceeded=no_room,
-        load_exceeded=void & (balance.count == 0),
+        coverage_exceeded=covered,
+        load_exceeded=unsolved & (balance.count == 0),
     )
-    void |= no_room
-    if void.any():
+    unsolved |= covered
+    if unsolved.any():
         for name, values in found.items():
             if name != "solution_status":
                 otherwise = np.nan if type_of(name) is float else NO_FLAG
-                values[void] = 0 if name == "separation_count" else otherwise
+                values[unsolved] = 0 if name == "separation_count" else otherwise
     return found
 
 
@@ -239,7 +238,7 @@ def add_flags(
 ) -> None:
     """Add regime, mode and status to the variables ``found`` under loads ln F_t* [1].
 
-    ``statuses`` says by name which of them apply beside those that follow from the variables.
+    ``statuses`` are the statuses, by name, that do not follow from the variables.
     """
     found["lubrication_regime"] = lubrication_regime(found["solid_load_fraction"])
     found["contact_mode"] = contact_mode(found["particle_contact_area_ratio"], has_particles)
@@ -254,18 +253,19 @@ def add_flags(
 
 
 def _error_bound(ends, solid, fluid, particle_ratio, summit_ratio):
-    """What loads and areas differ by from the mean of both ends, relative, and rounding beside."""
+    """Largest relative deviation of loads and areas from the mean of both ends, plus rounding."""
     width = np.diff(ends.separation, axis=0)[0]
     bare = np.log1p(-ends.coverage)
     summits = _difference(ends.log_beside - bare) + _difference(bare)
-    beside = np.minimum(particle_ratio, summit_ratio)  # what vanishes alone may count in a ratio
-    areas = _counted(summits, np.maximum(np.exp(ends.log_beside), beside))
+    # an area that is negligible alone may matter in a ratio
+    smaller = np.minimum(particle_ratio, summit_ratio)
+    areas = _where_resolved(summits, np.maximum(np.exp(ends.log_beside), smaller))
     # elastic particles may have a maximum of area between the ends
     rise = width * np.abs(ends.area_slope).max(axis=0) / ends.area.min(axis=0)
     particles = np.maximum(_difference(np.log(ends.area)), rise)
-    areas = areas + _counted(particles, np.maximum(ends.area, beside))
+    areas = areas + _where_resolved(particles, np.maximum(ends.area, smaller))
     solids = np.maximum(_difference(ends.log_solid), width * np.abs(ends.solid_slope).max(axis=0))
-    loads = _counted(solids, solid) + _counted(_difference(ends.log_fluid), fluid)
+    loads = _where_resolved(solids, solid) + _where_resolved(_difference(ends.log_fluid), fluid)
     shared = np.minimum(solid, fluid).max(axis=0) > TINY
     loads = np.where(shared, loads, 0.0)
     apart = np.maximum(width / ends.separation[0], np.maximum(areas, loads))
@@ -277,6 +277,6 @@ def _difference(both):
     return np.abs(both[0] - both[1])
 
 
-def _counted(difference, fraction):
-    """The ``difference`` of logarithms where float64 holds all digits of the ``fraction``."""
+def _where_resolved(difference, fraction):
+    """The ``difference`` of logarithms where float64 holds all digits of ``fraction``; else 0."""
     return np.where(fraction.max(axis=0) > TINY, difference, 0.0)

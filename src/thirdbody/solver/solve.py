@@ -30,10 +30,10 @@ from thirdbody.solver.summits import pieces_for
 from thirdbody.units import is_labelled, unit_of
 
 DEFAULT_RTOL = 1e-9
-LEAST_RTOL = 1e-12  # of points that nothing but rounding limits
-TABLE_WORTH = 0.7  # points on one roughness that repay a piece of the table of its summits
+LEAST_RTOL = 1e-12  # of points limited only by rounding
+TABLE_WORTH = 0.7  # points of one roughness per piece that make a table of its summits worthwhile
 CHUNK = 65536  # points solved together
-QUADRATURE_CHUNK = 512  # the same by quadrature, where each has some hundred nodes
+QUADRATURE_CHUNK = 512  # by quadrature, where each point has about a hundred nodes
 NOT_CONVERGED = SOLUTION_STATUSES.index("not_converged")
 
 
@@ -47,55 +47,54 @@ def solve(
 ) -> Solution:
     """Contact state of the interface at each point (Eqs. 1-10).
 
-    The five conditions broadcast against each other, and are given by name: numbers in the unit that
-    the name says, or quantities of pint, astropy, unyt or quantities in any unit of the same dimension.
-    Arrays of xarray broadcast by the names of their dimensions; their attribute ``units`` counts.
+    The five conditions are given by name and broadcast against each other.  Each is a number in the
+    unit of its name, or a quantity of pint, astropy, unyt or quantities in any compatible unit.
+    Arrays of xarray broadcast by dimension name; their attribute ``units`` is used.
 
     Parameters
     ----------
     load, load_N : array_like
-        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive, or F_t [N]; one of both names, as of
-        each condition.
+        Dimensionless load F_t* = F_t/(A_n E_ss) [1], positive, or F_t [N].  Of each condition, give
+        one of the two names.
     viscosity, viscosity_cSt : array_like
-        Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 where the interface is dry.
+        Kinematic viscosity of the lubricant [m2/s] or [cSt]; 0 for dry contact.
     particle_diameter, particle_diameter_nm : array_like
-        What the paper calls their mean diameter, x_a [m] or [nm]; 0 where there are none (two-body
-        contact).  With sizes ``uncentred`` it is larger than any particle.
+        The mean diameter of the paper, x_a [m] or [nm]; 0 for two-body contact.  If the size
+        distribution is ``uncentred``, it is larger than any particle.
     roughness, roughness_nm : array_like
         Equivalent root mean square roughness sigma [m] or [nm], from 1e-30 m to 1e30 m.
     particle_density, particle_density_per_m2 : array_like
-        Number eta_a of particles per area [m-2]; 0 where there are none (two-body contact).
+        Number eta_a of particles per area [m-2]; 0 for two-body contact.
     parameters : Parameters, optional
         Materials, geometry and interpretations of the model, by default the published ones.
     rtol : float
-        Relative error asked for in every variable, from 1e-11 to 1e-2.
+        Requested relative error of every variable, from 1e-11 to 1e-2.
     variables : collection of str
-        Names of the fields of ``Solution`` that are wanted; the others are None.
+        Names of the fields of ``Solution`` to compute; the others are None.
     progress : bool, optional
-        Whether a call that takes long says how far it has come, on the standard error stream: by a
-        bar on a terminal, after two seconds, else by a line every half a minute.
+        Whether a long call reports progress on standard error: a bar on a terminal, after two
+        seconds, otherwise a line every half minute.
 
     Returns
     -------
     Solution
-        Arrays of the broadcast shape: of xarray, with dimensions and coordinates, if a condition is.
-        ``solution_status`` says which points have no values, and which values to take with care;
-        ``error_bound`` holds for numbers above 2.2e-308, below which float64 loses digits.
+        Arrays of the broadcast shape; of xarray, with dimensions and coordinates, if a condition
+        is.  ``solution_status`` marks points without values, and values to use with care;
+        ``error_bound`` is valid for numbers above 2.2e-308, below which float64 loses digits.
 
     Raises
     ------
     ValueError
-        In one line: for a negative, infinite or missing number, a zero load or roughness, a quantity
-        of another dimension, arrays that do not broadcast, more than 1e9 points, inputs that are no
-        ``Parameters``, an ``rtol`` out of its range, an unknown variable, a ``progress`` that
-        is no bool, and a summit parameter that leaves no variance to the summits.
+        For a negative, infinite or missing number, a zero load or roughness, a quantity of the
+        wrong dimension, arrays that do not broadcast, more than 1e9 points, inputs that are not
+        ``Parameters``, an ``rtol`` out of range, an unknown variable, a ``progress`` that is not a
+        bool, and a summit parameter that leaves no summit variance.
 
     Warns
     -----
     OutOfRangeWarning
-        Once, for conditions outside their usual ranges, where another unit is probably meant: F_t*
-        1e-13 to 0.02, nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 0.1 nm to 1 mm, eta_a 1e6 to
-        1e16 m-2.
+        Once, for conditions outside their usual ranges, probably given in another unit: F_t* 1e-13 to 0.02,
+        nu 3e-7 to 0.01 m2/s, x_a 1 nm to 1 mm, sigma 0.1 nm to 1 mm, eta_a 1e6 to 1e16 m-2.
 
     Examples
     --------
@@ -109,7 +108,7 @@ def solve(
     >>> found.separation.round(10)  # [m]
     array([1.0852e-06, 1.2197e-06])
 
-    Loads and viscosities with names make a table of both:
+    Loads and viscosities with named dimensions give a table:
 
     >>> import xarray as xr
     >>> loads = xr.DataArray([1e-6, 1e-5], dims="load")
@@ -122,7 +121,7 @@ def solve(
     check_rtol(rtol)
     check_names("variables", variables, VARIABLES)
     check_progress(progress)
-    arrays = in_si(conditions, parameters)  # copies, which the caller does not change later
+    arrays = in_si(conditions, parameters)  # copies, which the caller cannot change later
     if not any(map(is_labelled, conditions.values())):
         return solve_arrays(arrays, parameters, rtol, variables, progress)
     given = {unit_of(key).condition: each for key, each in conditions.items()}
@@ -140,11 +139,10 @@ def solve_arrays(
     variables: Collection[str],
     progress: bool = False,
 ) -> Solution:
-    """What ``solve`` returns for conditions, by name, that have been checked.
+    """What ``solve`` returns, for ``arrays`` of checked conditions by name.
 
-    Points on a roughness that enough points have are solved by a table of its summits; the
-    others, those that magnify its error beyond ``rtol``, and those that may have several separations,
-    by quadrature.
+    If enough points have the same roughness, its summits are tabulated.  The other points, those that
+    magnify the table error beyond ``rtol``, and those that may have several roots are solved by quadrature.
     """
     check_points(arrays)
     columns = np.broadcast_arrays(*(arrays[name] for name in CONDITIONS))
@@ -152,12 +150,12 @@ def solve_arrays(
     columns = [column.ravel() for column in columns]
     load, viscosity, diameter, roughness, density = columns
     result = {name: np.empty(load.size, type_of(name)) for name in variables}
-    # what cannot be computed gets a status
+    # points that cannot be computed get a status
     with np.errstate(all="ignore"), Progress(load.size, "points", progress) as bar:
         three_body = has_particles(diameter, density)
         kinds = 2 * has_film(viscosity) + three_body
         single = ~three_body | (load <= greatest_single_load(parameters))
-        by_table = single & _repay_a_table(roughness, single, rtol)
+        by_table = single & _worth_a_table(roughness, single, rtol)
         left = ~by_table
         rounds = (rtol, CHUNK, rtol), (None, QUADRATURE_CHUNK, LEAST_RTOL)
         for table_rtol, size, tolerance in rounds:
@@ -176,14 +174,15 @@ def solve_arrays(
     return Solution(**solved, conditions=dict(arrays), newtons_per_load=newtons)
 
 
-def _repay_a_table(roughness, counted, rtol):
-    """Whether so many ``counted`` points have the roughness of a point that a table is worth it."""
+def _worth_a_table(roughness, counted, rtol):
+    """Whether enough ``counted`` points share the roughness of each point to tabulate its summits."""
     _, which = np.unique(roughness, return_inverse=True)
     return np.bincount(which, counted)[which] >= TABLE_WORTH * pieces_for(rtol)
 
 
 def _pieces(chosen, kinds, roughness, size):
-    """Yield the places of ``chosen`` points, of one kind and at most ``size`` at a time, by roughness."""
+    """Yield indices of ``chosen`` points, sorted by roughness, of one kind and at most ``size`` at
+    a time."""
     for kind in np.unique(kinds[chosen]):
         places = np.flatnonzero(chosen & (kinds == kind))
         places = places[np.argsort(roughness[places], kind="stable")]

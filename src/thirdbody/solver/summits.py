@@ -1,4 +1,4 @@
-"""The summits under points: by quadrature, or read off a table of their surface."""
+"""The summits at many points, by quadrature or from tables."""
 
 from __future__ import annotations
 
@@ -13,19 +13,18 @@ from thirdbody.model.asperity import SummitPopulation, area_growth
 from thirdbody.model.parameters import Parameters, Surface
 
 TABLE_RANGE = -5.0, 40.0  # of t = (d - y_s)/sigma_s
-# Pieces of tables: errors, which fall with their sixth power, are at most a hundredth of rtol, so that
-# few points magnify them beyond; the most pieces leave what rounding does.
+# Pieces of tables: the error, which falls with their sixth power, is at most a hundredth of rtol,
+# so that few points magnify it beyond rtol; the largest number reaches the rounding error.
 PIECES_AT_ONE, FEWEST_PIECES, MOST_PIECES = 11.0, 45, 720
 QUADRATURE_ERROR = 5e-14  # of ln F_ss and ln A_ss
 
 
 @dataclass(frozen=True, eq=False)
 class RoughSurfaces:
-    """The summits under each of many points, as ``thirdbody.model.contact`` asks for them.
+    """The summits at each of many points, in the form that ``thirdbody.model.contact`` needs.
 
-    ``surfaces`` and ``population`` have an element for each roughness, and ``which`` says on which of them
-    a point is.  ``table`` has ln F_ss* and ln A_ss* over t, of one surface after the other; None: by
-    quadrature.
+    ``surfaces`` and ``population`` have an element per roughness; ``which`` is its index at each point.
+    ``table`` has ln F_ss* and ln A_ss* over t for each roughness in turn, or is None for quadrature.
     """
 
     surfaces: Surface
@@ -37,10 +36,10 @@ class RoughSurfaces:
     def of(
         cls, roughness: NDArray, parameters: Parameters, table_rtol: float | None
     ) -> RoughSurfaces:
-        """The surfaces of points of ``roughness`` sigma [m], 1-D; tables are good for a relative error
-        ``table_rtol``, and None means by quadrature.
+        """The surfaces of points with ``roughness`` sigma [m], 1-D; ``table_rtol`` is the relative
+        error of the tables, or None for quadrature.
 
-        Raises ``ValueError`` where the summit parameter leaves no variance to the summits.
+        Raises ``ValueError`` if the summit parameter leaves no summit variance.
         """
         values, which = np.unique(roughness, return_inverse=True)
         surfaces = parameters.surface(values)
@@ -50,7 +49,7 @@ class RoughSurfaces:
         return cls(surfaces, SummitPopulation.of(surfaces, parameters), table, which)
 
     def take(self, chosen) -> RoughSurfaces:
-        """The surfaces of the points that an index or mask ``chosen`` picks."""
+        """The surfaces of the points selected by an index or mask ``chosen``."""
         return replace(self, which=self.which[chosen])
 
     @cached_property
@@ -65,7 +64,7 @@ class RoughSurfaces:
 
     @cached_property
     def error(self):
-        """What ln F_ss* and ln A_ss* may be wrong by, beside rounding."""
+        """Bound on the error of ln F_ss* and ln A_ss*, without rounding."""
         if self.table is None:
             return QUADRATURE_ERROR
         errors = self.table.error.reshape(-1, 2).max(axis=1)
@@ -84,7 +83,7 @@ class RoughSurfaces:
         return self._read(t, 0), self._read(t, 1)
 
     def _read(self, t, function):
-        """ln F_ss* or ln A_ss* and its slope off the table, as ``function`` is 0 or 1."""
+        """ln F_ss* (``function`` 0) or ln A_ss* (1) and its slope from the table."""
         inside = self.table.covers(t)
         value, slope = self.table(np.where(inside, t, 0.0), 2 * self.which + function)
         if not inside.all():
@@ -94,12 +93,12 @@ class RoughSurfaces:
         return value, slope
 
     def first_separation(self, log_load: NDArray) -> NDArray:
-        """About the t [1] at which summits carry ``log_load`` ln F_t*."""
+        """Approximate t [1] at which the summits carry ``log_load`` ln F_t*."""
         summits = self.population.take(self.which)
         wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
         t, loads = _plastic_summits()
         found = np.interp(wanted, loads, t)
-        for _ in range(2):  # a typical summit tells how far from plastic they are
+        for _ in range(2):  # correct by a typical summit, which is not fully plastic
             ratio = 3.0 / (np.maximum(found, 0.0) + 1.5) / summits.yield_interference
             growth = area_growth(ratio, summits.plastic_ratio)
             softer = np.log(0.5 * growth * summits.pressure(ratio))
@@ -108,14 +107,14 @@ class RoughSurfaces:
 
 
 def pieces_for(rtol: float) -> int:
-    """Number of pieces of a table of summits that is good for a relative error ``rtol``."""
+    """Number of pieces of a summit table with a relative error ``rtol``."""
     doubled = max(np.ceil(np.log2(PIECES_AT_ONE * rtol ** (-1.0 / 6.0) / FEWEST_PIECES)), 0.0)
     return min(FEWEST_PIECES * 2 ** int(doubled), MOST_PIECES)
 
 
 @lru_cache(maxsize=128)
 def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteTable:
-    """The table of surfaces of so many ``roughness`` [m] that is good for a relative error ``rtol``."""
+    """The table of surfaces of each ``roughness`` [m] with a relative error ``rtol``."""
     if len(roughness) > 1:
         return HermiteTable.joined([_table_of((each,), parameters, rtol) for each in roughness])
     summits = SummitPopulation.of(parameters.surface(roughness[0]), parameters)
@@ -124,7 +123,7 @@ def _table_of(roughness: tuple, parameters: Parameters, rtol: float) -> HermiteT
 
 @lru_cache
 def _plastic_summits():
-    """t, and increasing ln F_ss* there of summits that all are plastic, of unit hardness and density."""
+    """t, and increasing ln F_ss* of fully plastic summits of unit hardness and density."""
     t = np.linspace(*TABLE_RANGE, 91)[::-1]
     loads, _ = SummitPopulation(1.0, 1e300, 1.0, 1.0, 1.0).log_load(t)
     return t, loads

@@ -1,9 +1,9 @@
-"""Grids to three digits: what depends on the separation d alone is evaluated once and interpolated.
+"""Grids to three digits: functions of the separation d alone are tabulated and interpolated.
 
-On a surface with given particles F_ss, A_ss and A_sa are functions of d alone (Eqs. 2-6), whatever
-the load and the lubricant.  They are evaluated at some hundred separations and interpolated between
-them by cubic Hermite polynomials.  Eq. 1 is then solved at all loads and viscosities at once.  Dry
-contact, and points at which the interpolation is not as good as ``rtol``, are solved one by one.
+For a given surface and particles, F_ss, A_ss and A_sa are functions of d alone (Eqs. 2-6),
+independent of load and lubricant.  They are evaluated at a few hundred separations and interpolated
+by cubic Hermite polynomials.  Eq. 1 is then solved at all loads and viscosities at once.  Dry
+contact, and points where the interpolation error exceeds ``rtol``, are solved individually.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 
 import numpy as np
-import scipy  # of which interpolate is loaded when it is first used: many jobs never do
+import scipy  # scipy.interpolate is loaded on first use: many jobs do not need it
 from numpy.typing import NDArray
 
 from thirdbody.model.contact import greatest_single_load
@@ -24,17 +24,17 @@ from thirdbody.solver.solution import QUANTITIES, Solution, add_flags, type_of
 from thirdbody.solver.solve import CONDITIONS, solve_arrays
 
 LEAST_RTOL = 1e-3  # interpolation does not reach a smaller error
-FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved one by one
+FEWEST_POINTS = 500  # of one surface and particle size; fewer are solved individually
 STEP = 0.06  # of asinh(d/sigma) between separations
-# from the smallest to the largest particle, closing in on that
+# from the smallest to the largest particle, clustered at the largest
 SIZES = np.concatenate([np.linspace(0.0, 1.0, 40), 1.0 - np.geomspace(1e-7, 0.02, 14)])
-LOWEST = -6.0  # (size - mean)/spread below which particles do not matter
-BESIDE = 1e-12  # relative distance of the separations on both sides of a kink
-SAFETY = 2.0  # times the error in the middle between two separations
+LOWEST = -6.0  # (size - mean)/spread below which particles are negligible
+KINK_GAP = 1e-12  # relative distance of separations from a kink, on both sides
+SAFETY = 2.0  # times the error midway between two separations
 SUMMIT_RTOL = 1e-7  # error of the summits' load and area
-MOST_LOG_LOAD = 10.0  # ln F_s* for which those stand that particles without room between them carry
+MOST_LOG_LOAD = 10.0  # ln F_s* assumed where particles cover everything
 SOLIDS = 500  # pairs of particle size and density whose tables are made together
-GUESSES = 200  # separations at which films are known where Newton's method begins
+GUESSES = 200  # separations at which films are tabulated for the initial guess of Newton's method
 NEWTON_STEPS = 2
 ORDER = "particle_diameter", "roughness", "particle_density", "viscosity", "load"  # in memory
 
@@ -62,18 +62,17 @@ def sweep(
     parameters : Parameters
         Inputs of the model.
     rtol : float
-        Relative error asked for, at least ``LEAST_RTOL``.
+        Requested relative error, at least ``LEAST_RTOL``.
     variables : collection of str
-        Names of the fields of ``Solution`` that are wanted.
+        Names of the fields of ``Solution`` to compute.
     progress : bool
-        Whether a call that takes long reports its progress.
+        Whether a long call reports its progress.
 
     Returns
     -------
     Solution
-        Arrays over the five axes.  ``error_bound`` is twice the error of the interpolation in the
-        middle between two separations, in the quantity that it affects most, plus the error that
-        the iteration leaves.
+        Arrays over the five axes.  ``error_bound`` is twice the interpolation error midway between
+        two separations, of the quantity most affected, plus the remaining error of the iteration.
     """
     shape = tuple(axes[name].size for name in ORDER)
     values = {name: np.empty(shape, type_of(name)) for name in variables}
@@ -125,8 +124,8 @@ class _Surface:
     def solved(
         self, diameter: NDArray, density: NDArray, rtol: float, variables: Collection[str]
     ) -> Iterator[dict]:
-        """Yield for each of some solids the values of variables by name, dry and with films, and
-        which points with films are ``unsure``: to be solved one by one."""
+        """Yield for each particle size and density the variables by name, dry and with films, and
+        which points with films are ``unsure``: those to solve individually."""
         dry = self._dry(diameter, density, rtol, variables)
         beyond = self.load > greatest_single_load(self.parameters)
         films_share = self.parameters.interpretation.film_load.depends_on_shares
@@ -150,8 +149,8 @@ class _Surface:
             yield {name: (alone[name], found[name]) for name in variables} | {"unsure": unsure}
 
     def _dry(self, diameter, density, rtol, variables):
-        """Variables of dry contact by name, at half of the least load and at all loads: shape
-        (loads + 1, solids)."""
+        """Variables of dry contact by name, at half the least load and at all loads: shape (loads +
+        1, solids)."""
         load = np.append(0.5 * self.load[0], self.load)[:, np.newaxis]
         columns = load, np.zeros(1), diameter, np.full(1, self.roughness), density
         given = dict(zip(CONDITIONS, columns, strict=True))
@@ -160,10 +159,10 @@ class _Surface:
         return {name: getattr(found, name) for name in names}
 
     def _tables(self, diameter, density, low, high):
-        """Yield a table for each of some solids, cubic Hermite polynomials over d from ``low`` to ``high``.
+        """Yield a table for each of the solids: cubic Hermite polynomials over d from ``low`` to ``high``.
 
-        Its columns are ln F_ss, A_sa and ln A_ss (the summits beside the particles), their slopes, the
-        relative error of F_s, and that of areas and their ratios.
+        Its columns are ln F_ss, A_sa and ln A_ss (the summits beside the particles), their slopes,
+        the relative error of F_s, and of areas and their ratios.
         """
 
         def contact(solid):
@@ -179,7 +178,7 @@ class _Surface:
         solid = np.repeat(np.arange(diameter.size), np.diff(stops, prepend=0))
         d = np.concatenate(separations)
         value, slope = np.split(_parts(contact(solid), d), 2, axis=1)
-        # each cell, also those from one solid to the next, which nobody uses
+        # all cells; those between one solid and the next are not used
         width, rise = np.diff(d)[:, np.newaxis], np.diff(value, axis=0)
         middle = 0.5 * (value[:-1] + value[1:]) - 0.125 * width * np.diff(slope, axis=0)
         between = _parts(contact(solid[:-1]), d[:-1] + 0.5 * width[:, 0])
@@ -202,7 +201,7 @@ class _Surface:
             )
 
     def _explicit(self, table):
-        """Eq. 1 where the film's thickness follows from the total load: d is known."""
+        """Solve Eq. 1 where the total load gives the film thickness: d is known."""
         d = np.clip(self.alone, table.x[0], table.x[-1])
         log_summits, area, log_area, *_, load_error, area_error = np.moveaxis(table(d), -1, 0)
         solid = self._summits(log_summits) + self._particles(area)
@@ -212,9 +211,9 @@ class _Surface:
         return self._variables(d, solid, fluid, area, np.exp(log_area), error)
 
     def _by_newton(self, table, log_film):
-        """Eq. 1 where the film's thickness follows from its own load: Newton's method for ln L_f.
+        """Solve Eq. 1 where the film load gives its thickness: Newton's method for ln L_f.
 
-        What follows from the last change of d is expanded about the place before it.
+        The effect of the last change of d is expanded about the previous d.
         """
         radius, low, high = self.parameters.ball_radius, table.x[0], table.x[-1]
         places = table.x[::-1]
@@ -223,7 +222,7 @@ class _Surface:
         log_solid = np.nan_to_num(log_solid, nan=MOST_LOG_LOAD, neginf=-np.inf)
         log_film = log_film(places)
         held = np.logaddexp(log_solid, log_film)
-        # all films in one interpolation, one after the other
+        # all films in a single interpolation, shifted apart
         apart = np.arange(len(held))[:, np.newaxis] * (np.ptp(held) + 1.0)
         wanted = np.clip(self.log_load, held[:, :1], held[:, -1:]) + apart
         log_fluid = np.interp(wanted, (held + apart).ravel(), log_film.ravel()) - self.log_load
@@ -264,24 +263,24 @@ class _Surface:
         return found | {"separation_count": np.ones(d.shape, np.int8), "error_bound": error}
 
     def _log_film(self, low, high):
-        """ln F_f* of films over the separation [m], with an error that Newton's method removes."""
+        """ln F_f* of films over the separation [m], accurate enough to start Newton's method."""
         places = np.geomspace(max(low, 0.5 * self.alone.min()), high, GUESSES)
         log_film, _ = self.film.load_parameter_and_slope(places / self.parameters.ball_radius)
         log_film -= log_load_parameter(0.0, self.parameters)
         return scipy.interpolate.make_interp_spline(places, log_film, k=1, axis=-1)
 
     def _summits(self, log_load):
-        """Fraction of F_t that the summits carry."""
+        """Fraction of F_t carried by summits."""
         return np.exp(log_load - self.log_load)
 
     def _particles(self, area):
-        """Fraction of F_t that particles of the ``area`` A_sa carry (Eqs. 4 and 5)."""
+        """Fraction of F_t carried by particles with the ``area`` A_sa (Eqs. 4 and 5)."""
         return area * (self.parameters.particle_pressure / self.load)
 
 
 def _separations(low, high, roughness, particles, solid):
-    """Separations [m] from ``low`` to ``high``: closer where sizes matter, and on both sides of every
-    kink."""
+    """Separations [m] from ``low`` to ``high``: finer over the particle sizes, and on both sides of
+    every kink."""
     ends = np.arcsinh(np.array([low, high]) / roughness)
     steps = int(np.ceil((ends[1] - ends[0]) / STEP)) + 1
     places = [roughness * np.sinh(np.linspace(*ends, steps + 1)), [low, high]]
@@ -293,7 +292,7 @@ def _separations(low, high, roughness, particles, solid):
             first = max(smallest, LOWEST)
             places.append(mean + spread * (first + SIZES * (largest - first) - shift))
             for kink in (smallest, largest):
-                beside = BESIDE * (mean + spread * (abs(kink) + abs(shift)))
+                beside = KINK_GAP * (mean + spread * (abs(kink) + abs(shift)))
                 places.append(mean + spread * (kink - shift) + beside * np.array([-1.0, 1.0]))
     return np.unique(np.clip(np.concatenate(places), low, high))
 
@@ -313,7 +312,7 @@ def _parts(contact, d):
 
 
 def _errors(found, true, pressure):
-    """Bounds on the relative error of F_s, and of areas and their ratios, from those in the middle
+    """Bounds on the relative error of F_s, and of areas and their ratios, from the errors midway
     between separations: shape (n, 2)."""
     summits, area = np.exp(true[:, 0]), pressure * true[:, 1]
     load = summits * np.expm1(found[:, 0] - true[:, 0]) + pressure * (found[:, 1] - true[:, 1])
