@@ -82,18 +82,18 @@ SEARCHED = {
 def unit_of(key: Any) -> Unit:
     """The unit of a name; raises ``ValueError`` if there is no such name."""
     if not isinstance(key, str) or key not in UNITS:
-        raise ValueError(f"there is no axis {shown(key)}; allowed: {', '.join(UNITS)}")
+        raise ValueError(f"unknown axis {shown(key)}; allowed: {', '.join(UNITS)}")
     return UNITS[key]
 
 
 # the dimension of each condition as a quantity: a unit of pint, and words for messages
-FORCE = "N", "a force, as in N"
+FORCE = "N", "a force, e.g. in N"
 WANTED = {
-    "load": ("dimensionless", f"a number without dimension or {FORCE[1]}"),
-    "viscosity": ("m ** 2 / s", "a kinematic viscosity, as in cSt"),
-    "particle_diameter": ("m", "a length, as in nm"),
-    "roughness": ("m", "a length, as in nm"),
-    "particle_density": ("m ** -2", "a number per area, as in 1/mm**2"),
+    "load": ("dimensionless", f"a dimensionless number or {FORCE[1]}"),
+    "viscosity": ("m ** 2 / s", "a kinematic viscosity, e.g. in cSt"),
+    "particle_diameter": ("m", "a length, e.g. in nm"),
+    "roughness": ("m", "a length, e.g. in nm"),
+    "particle_density": ("m ** -2", "a number per area, e.g. in 1/mm**2"),
 }
 
 
@@ -164,7 +164,7 @@ def _of_pint(unit: Unit, given: Any) -> Any:
     except ModuleNotFoundError:
         raise
     except Exception:  # pint raises many types
-        message = f"{unit.key} has the unit {shown(text)}, which is unknown"
+        message = f"{unit.key} has the unknown unit {shown(text)}"
         raise ValueError(f"{message}; allowed: {WANTED[unit.condition][1]}") from None
     return registry().Quantity(np.asarray(given), found)
 

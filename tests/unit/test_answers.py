@@ -161,7 +161,7 @@ def test_a_ball_smaller_than_the_interface_is_refused_wherever_it_is_given(defau
 
 
 def test_what_stays_of_the_film_where_a_modulus_changes_is_said(defaults):
-    with pytest.warns(UserWarning, match="ball_radius is changed alone, not with it speed"):
+    with pytest.warns(UserWarning, match="ball_radius is changed without speed"):
         tb.load_parameters(ball_radius=0.01)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -63,11 +63,11 @@ def test_quantities_in_arrays_and_lists_are_converted(solve, parameters, unit):
 
 
 WRONG_UNITS = {
-    "load": ("kg", "a number without dimension or a force, as in N"),
-    "viscosity": ("Pa * s", "a kinematic viscosity, as in cSt"),
-    "particle_diameter": ("cSt", "a length, as in nm"),
-    "roughness": ("nm ** 2", "a length, as in nm"),
-    "particle_density": ("1 / m ** 3", "a number per area, as in 1/mm**2"),
+    "load": ("kg", "a dimensionless number or a force, e.g. in N"),
+    "viscosity": ("Pa * s", "a kinematic viscosity, e.g. in cSt"),
+    "particle_diameter": ("cSt", "a length, e.g. in nm"),
+    "roughness": ("nm ** 2", "a length, e.g. in nm"),
+    "particle_density": ("1 / m ** 3", "a number per area, e.g. in 1/mm**2"),
 }
 
 
@@ -102,15 +102,15 @@ def test_arrays_broadcast_by_the_names_of_their_dimensions(solve):
         ),
         (
             {"load": LOADS, "viscosity": LOADS.assign_coords(load=[1.0, 2.0])},
-            "load, viscosity have other coordinates along the same dimension",
+            "load, viscosity have different coordinates along one dimension",
         ),
         (
             {"load": pd.Series([1e-6, 1e-5], index=[7, 8])},
-            "load is a Series of pandas; allowed: .to_numpy() or .to_xarray() of it",
+            "load is a Series of pandas; allowed: its .to_numpy() or .to_xarray()",
         ),
         (
             {"load": [1e-6, 1e-5], "viscosity": [0.0, 1e-5, 2e-5]},
-            "shapes do not go together: load has (2,), viscosity has (3,); allowed: those that",
+            "shapes do not broadcast: load has (2,), viscosity has (3,); allowed: shapes that do",
         ),
     ],
     ids=["no names", "other coordinates", "a series", "other shapes"],
@@ -190,7 +190,9 @@ def test_so_is_a_ball_in_another_unit_that_is_smaller_than_the_interface(paramet
     message = "ball_radius_mm is 0.006 mm; usual: 0.1 to 1000 mm"
     with (
         pytest.warns(tb.OutOfRangeWarning, match=message),
-        pytest.raises(ValueError, match="ball_radius_mm follows: .* the cross-section of a ball"),
+        pytest.raises(
+            ValueError, match="derived from ball_radius_mm: .* the cross-section of a ball"
+        ),
     ):
         tb.bearing(parameters, ball_radius_mm=0.006)
 
@@ -204,13 +206,13 @@ def test_what_interfaces_have_is_solved_without_a_word(solve):
 @pytest.mark.parametrize("bad", [None, "separation", ["load"]])
 def test_variables_that_are_no_collection_of_known_names_are_refused(solve, bad):
     message = refusal(solve, variables=bad)
-    assert message.startswith("variables ") and "; allowed: a list out of total_" in message
+    assert message.startswith("variables ") and "; allowed: names from total_" in message
 
 
 def test_more_points_than_memory_holds_are_refused_with_their_number(solve, parameters):
     axis = np.linspace(1e-6, 1e-3, 10**6)
     message = (
-        "load, viscosity make 1e+12 points; allowed: at most 1e+09 in one call, and "
+        "load, viscosity make 1e+12 points; allowed: at most 1e+09 in one call; "
         "thirdbody.stream writes any number to a file"
     )
     assert refusal(solve, load=axis[:, None], viscosity=axis) == message

@@ -68,20 +68,20 @@ def changed(config, key, value):
 
 
 STRICT = [
-    ("a: 1\nb: 2\na: 3", "line 3: key 'a' stands twice"),
+    ("a: 1\nb: 2\na: 3", "line 3: duplicate key 'a'"),
     ("a: {<<: {b: 1}}", "line 1"),
     ("a: !!python/object/apply:os.system [ls]", "python/object/apply:os.system'"),
     ("a: !secret b", "tag '!secret'"),
-    ("1: a", "line 1: key 1; allowed: words"),
-    ("on: a", "line 1: key True; allowed: words"),
+    ("1: a", "line 1: key 1; allowed: strings"),
+    ("on: a", "line 1: key True; allowed: strings"),
     ("a: 1\n---\nb: 2", "another document"),
     ("a: [1\n", "line 2: did not find expected ',' or ']'"),
     ("a:\n\t- 1", "line 2"),
     ("a: 1\x07", "not allowed"),
     (b"a: \xff", "byte 3 is not UTF-8"),
     ("a: 1".encode("utf-16"), "not UTF-8"),
-    ("", "holds NoneType; allowed: keys with values"),
-    ("- a", "holds list; allowed: keys with values"),
+    ("", "contains NoneType; allowed: keys with values"),
+    ("- a", "contains list; allowed: keys with values"),
     ("a: " + "9" * 5000, "digits"),
 ]
 
@@ -231,10 +231,10 @@ BAD_SETTINGS = [  # the way to a key, its value, and what the line says
     ("scenes.mine/x", {}, "mine/x"),
     (f"{FIRST}.viscosity", [1], "scenes.fig04.curves[0]: unknown key 'viscosity'"),
     (f"{FIRST}.viscosity_cSt", [-1], "curves[0].viscosity_cSt[0] is -1; allowed: at least 0"),
-    (f"{FIRST}.viscosity_cSt", [10, 10], "viscosity_cSt is [10, 10]; allowed: no value twice"),
+    (f"{FIRST}.viscosity_cSt", [10, 10], "viscosity_cSt is [10, 10]; allowed: unique values"),
     (f"{FIRST}.particle_diameter_nm", KeyError, "allowed: either particle_diameter_nm or "),
     (f"{FIRST}.particle_density_per_m2", [1.0e13], "cover 1.96 of the interface; allowed: at"),
-    (f"{FIRST}.particle_density_per_m2", ["1e11"], "reads from 1.0e+11"),  # YAML's text
+    (f"{FIRST}.particle_density_per_m2", ["1e11"], "write 1.0e+11"),  # YAML's text
     ("scenes.fig13.curves.0.particle_diameter_per_roughness", [500.0], "particles of 50000 nm"),
     ("inputs", "/etc/passwd", "inputs is '/etc/passwd'"),
     ("inputs", 5, "inputs is 5; allowed: inputs with their values, or the path"),

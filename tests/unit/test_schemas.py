@@ -47,9 +47,9 @@ BROKEN = {
         [{"id": "a", "contradicts": ["b"]}, {"id": "b"}],
         "range[0].contradicts[0] is 'b'; allowed: the id of a statement that contradicts this one too",
     ),
-    "contradictions_are_settled, by one that stands aside": (
+    "contradictions_are_settled, by one that is set aside": (
         [{"id": "a", "contradicts": ["b"]}, {"id": "b", "contradicts": ["a"]}],
-        "range[0].contradicts[0] is 'b'; allowed: a statement that stands aside, or this one does",
+        "range[0].contradicts[0] is 'b'; allowed: a statement that is set aside, unless this one is",
     ),
     "unknowns_are_listed": (
         {"unknowns": {"a": 1}, "always": ["a"], "interpretations": {"r": {"unknowns": ["b"]}}},
@@ -65,7 +65,7 @@ BROKEN = {
     ),
     "charts_lie_on_axes": (
         {"axes": {"load_N": AXIS}, "charts": {"load_N": [1, 5, 6]}},
-        "range.charts.load_N[2] is 6; allowed: a value of axes.load_N, to which also can add it",
+        "range.charts.load_N[2] is 6; allowed: a value of axes.load_N; its key also can add it",
     ),
 }
 

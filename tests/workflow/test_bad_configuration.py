@@ -13,11 +13,11 @@ SECOND, CHANGES = ("--configfile", "mine.yaml"), ("--config", "changes=mine.yaml
 # a file, what stands at its end, arguments, and what the one line must say: key or file, value, allowed
 CASES = {
     "unknown key": (CONFIG, b"colour: red\n", (), ("'colour'", "inputs, load_axis")),
-    "key twice": (CONFIG, b"rtol: 1.0e-8\n", (), (CONFIG, "'rtol' stands twice")),
+    "key twice": (CONFIG, b"rtol: 1.0e-8\n", (), (CONFIG, "duplicate key 'rtol'")),
     "not UTF-8": (CONFIG, b"rtol: \xff\n", (), (CONFIG, "UTF-8")),
     "no configuration": (CONFIG, None, (), (CONFIG, "allowed")),
     "second file": ("mine.yaml", b"rtol: 3\n", SECOND, ("rtol", "3", "at most 0.01")),
-    "key twice in it": ("mine.yaml", b"a: 1\na: 2\n", SECOND, ("mine.yaml", "'a' stands twice")),
+    "key twice in it": ("mine.yaml", b"a: 1\na: 2\n", SECOND, ("mine.yaml", "duplicate key 'a'")),
     "changes": ("mine.yaml", b"inputs: soft.yaml\n", CHANGES, ("'soft.yaml'", "in config/")),
     "no changes": (CONFIG, b"", CHANGES, ("mine.yaml", "a readable YAML file")),
     "word": (CONFIG, b"", ("--config", "rtol=much"), ("rtol", "'much'", "a number")),

@@ -1,4 +1,4 @@
-"""What questions get: an ``Answer``, in rows of a quantity and its range over the ensemble, or a ``Curve``."""
+"""Answers to questions: ``Answer``, rows of quantities with ensemble ranges, and ``Curve``."""
 
 from __future__ import annotations
 
@@ -18,21 +18,22 @@ from thirdbody.tabular import Tabular
 if TYPE_CHECKING:
     import pandas as pd
 
-Value = float | str | None  # a number, the name of a regime or mode, or nothing: it does not occur
+Value = float | str | None  # a number, the name of a regime or mode, or None: does not occur
 DIGITS = 4
-# a rule below the headings, in letters that every encoding has
+# a rule below the headings, in ASCII
 RULED = "    \n    \n -- \n    \n    \n    \n    \n    \n"
-WIDTH = 200  # columns of a text that is not on a terminal
+WIDTH = 200  # columns of text that is not printed on a terminal
 
 
 @dataclass(frozen=True)
 class Row:
-    """One quantity of an answer: its name, as other data have it, and what it is in words.
+    """One quantity of an answer: its name in data files, and its description.
 
-    ``value`` is that with the inputs of the interface, in ``unit``, None where it does not occur; ``low`` and
-    ``high`` are the 5 % and 95 % quantiles over the members of the ensemble in which it occurs, None of a
-    name.  Of ``members`` so many ``agree``: they have a number too, or the same name, or nothing either.  In a
-    comparison ``other`` is the value of the second interface, and the range that of the difference.
+    ``value`` is computed with the inputs of the interface, in ``unit``; None if it does not occur.
+    ``low`` and ``high`` are the 5 % and 95 % quantiles over the ensemble members in which it
+    occurs; None for a name.  Of ``members`` members, ``agree`` also have a number, have the same
+    name, or also have none.  In a comparison ``other`` is the value of the second interface, and
+    the range is for the difference.
     """
 
     name: str
@@ -49,7 +50,7 @@ class Row:
     def of(
         cls, name: str, quantity: str, value: Value, unit: str, of_members: Sequence[Value]
     ) -> Row:
-        """The row of a quantity that has the values ``of_members`` over the ensemble."""
+        """The row of a quantity with the values ``of_members`` of the ensemble."""
         numbers = [each for each in of_members if isinstance(each, float)]
         low, high = spread(numbers) or (None, None)
         same = (
@@ -59,7 +60,7 @@ class Row:
 
     @property
     def range_text(self) -> str:
-        """The range over the ensemble as a table shows it."""
+        """The range over the ensemble, formatted for a table."""
         parts = []
         if self.low is not None:
             parts.append(f"{text_of(self.low)} to {text_of(self.high)}")
@@ -69,14 +70,14 @@ class Row:
 
 
 def text_of(value: Value) -> str:
-    """A value as a table shows it."""
+    """A value, formatted for a table."""
     if value is None:
         return "none"
     return value if isinstance(value, str) else f"{value:.{DIGITS}g}"
 
 
 def few_particles(per_m2: float, apparent_area: float, name: str = "particles") -> tuple[str, ...]:
-    """A note where less than one particle is in the nominal area A_n [m2].
+    """A note if there is less than one particle in the nominal area A_n [m2].
 
     Examples
     --------
@@ -91,10 +92,10 @@ def few_particles(per_m2: float, apparent_area: float, name: str = "particles") 
 
 @dataclass(frozen=True)
 class Answer(Tabular):
-    """What a question gets.
+    """The answer to a question.
 
-    ``title`` is the question as it was understood, ``rows`` the answer, ``notes`` what else is to be known
-    and ``found`` whether what was asked for occurs.
+    ``title`` restates the question, ``rows`` are the results, ``notes`` further remarks, and
+    ``found`` is whether the result exists.
     """
 
     title: str
@@ -103,7 +104,7 @@ class Answer(Tabular):
     found: bool = True
 
     def as_dict(self) -> dict:
-        """Plain data, as JSON holds it."""
+        """Plain data for JSON."""
         return asdict(self)
 
     def to_dataframe(self) -> pd.DataFrame:
@@ -113,7 +114,7 @@ class Answer(Tabular):
         return pd.DataFrame([asdict(row) for row in self.rows])
 
     def value(self, name: str) -> Value:
-        """The value of the first row of a name; ``KeyError`` if there is no such row."""
+        """The value of the first row with a name; ``KeyError`` if there is none."""
         return {row.name: row.value for row in reversed(self.rows)}[name]
 
     def as_text(self, width: int = WIDTH, on_terminal: bool = False) -> str:
@@ -146,11 +147,11 @@ class Answer(Tabular):
 
 @dataclass(frozen=True)
 class Curve(Tabular):
-    """What ``Interface.curve`` returns: arrays of shape (n,) over an axis.
+    """The result of ``Interface.curve``: arrays of shape (n,) over an axis.
 
-    ``along`` is the axis by its name with a unit, and ``points`` are its values in that unit.  ``values`` are the
-    variables by their names, SI, nan where there is no solution; ``low`` and ``high`` the 5 % and 95 %
-    quantiles of numbers over the ensemble, empty without one.
+    ``along`` is the axis, by its name with a unit, and ``points`` its values in that unit.
+    ``values`` are the variables by name, SI, nan without solution; ``low`` and ``high`` the 5 % and
+    95 % quantiles of numbers over the ensemble, empty without an ensemble.
     """
 
     along: str
@@ -161,18 +162,18 @@ class Curve(Tabular):
 
     @classmethod
     def of(cls, along: str, points: NDArray, mine: Solution, members: list[Solution]) -> Curve:
-        """The curve of solutions with the inputs of the interface and with those of the ensemble."""
+        """The curve from the solution with the inputs of the interface and those of the ensemble."""
         import pandas as pd
 
         values = {name: getattr(mine, name) for name in (*QUANTITIES, *FLAGS)}
         low, high = {}, {}
         for name in QUANTITIES if members else ():
             of_members = pd.DataFrame([getattr(member, name) for member in members])
-            low[name], high[name] = of_members.quantile(ENDS).to_numpy()  # without nan
+            low[name], high[name] = of_members.quantile(ENDS).to_numpy()  # ignores nan
         return cls(along, points, values, low, high)
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A row a point: the axis in its unit, numbers in SI with their ranges, flags as words."""
+        """One row per point: the axis in its unit, numbers in SI with their ranges, flags as words."""
         import pandas as pd
 
         table = {self.along: self.points}
@@ -187,7 +188,7 @@ class Curve(Tabular):
         return pd.DataFrame(table)
 
     def as_dict(self) -> dict[str, list]:
-        """Columns of the table as JSON holds them: None where there is no solution."""
+        """Columns of the table for JSON: None where there is no solution."""
         table = self.to_dataframe().astype(object)
         return table.where(table.notna() & ~table.isin([np.inf]), None).to_dict("list")
 

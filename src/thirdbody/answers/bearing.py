@@ -1,9 +1,9 @@
-"""``bearing``: the inputs that follow from a ball, a speed, an oil and the materials in contact.
+"""``bearing``: inputs derived from ball, speed, oil and the materials in contact.
 
-The film's parameters are those below Eq. 8 of the paper, which are Masjedi & Khonsari's (2015):
-U = mu_0 u/(E_ss R_x), G = alpha E_ss and V = v_h/E_ss.  The model holds U over the kinematic
-viscosity, rho u/(E_ss R_x), because mu_0 = rho nu.  The moduli are those of Hertz,
-1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which give Table 1 for two bodies of steel.
+The film parameters, defined below Eq. 8 of the paper, are those of Masjedi & Khonsari (2015):
+U = mu_0 u/(E_ss R_x), G = alpha E_ss and V = v_h/E_ss.  As mu_0 = rho nu, the model uses U over the
+kinematic viscosity, rho u/(E_ss R_x).  The moduli follow Hertz,
+1/E = (1 - v_1^2)/E_1 + (1 - v_2^2)/E_2, which gives Table 1 for two steel bodies.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 from thirdbody.units import UNITS
 
-USUAL = {  # usual ends and unit of the numbers of ``bearing``
+USUAL = {  # usual range and unit of the numbers of ``bearing``
     "ball_radius_mm": ((0.1, 1000.0), "mm"),
     "speed_m_per_s": ((1e-6, 200.0), "m s-1"),
     "oil_density_kg_per_m3": ((500.0, 3000.0), "kg m-3"),
@@ -58,9 +58,9 @@ class Material:
 
 
 MATERIALS = {
-    # Table 1; its modulus of steel is the one that gives E_ss = 112 GPa
+    # Table 1; the modulus of steel that gives E_ss = 112 GPa
     "steel": Material(STEEL_MODULUS, POISSON_RATIO, 5.0e9),
-    # common values of hot pressed bearing balls, within the limits of ASTM F2094
+    # common values of hot-pressed bearing balls, within the limits of ASTM F2094
     "silicon nitride": Material(310e9, 0.27, 15.0e9),
     # common values of dense alumina
     "alumina": Material(380e9, 0.22, 16.0e9),
@@ -92,39 +92,39 @@ def bearing(
     particle: Material | None = None,
     apparent_area_mm2: float | None = None,
 ) -> Parameters:
-    """Derive the inputs of the model for another ball, speed, oil or other materials.
+    """Derive the inputs of the model for another ball, speed, oil or material.
 
-    What is not given stays as it is in ``parameters``, also the product of density and speed and the
-    pressure-viscosity coefficient that U and G imply.
+    Inputs that are not given are kept from ``parameters``, including the product of density and
+    speed and the pressure-viscosity coefficient implied by U and G.
 
     Parameters
     ----------
     parameters : Parameters, optional
-        Inputs to begin with, by default the published ones.
+        Inputs to start from, by default the published ones.
     ball_radius_mm, speed_m_per_s : float, optional
-        R_x [mm], of two balls 1/R_x = 1/R_1 + 1/R_2; and the rolling speed u [m/s].
+        R_x [mm], with 1/R_x = 1/R_1 + 1/R_2 for two balls; and the rolling speed u [m/s].
     oil_density_kg_per_m3 : float, optional
-        Density rho of the oil [kg m-3]; it is needed with the speed, or the two viscosities are.
+        Density rho of the oil [kg m-3]; the speed needs it, or both viscosities.
     dynamic_viscosity_mPa_s, viscosity_cSt : float, optional
-        mu_0 [mPa s] and nu [cSt] of the oil, from which rho = mu_0/nu.
+        mu_0 [mPa s] and nu [cSt] of the oil, which give rho = mu_0/nu.
     pressure_viscosity_per_GPa : float, optional
         alpha [GPa-1].
     ball, flat, particle : Material, optional
-        Materials of both bodies and of the particles; where one is given, the others are steel.
+        Materials of both bodies and of the particles; if one is given, the others are steel.
     apparent_area_mm2 : float, optional
-        A_n [mm2], to which loads refer: no more than the cross-section of the ball.
+        A_n [mm2], the reference area of loads: at most the cross-section of the ball.
 
     Returns
     -------
     Parameters
-        The inputs, with what follows from the arguments.
+        The derived inputs.
 
     Raises
     ------
     ValueError
-        In one line: for a number that is not positive, a speed without a density or the reverse, a body
-        that is no ``Material``, a particle softer than a surface, an A_n larger than the ball, and inputs that are no
-        ``Parameters``, or leave their bounds.
+        For a number that is not positive, a speed without a density or the reverse, a body that is
+        not a ``Material``, a particle softer than a surface, an A_n larger than the ball, and
+        inputs that are not ``Parameters`` or out of bounds.
 
     Warns
     -----
@@ -133,7 +133,7 @@ def bearing(
 
     Examples
     --------
-    A ball of silicon nitride on steel, at 2 m/s in an oil of 850 kg/m3:
+    A silicon nitride ball on steel, at 2 m/s in an oil of 850 kg/m3:
 
     >>> import thirdbody as tb
     >>> ball = MATERIALS["silicon nitride"]
@@ -150,7 +150,7 @@ def bearing(
     bodies = {name: arguments[name] for name in BODIES if arguments[name] is not None}
     for name, body in bodies.items():
         if not isinstance(body, Material):
-            allowed = f"a Material, as MATERIALS of {', '.join(MATERIALS)}"
+            allowed = f"a Material, such as MATERIALS of {', '.join(MATERIALS)}"
             raise ValueError(f"{name} is {shown(body)}; allowed: {allowed}")
     modulus, changes = parameters.elastic_modulus_surfaces, {}
     if bodies:
@@ -158,8 +158,8 @@ def bearing(
         softer, harder = sorted((ball.hardness, flat.hardness))
         if "particle" in bodies and particle.hardness < harder:
             raise ValueError(
-                f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least that of "
-                f"both surfaces, {1e-9 * harder:g} GPa, as the model's particles keep their shape"
+                f"particle has a hardness of {1e-9 * particle.hardness:g} GPa; allowed: at least "
+                f"{1e-9 * harder:g} GPa, the harder surface, as particles keep their shape"
             )
         modulus = hertz_modulus(ball, flat)
         surface = max(ball, flat, key=lambda body: body.compliance)
@@ -197,10 +197,10 @@ def bearing(
             check_ball(found.as_dict(), "bearing")
         return found
     except ValueError as error:
-        raise ValueError(f"from {', '.join([*given, *bodies])} follows: {error}") from None
+        raise ValueError(f"derived from {', '.join([*given, *bodies])}: {error}") from None
 
 
-# what each derived input is, and the formula that it follows from
+# unit of each derived input, and its formula
 FORMULAS = {
     "elastic_modulus_surfaces": ("Pa", "1/E_ss = (1-v_1^2)/E_1 + (1-v_2^2)/E_2 (Hertz)"),
     "elastic_modulus_particle": ("Pa", "1/E_sa = (1-v_a^2)/E_a + (1-v^2)/E, more compliant body"),
@@ -214,8 +214,8 @@ FORMULAS = {
 
 
 def derived(parameters: Parameters, viscosity_cSt: float | None = None) -> Answer:
-    """Question 8 as an answer: the inputs that ``bearing`` has derived, each with its formula, and U for
-    an oil of ``viscosity_cSt`` if it is given.
+    """Answer to question 8: the inputs derived by ``bearing``, each with its formula, and U for an
+    oil of ``viscosity_cSt`` if given.
     """
     parameters = checked_parameters(parameters)
     rows = [

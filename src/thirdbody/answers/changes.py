@@ -1,4 +1,4 @@
-"""``transitions``: where one lubrication regime or contact mode passes into the next, along any axis."""
+"""``transitions``: where the lubrication regime or contact mode changes, along any axis."""
 
 from __future__ import annotations
 
@@ -41,10 +41,10 @@ BORDERS = (  # at each of ``LIMITS``
 class Transition:
     """A change of regime or mode along an axis.
 
-    ``query`` is the index of the query, in the flat order of the shape to which the other axes broadcast;
-    ``before`` and ``after`` are regime or mode at smaller and at larger values; ``value`` is where it is, with
-    a bound ``error`` on its error, in the unit of the axis; ``solution_status``, one of
-    ``thirdbody.model.regimes.SOLUTION_STATUSES``, whether the equations mean something there.
+    ``query`` is the flat index into the broadcast shape of the other axes; ``before`` and ``after``
+    are the regime or mode at smaller and larger values; ``value`` is the place of the change in the
+    unit of the axis, and ``error`` bounds its error; ``solution_status``, one of
+    ``thirdbody.model.regimes.SOLUTION_STATUSES``, is whether the equations are valid there.
     """
 
     query: int
@@ -60,7 +60,7 @@ class Transitions(Tabular, list):
     """A list of ``Transition``."""
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A row a change."""
+        """One row per change."""
         import pandas as pd
 
         table = pd.DataFrame([vars(each) for each in self], columns=[*Transition.__annotations__])
@@ -81,12 +81,12 @@ def transitions(
     Parameters
     ----------
     along, parameters, between, count, rtol, **conditions
-        As of ``thirdbody.find``, with the same search and the same names for axes and units.
+        As in ``thirdbody.find``, with the same search and the same names of axes and units.
 
     Returns
     -------
     Transitions
-        A list of ``Transition``, by query, and then by where they are.
+        A list of ``Transition``, sorted by query, then by value.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""The calibrated ensemble: sets of inputs that explain the paper's statements about equally well.
+"""The calibrated ensemble: sets of inputs that explain the paper about equally well.
 
-The paper leaves some inputs unprinted.  Every number is computed with each set, and what nine in ten of
-them give is the range that stands beside it.
+The paper does not print some inputs.  Every number is computed with each set; the range beside it
+covers nine in ten of the results.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from thirdbody.model.parameters import Parameters
 
 
 def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
-    """The sets of inputs of the calibrated file that ``config/config.yaml`` names, each with what differs in
-    ``parameters`` from the best one; empty where nothing is left in which they differ.
+    """The sets of inputs in the calibrated file of ``config/config.yaml``, each with the changes of
+    ``parameters`` from the best set; empty if they then do not differ.
     """
     parameters = checked_parameters(parameters)
     directory = config_directory()
@@ -32,7 +32,7 @@ def calibrated_ensemble(parameters: Parameters) -> tuple[Parameters, ...]:
 
 
 def ensemble_notes(members: tuple[Parameters, ...]) -> tuple[str, ...]:
-    """A note where there is no ensemble, and so no range."""
+    """A note if there is no ensemble, and so no range."""
     if members:
         return ()
     return ("no ensemble: these inputs leave nothing in which the calibrated sets differ",)

@@ -1,8 +1,8 @@
-"""``find``: where a variable has a level along any of the five axes.
+"""``find``: where a variable crosses a level along any of the five axes.
 
-The axis is swept at values evenly spaced in their logarithm.  Two neighbours on both sides of the level
-enclose a crossing, which is then found to the error asked for.  Where a curve turns round next to the
-level, the sweep is made finer, ``DEPTH`` times by ``FINER``.
+The axis is sampled at logarithmically spaced values.  Two neighbours on opposite sides of the level
+bracket a crossing, which is refined to the requested error.  Where a curve has an extremum near the
+level, the sampling is refined ``DEPTH`` times by ``FINER``.
 """
 
 from __future__ import annotations
@@ -37,20 +37,20 @@ if TYPE_CHECKING:
     import pandas as pd
 
 SWEEP = 32  # values along the axis
-FINER, DEPTH = 8, 2  # where a curve turns round next to the level
+FINER, DEPTH = 8, 2  # where a curve has an extremum near the level
 WIDER, ATTEMPTS = 8.0, 8  # until both sides of a crossing are certain
 
 
 @dataclass(frozen=True)
 class Crossings(Tabular):
-    """Where a variable has levels: arrays with an element for each crossing, in the order of the queries.
+    """Where a variable crosses levels: arrays with an element per crossing, in the order of the queries.
 
-    ``along`` is the axis by its name with a unit, ``shape`` that to which the level and the other axes
-    broadcast, and ``query`` an index in its flat order.  ``value`` is where the crossing is, in the unit of
-    ``along``, increasing of one query; ``rises`` whether the variable rises there, and ``solution_status``
-    an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.  ``error`` bounds the error of ``value``: so
-    far away on both sides the variable has been seen to be above and below the level by more than its
-    ``error_bound``; infinite where float64 cannot tell that.
+    ``along`` is the axis, by its name with a unit, ``shape`` the broadcast shape of the level and
+    the other axes, and ``query`` a flat index into it.  ``value`` is the place of the crossing in
+    the unit of ``along``, increasing within a query; ``rises`` is whether the variable increases
+    there, and ``solution_status`` an index into ``thirdbody.model.regimes.SOLUTION_STATUSES``.
+    ``error`` bounds the error of ``value``: at this distance on both sides, the variable is above
+    and below the level by more than its ``error_bound``; infinite if float64 cannot decide that.
     """
 
     along: str
@@ -63,18 +63,18 @@ class Crossings(Tabular):
 
     @property
     def count(self) -> NDArray:
-        """How many crossings each query has, of ``shape``; 0: there is none in the range."""
+        """Number of crossings of each query, of ``shape``; 0 if there is none in the range."""
         return np.bincount(self.query, minlength=np.prod(self.shape, dtype=int)).reshape(self.shape)
 
     @property
     def first(self) -> NDArray:
-        """The least of the crossings of each query, of ``shape``; nan where there is none."""
+        """The smallest crossing of each query, of ``shape``; nan if there is none."""
         first = np.full(self.shape, np.nan)
-        first.ravel()[self.query[::-1]] = self.value[::-1]  # the last one to be stored stays
+        first.ravel()[self.query[::-1]] = self.value[::-1]  # the last assignment wins
         return first
 
     def to_dataframe(self) -> pd.DataFrame:
-        """A row a crossing: query, place in the unit of ``along``, its error, direction and status."""
+        """One row per crossing: query, value in the unit of ``along``, its error, direction and status."""
         import pandas as pd
 
         columns = {"query": self.query, self.along: self.value, "error": self.error}
@@ -94,25 +94,25 @@ def find(
     progress: bool = True,
     **conditions: ArrayLike,
 ) -> Crossings:
-    """Find where a variable has a level along one of the five axes: all crossings.
+    """Find all crossings of a level by a variable along one of the five axes.
 
     Parameters
     ----------
     variable : str
         A number of ``Solution``: ``solid_load_fraction``, ``total_contact_area``, ...
     level : array_like
-        Its value: those between regimes and modes stand in ``thirdbody.model.regimes``.
+        Its value; ``thirdbody.model.regimes`` has the limits between regimes and modes.
     along : str
-        The axis, by its name in the unit that is wanted: ``load`` [1] or ``load_N``, ``viscosity``
+        The axis, by its name in the unit of the results: ``load`` [1] or ``load_N``, ``viscosity``
         [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
         ``roughness`` [m] or ``roughness_nm``, ``particle_density`` or ``particle_density_per_m2``.
     between : pair of float, optional
         Ends of the search, positive, in the unit of ``along``.  By default 0.01 to 1000 N, 1 to
         1000 cSt, 10 to 10000 nm (diameter), 20 to 2000 nm (roughness) and 1e8 to 1e14 m-2.
     count : int
-        Number of values of the sweep, from 2 to a million.
+        Number of sampled values, from 2 to a million.
     parameters, rtol, progress
-        As of ``thirdbody.solve``.
+        As in ``thirdbody.solve``.
     **conditions : array_like
         The other four axes, by any of the names above, as numbers or quantities; they and ``level``
         broadcast.
@@ -120,31 +120,31 @@ def find(
     Returns
     -------
     Crossings
-        Of every query all crossings; where there is none, its ``count`` is 0 and its ``first`` nan.
+        All crossings of every query; without any, its ``count`` is 0 and its ``first`` nan.
 
     Raises
     ------
     ValueError
-        In one line: for an unknown variable or axis, a level that the variable cannot have, an axis
-        that is missing or given twice, ends that are not positive and increasing, a ``count`` that is
-        not whole or out of its range, and what ``solve`` refuses.
+        For an unknown variable or axis, an impossible level, an axis that is missing or given
+        twice, ends that are not positive and increasing, a ``count`` that is not an integer or out
+        of range, and the errors of ``solve``.
 
     Warns
     -----
     OutOfRangeWarning
-        As ``solve``, in the units that were given.
+        As in ``solve``, in the given units.
 
     Notes
     -----
-    Two crossings between neighbouring values of the sweep are missed, unless the curve is seen to turn
-    round there: where the middle one of three values is nearest to the level, and within the larger
-    of the steps beside it, both cells are swept again, down to a 64th of the spacing.  A crossing
-    beside a value without solution is missed.  Where a curve jumps across the level, because a point
-    has several separations, of which ``solve`` gives the largest, that is a crossing too.
+    Two crossings between neighbouring samples are missed, unless the curve is seen to have an
+    extremum there: where the middle of three samples is nearest to the level, and within the larger
+    of the steps beside it, both cells are sampled again, down to a 64th of the spacing.  A crossing
+    next to a value without solution is missed.  A jump across the level, at a point with several
+    roots, of which ``solve`` gives the largest, also counts as a crossing.
 
     Examples
     --------
-    From which viscosity on the solids carry less than 90 % and less than half of 10 N:
+    The viscosities above which the solids carry less than 90 % and less than half of 10 N:
 
     >>> import thirdbody as tb
     >>> layer = dict(particle_diameter_nm=500, particle_density_per_m2=1e11, roughness_nm=300)
@@ -163,7 +163,7 @@ def find(
 
 
 def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
-    """The levels of a variable; ``ValueError`` for an unknown variable, and levels it cannot have."""
+    """The levels of a variable; ``ValueError`` for an unknown variable and for impossible levels."""
     if not isinstance(variable, str) or variable not in QUANTITIES:
         raise ValueError(f"variable is {shown(variable)}; allowed: {', '.join(QUANTITIES)}")
     quantity = QUANTITIES[variable]
@@ -178,11 +178,11 @@ def checked_levels(variable: Any, level: ArrayLike) -> NDArray[np.float64]:
 def queries(
     conditions: Mapping[str, ArrayLike], parameters: Parameters, along: str, **more: NDArray
 ) -> tuple[tuple[int, ...], dict[str, NDArray]]:
-    """The shape of queries, to which ``more`` columns and the conditions broadcast, and all of them flat,
-    in SI; the condition ``along`` is not given."""
+    """The broadcast shape of the conditions and ``more`` columns, and all of them flat, in SI; the
+    condition ``along`` is not given."""
     for key, values in conditions.items():
         if is_labelled(values):
-            raise ValueError(f"{key} has named dimensions; allowed: .values of it")
+            raise ValueError(f"{key} has named dimensions; allowed: its .values")
     given = more | in_si(conditions, parameters, without=along)
     check_points(given)
     columns = np.broadcast_arrays(*given.values())
@@ -192,7 +192,7 @@ def queries(
 def sweep_values(
     along: str, between: tuple[float, float] | None, count: int, parameters: Parameters
 ) -> tuple[Unit, NDArray]:
-    """The unit of an axis, and the values [SI] at which it is swept; arguments as of ``find``."""
+    """The unit of an axis, and its sampled values [SI]; arguments as in ``find``."""
     axis = unit = unit_of(along)
     if between is None:
         unit, between = UNITS[ENGINEERING[axis.condition]], SEARCHED[axis.condition]
@@ -210,17 +210,17 @@ def crossings(
     rtol: float,
     progress: bool = True,
 ) -> list[tuple]:
-    """Find the crossings of several variables, which are solved together.
+    """Find the crossings of several variables, solved together.
 
-    ``limits`` are pairs of a variable and its level for each query; ``swept`` values of the axis and
-    the ``others`` are in SI.  Returns for each limit the fields of ``Crossings`` from ``query`` on.
+    ``limits`` are pairs of a variable and its level for each query; ``swept``, the sampled values of the
+    axis, and ``others`` are in SI.  Returns for each limit the fields of ``Crossings`` from ``query`` on.
     """
     check_rtol(rtol)
     names, levels = [name for name, _ in limits], np.stack([level for _, level in limits])
 
     def enclosed(query, values, wanted, depth=DEPTH, progress=False):
-        """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries): limit,
-        query, whether it rises, and ln of both neighbours."""
+        """Crossings between neighbouring ``values`` of the axis, shape (values, 1 or queries):
+        limit, query, direction, and ln of both neighbours."""
         given = {name: column[query] for name, column in others.items()} | {unit.condition: values}
         variables = {names[index] for index in wanted}
         found = solve_arrays(given, parameters, rtol, variables, progress)
@@ -247,8 +247,8 @@ def crossings(
     level = levels[limit, query]
 
     def excess_at(some, log_value, also=()):
-        """By how much variables exceed their levels, nan without a solution, at ln of the condition for
-        ``some`` of the crossings; and the solution, which has ``also`` other variables."""
+        """Variables minus their levels, nan without solution, at ln of the condition for ``some``
+        of the crossings; and the solution, with the variables ``also``."""
         given = {name: column[query[some]] for name, column in others.items()}
         given[unit.condition] = np.exp(log_value)
         found = solve_arrays(given, parameters, rtol, {*names, *also})
@@ -256,7 +256,7 @@ def crossings(
         return values - level[some], found
 
     log_value, width = _roots(excess_at, ends, 0.1 * rtol)
-    log_error, status = _certain(excess_at, level, log_value, 2.0 * (width + rtol))
+    log_error, status = _certain_error(excess_at, level, log_value, 2.0 * (width + rtol))
     value = np.exp(log_value)
     error = value * np.expm1(log_error)
     place, error = (unit.from_si(each, parameters.newtons_per_load) for each in (value, error))
@@ -267,12 +267,12 @@ def crossings(
 
 
 def _roots(excess_at, ends, tolerance):
-    """ln of the condition where each variable passes its level between two ``ends``, and how narrowly
-    that is enclosed."""
+    """ln of the condition where each variable crosses its level between two ``ends``, and the width
+    of the bracket."""
     place, value = np.full((2, ends[0].size), np.nan)
 
     def excess(log_value):
-        moved = np.flatnonzero(log_value != place)  # a root that is found stays where it is
+        moved = np.flatnonzero(log_value != place)  # a root that has converged stays the same
         place[moved] = log_value[moved]
         value[moved], _ = excess_at(moved, log_value[moved])
         return value.copy()
@@ -280,9 +280,9 @@ def _roots(excess_at, ends, tolerance):
     return bracketed_roots(excess, *ends, tolerance)
 
 
-def _certain(excess_at, level, root, error):
-    """How far from ln ``root`` a variable is certain to be above the level on one side and below it on
-    the other, from ``error`` on; and the status that far below."""
+def _certain_error(excess_at, level, root, error):
+    """Distance from ln ``root``, at least ``error``, at which a variable is certainly above the
+    level on one side and below it on the other; and the status at that distance below."""
     left, status = np.arange(root.size), np.zeros(root.size, np.int8)
     for _ in range(ATTEMPTS if root.size else 0):
         sides = []
@@ -301,8 +301,8 @@ def _certain(excess_at, level, root, error):
 
 
 def _may_touch(excess):
-    """Whether a curve turns round near its level between three neighbouring values, by the index of
-    the first: the middle one is nearest to the level, and within the larger of the steps beside it."""
+    """Whether a curve may touch its level between three neighbouring values, by the index of the
+    first: the middle one is nearest to the level, and within the larger of the steps beside it."""
     distance, sign = np.abs(excess), np.sign(excess)
     first, middle, last = distance[:-2], distance[1:-1], distance[2:]
     same = (sign[:-2] == sign[1:-1]) & (sign[1:-1] == sign[2:])

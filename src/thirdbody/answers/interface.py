@@ -1,4 +1,4 @@
-"""``Interface``: two rough surfaces, particles and an oil under a load, in engineering units."""
+"""``Interface``: two rough surfaces with particles and oil under a load, in engineering units."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ from thirdbody.units import ENGINEERING, SEARCHED, UNITS, decimal, has_unit
 
 LENGTH = UNITS["roughness_nm"]  # unit of the separation in answers
 FLAGS_WITH_BORDERS = ("lubrication_regime", "contact_mode")
-MEANINGLESS = ("outside_film_formula", "area_exceeded")  # statuses of changes that are left out
+MEANINGLESS = ("outside_film_formula", "area_exceeded")  # changes with these statuses are left out
 
 
 @dataclass(frozen=True)
 class Interface:
-    """An interface, and the questions that it answers.
+    """An interface, with a method for each question.
 
-    The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.  The
-    kinematic viscosity [cSt] is 0 where there is no oil, the mean diameter x_a [nm] and the number eta_a [m-2]
-    of particles where there are none.  Each is a number or a quantity.  ``parameters`` are materials, ball and
-    film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
+    The normal load F_t [N] and the equivalent root mean square roughness sigma [nm] are positive.
+    The kinematic viscosity [cSt] is 0 without oil; the mean diameter x_a [nm] and the number eta_a
+    [m-2] are 0 without particles.  Each is a number or a quantity.  ``parameters`` describe
+    materials, ball and film: by default the calibrated ones; ``thirdbody.bearing`` derives others.
 
-    Raises ``ValueError`` for a condition that is not a finite number or not in its range, and for inputs
-    that are no ``Parameters``; warns once, ``OutOfRangeWarning``, of conditions outside their usual range.
+    Raises ``ValueError`` for a condition that is not a finite number or out of range, and for inputs that
+    are not ``Parameters``; issues one ``OutOfRangeWarning`` for conditions outside their usual range.
 
     Examples
     --------
@@ -91,7 +91,7 @@ class Interface:
         return replace(self, **conditions)
 
     def described(self, without: str = "") -> str:
-        """The conditions in words, ``without`` that of one name."""
+        """The conditions in words, except the one named ``without``."""
         return ", ".join(
             f"{_words(name)} {getattr(self, key):g} {UNITS[key].text}"
             for name, key in ENGINEERING.items()
@@ -99,10 +99,10 @@ class Interface:
         )
 
     def state(self) -> Answer:
-        """Question 1: how load and contact area divide, in which regime and mode.
+        """Question 1: load sharing, contact area, regime and mode.
 
-        The answer has a row for each variable of ``Solution``; ``found`` unless nothing balances the
-        load.
+        The answer has a row for each variable of ``Solution``; ``found`` is false if the force
+        balance has no root.
         """
         mine, *of_members = self._states()
         rows = tuple(
@@ -112,10 +112,10 @@ class Interface:
         return Answer(f"State at {self.described()}", rows, self._notes(mine), found)
 
     def compare(self, other: Interface) -> Answer:
-        """Question 10: this interface beside an ``other`` one, whose inputs may be others.
+        """Question 10: compare this interface with an ``other``, which may have other inputs.
 
-        The answer has a row for each variable: ``value`` here, ``other`` there, and the range over
-        the ensemble of the second less the first; ``found`` unless nothing balances a load.
+        The answer has a row for each variable: ``value`` here, ``other`` there, and the ensemble
+        range of the second minus the first; ``found`` is false if a force balance has no root.
         """
         if not isinstance(other, Interface):
             raise ValueError(f"other is {shown(other)}; allowed: an Interface")
@@ -139,7 +139,7 @@ class Interface:
         return Answer("Two interfaces", tuple(rows), notes, found)
 
     def _notes(self, state: Mapping[str, Value]) -> tuple[str, ...]:
-        """What is to be known of a state."""
+        """Remarks on a state."""
         name = state["solution_status"].replace(" ", "_")
         status = [] if name == SOLUTION_STATUSES[0] else [f"{name}: {STATUS_MEANINGS[name]}"]
         sizes = self._size_notes(self.particle_diameter_nm)
@@ -147,7 +147,7 @@ class Interface:
         return *status, *sizes, *few, *ensemble_notes(self.members)
 
     def _size_notes(self, *diameters_nm: float) -> tuple[str, ...]:
-        """What each x_a [nm] stands for, where there are particles."""
+        """The sizes that each x_a [nm] stands for, if there are particles."""
         if not self.particle_density_per_m2 > 0.0:
             return ()
         roughness = float(LENGTH.to_si(self.roughness_nm))
@@ -155,7 +155,7 @@ class Interface:
         return tuple(sizes_note(each, roughness, self.parameters) for each in sizes)
 
     def _states(self) -> list[dict[str, Value]]:
-        """The variables in engineering units and words: with the inputs, and with each member."""
+        """The variables in engineering units and words, for the inputs and for each member."""
         return [_state(_solved(self.conditions, each)) for each in self._inputs]
 
     def transitions(
@@ -164,16 +164,16 @@ class Interface:
         flags: Collection[str] = FLAGS_WITH_BORDERS,
         between: tuple[float, float] | None = None,
     ) -> Answer:
-        """Questions 2 to 6: at which value of one condition regime or mode change.
+        """Questions 2 to 6: the values of one condition at which regime or mode changes.
 
-        ``along`` is ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or ``particle_density``,
-        of which the interface's own value counts for nothing; ``flags`` are ``lubrication_regime``,
-        ``contact_mode`` or both; ``between`` are the ends of the search, in the unit of the interface, by
-        default those of ``thirdbody.find``.
+        ``along`` is ``load``, ``viscosity``, ``particle_diameter``, ``roughness`` or
+        ``particle_density``; the value of the interface for it is ignored.  ``flags`` are
+        ``lubrication_regime``, ``contact_mode`` or both.  ``between`` are the ends of the search in
+        the unit of the interface, by default those of ``thirdbody.find``.
 
-        The answer has a row for each change, with increasing values, and one for each border that is
-        not passed; ``found`` if there is a change.  Changes where the equations have no meaning are
-        left out.
+        The answer has a row for each change, with increasing values, and one for each limit that is
+        not crossed; ``found`` is whether there is a change.  Changes where the equations are not
+        valid are left out.
         """
         key = _key_of(along)
         check_names("flags", flags, FLAGS_WITH_BORDERS)
@@ -221,11 +221,11 @@ class Interface:
         return ", ".join(each for each in words if each not in (None, SOLUTION_STATUSES[0]))
 
     def turning_point(self, between_N: tuple[float, float] = LOADS) -> Answer:
-        """Question 7: at which load the particles' fraction of the contact area turns, for which sizes.
+        """Question 7: the load at which the particle fraction of the contact area turns, and the sizes.
 
-        The curve runs over the loads ``between_N`` [N], by default those of the paper.  The answer has
-        load, fraction of the area and of the load at the turning point, then the least and the
-        largest diameter for which dry contact has one; ``found`` if this interface has one.
+        The curve covers the loads ``between_N`` [N], by default those of the paper.  The answer has
+        the load, the area ratio and L_s at the turning point, then the least and largest diameter
+        for which dry contact has one; ``found`` is whether this interface has one.
         """
         with without_warnings():
             mine, *of_members = (self._turning_with(each, between_N) for each in self._inputs)
@@ -253,7 +253,7 @@ class Interface:
         return Answer(title, rows, notes, mine["load"] is not None)
 
     def _turning_with(self, parameters, between_N) -> dict[str, Value]:
-        """The rows of ``turning_point`` with some inputs."""
+        """The rows of ``turning_point`` for one set of inputs."""
         given = {key: value for key, value in self.conditions.items() if key != "load_N"}
         found = turning_point(parameters=parameters, between_N=between_N, **given)
         names = "load", "peak_ratio", "solid_load_fraction"
@@ -268,10 +268,10 @@ class Interface:
         return {"load_N": load, **state, "low": low, "high": high}
 
     def curve(self, along: str, low: float, high: float, count: int = 60) -> Curve:
-        """Question 9: all variables along one condition, with their ranges over the ensemble.
+        """Question 9: all variables along one condition, with their ensemble ranges.
 
-        ``along`` is as of ``transitions``; from ``low`` to ``high``, positive, in the unit of the interface,
-        there are ``count`` points, from 2 to a million, evenly spaced in their logarithm.
+        ``along`` is as in ``transitions``.  The ``count`` points, 2 to a million, are
+        logarithmically spaced from ``low`` to ``high``, positive, in the unit of the interface.
 
         Examples
         --------
@@ -320,8 +320,8 @@ def _row(name: str, value: Value, of_members: Sequence[Value]) -> Row:
 
 
 def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple, float]:
-    """Changes of ``flags`` where the equations mean something: their values, by what passes into what
-    for which time."""
+    """Changes of ``flags`` where the equations are valid: their values, by the states before and
+    after and a counter of the pair."""
     times, found = Counter(), {}
     for change in changes:
         if change.border.flag in flags and change.solution_status not in MEANINGLESS:
@@ -332,7 +332,7 @@ def _meaningful(changes: list[Transition], flags: Collection[str]) -> dict[tuple
 
 
 def _key_of(along: str) -> str:
-    """The name in engineering units of an axis."""
+    """The name of an axis in engineering units."""
     if not isinstance(along, str) or along not in ENGINEERING:
         raise ValueError(f"along is {shown(along)}; allowed: {', '.join(ENGINEERING)}")
     return ENGINEERING[along]

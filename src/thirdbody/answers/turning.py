@@ -1,4 +1,4 @@
-"""``turning_point`` and ``turning_window``: where the particles' fraction of the contact area turns."""
+"""``turning_point`` and ``turning_window``: where the particle fraction of the contact area turns."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 from thirdbody.units import LOAD_IN_NEWTONS, UNITS, unit_of
 
-SWEEP = 60  # loads between which maxima are looked for
-RATIOS = np.linspace(0.2, 3.0, 113)  # x_a/sigma of a window's first sweep
+SWEEP = 60  # loads between which maxima are sought
+RATIOS = np.linspace(0.2, 3.0, 113)  # sampled x_a/sigma of a window
 TOLERANCE = 1e-6  # of its ends
-DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # in a window, of any diameter
+DRY = {"viscosity": 0.0, "particle_diameter": 0.0}  # for a window; any diameter
 
 
 def turning_point(
@@ -33,27 +33,27 @@ def turning_point(
     Parameters
     ----------
     parameters, rtol
-        As of ``thirdbody.solve``.
+        As in ``thirdbody.solve``.
     between_N : pair of float
-        First and last load of the curve [N], by default those of the paper (Table 2): the maximum
-        has to stand out from the least values on both sides within them.
+        First and last load of the curve [N], by default those of the paper (Table 2).  The maximum
+        must exceed the least values on both sides of it between them.
     count : int
-        Number of loads between which maxima are looked for; of two within one step none is seen.
+        Number of loads between which maxima are sought; two within one step are missed.
     **conditions : array_like
-        Viscosity, particle diameter, roughness and particle density, in SI (``viscosity``, ...) or in
+        Viscosity, particle diameter, roughness and particle density, in SI (``viscosity``, ...) or
         engineering units (``viscosity_cSt``, ...); they broadcast.
 
     Returns
     -------
     TurningPoints
-        Arrays of the broadcast shape; ``exists`` says which curves have one.  ``load`` is F_t* [1],
-        times ``parameters.newtons_per_load`` a load in newtons.
+        Arrays of the broadcast shape; ``exists`` marks the curves with a turning point.  ``load``
+        is F_t* [1]; multiply by ``parameters.newtons_per_load`` for newtons.
 
     Raises
     ------
     ValueError
-        In one line: for a condition that is missing, given twice or not positive, loads that do not
-        increase, a ``count`` that is not whole or out of its range, and what ``solve`` refuses.
+        For a condition that is missing, given twice or not positive, loads that do not increase, a
+        ``count`` that is not an integer or out of range, and the errors of ``solve``.
 
     Examples
     --------
@@ -79,12 +79,12 @@ def turning_window(
     between_N: tuple[float, float] = LOADS,
     **conditions: float,
 ) -> Window:
-    """Find the diameters over roughness between which dry contact has a turning point.
+    """Find the range of diameter over roughness in which dry contact has a turning point.
 
     Parameters
     ----------
     parameters, between_N
-        As of ``turning_point``.
+        As in ``turning_point``.
     **conditions : float
         Roughness and particle density: ``roughness`` [m] or ``roughness_nm``, and
         ``particle_density_per_m2``.
@@ -92,12 +92,12 @@ def turning_window(
     Returns
     -------
     Window
-        The longest range of x_a/sigma, between 0.2 and 3, in which there is one; nan: there is none.
+        The longest such range of x_a/sigma between 0.2 and 3; nan if there is none.
 
     Raises
     ------
     ValueError
-        As ``turning_point``, for another condition than these two, and for more than one surface.
+        As in ``turning_point``, for any other condition, and for more than one surface.
 
     Examples
     --------
@@ -109,7 +109,7 @@ def turning_window(
     for key in conditions:
         if unit_of(key).condition in ("load", *DRY):
             message = "allowed: roughness and particle density"
-            raise ValueError(f"{key} is no condition of a window of dry contact; {message}")
+            raise ValueError(f"{key} is not a condition of a window in dry contact; {message}")
     parameters = checked_parameters(parameters)
     shape, given = queries(DRY | conditions, parameters, "load")
     if shape:
@@ -123,6 +123,6 @@ def turning_window(
 
 
 def load_range(between_N: tuple[float, float], parameters: Parameters) -> tuple[float, float]:
-    """First and last load F_t* [1] of a curve, from newtons."""
+    """First and last load F_t* [1] of a curve, converted from newtons."""
     check_ends("between_N", between_N)
     return tuple(UNITS[LOAD_IN_NEWTONS].to_si(between_N, parameters.newtons_per_load).tolist())

@@ -1,5 +1,5 @@
-"""The command ``thirdbody``: each question of an engineer as a sub-command.
+"""The command ``thirdbody``: each engineering question is a sub-command.
 
-``questions`` has the sub-commands with their options, ``main`` runs them and prints the answer.  It
-imports the rest of the library when a question is asked: ``thirdbody --help`` is quick.
+``questions`` defines the sub-commands and their options; ``main`` runs them and prints the answer.  The
+rest of the library is imported only to answer a question, so that ``thirdbody --help`` is quick.
 """

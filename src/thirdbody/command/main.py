@@ -1,4 +1,4 @@
-"""``main``: reads the command line, asks the question and prints the answer."""
+"""``main``: reads the command line, runs the sub-command and prints the answer."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from thirdbody.command.questions import questions
 
 NAMES = [command.name for command in questions.registered_commands]
 ANSWERED, NONE_FOUND, BAD_INPUT, NOT_WRITTEN, STOPPED = 0, 1, 2, 3, 130  # exit codes
-# messages of typer, and the same as messages of the library: the option, its value, what is allowed
+# messages of typer, and their form in the library: the option, its value, what is allowed
 MESSAGES = {
     r"Invalid value for '(\S+)': (is .*)": r"\1 \2",
     r"Missing option '(\S+)'.": r"\1 is missing",
@@ -30,12 +30,12 @@ MESSAGES = {
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Answer the question of a command line, by default that of the process; returns the exit code."""
+    """Answer the question of a command line, by default ``sys.argv``; returns the exit code."""
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     name = " ".join(["thirdbody", *(each for each in arguments[:1] if each in NAMES)])
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("ignore")
-        warnings.simplefilter("default", UserWarning)  # the others are for developers
+        warnings.simplefilter("default", UserWarning)  # other warnings are for developers
         try:
             asked = questions(arguments, prog_name="thirdbody", standalone_mode=False)
         except typer.TyperException as error:
@@ -59,7 +59,7 @@ def _refuse(name: str, message: str) -> int:
 
 
 def _plain(message: str) -> str:
-    """A message in one line, with the arguments of the library under the names of their options."""
+    """A message on one line, with arguments of the library replaced by their options."""
     for pattern, replacement in MESSAGES.items():
         message = re.sub(pattern, replacement, message)
     functions = (command.callback for command in questions.registered_commands)
@@ -70,7 +70,7 @@ def _plain(message: str) -> str:
 
 
 def _text(answer: Any, as_json: bool) -> str:
-    """An ``Answer``, a ``Curve`` or a line as it is printed: on a terminal, tables fit its width."""
+    """The printed form of an ``Answer``, a ``Curve`` or a line; tables fit the width of a terminal."""
     if isinstance(answer, str):
         return answer
     if as_json:
@@ -83,11 +83,11 @@ def _text(answer: Any, as_json: bool) -> str:
 
 
 def _print(name: str, text: str) -> int:
-    """Print a text; a closed pipe is no error."""
+    """Print a text; a closed pipe is not an error."""
     try:
         print(text, flush=True)
     except OSError as error:
-        # What is left in the buffer would be written again at exit.
+        # The rest of the buffer would be written again at exit.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         if not isinstance(error, BrokenPipeError):
             print(f"{name}: the answer cannot be written ({error.strerror})", file=sys.stderr)

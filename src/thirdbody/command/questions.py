@@ -1,4 +1,4 @@
-"""The sub-commands: the options of each, and the call that answers it."""
+"""The sub-commands: their options, and the calls that answer them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ EXAMPLES = {name: f"thirdbody {name} {options}" for name, options in _OPTIONS.it
 
 
 def _number(given: Any) -> float:
-    text = str(given)  # defaults, which are numbers, come here as well
+    text = str(given)  # also called with defaults, which are numbers
     try:
         return int(text) if text.isdecimal() else float(text)
     except ValueError:
@@ -40,12 +40,12 @@ def _number(given: Any) -> float:
 
 
 def _option(name: str, text: str, kind: Any = float) -> Any:
-    """The type of an argument that the option --``name`` gives."""
+    """The type of the argument for the option --``name``."""
     return Annotated[kind, typer.Option(f"--{name}", parser=_number, metavar="NUMBER", help=text)]
 
 
 def _optional(texts: Mapping[str, str]) -> dict[str, tuple]:
-    """Options of numbers that may be absent, by the names of their arguments."""
+    """Optional numbers, by the names of their arguments."""
     return {
         key: (_option(key.replace("_", "-"), text, float | None), None)
         for key, text in texts.items()
@@ -59,7 +59,7 @@ CONDITIONS = {
     "roughness_nm": "equivalent root mean square roughness [nm]",
     "particle_density_per_m2": "particles per area, 0 without [m-2]",
 }
-# options by the names of their arguments: types and defaults
+# types and defaults of options, by the names of their arguments
 EACH = {
     key: (_option(key.replace("_", "-"), text), Parameter.empty) for key, text in CONDITIONS.items()
 }
@@ -115,7 +115,7 @@ def _thirdbody(
 
 
 def _question(name: str, options: dict[str, tuple], example: str | None = None) -> Callable:
-    """Add a function as a question, which has the ``options`` and those of the function."""
+    """Add a function as a sub-command with ``options`` and the options of the function."""
 
     def add(answer: Callable) -> None:
         def asked(**given: Any) -> tuple[Any, bool]:
@@ -138,11 +138,11 @@ def _question(name: str, options: dict[str, tuple], example: str | None = None) 
 
 @_question("state", EACH | COMMON)
 def _state(**given):
-    """How load and contact area divide, in which regime and mode."""
+    """Load sharing, contact area, regime and mode."""
     return _interface(given).state()
 
 
-# name: the condition along which it searches, the flags that change, the question in words
+# name: the condition to search, the flags that change, the question in words
 CHANGES = {
     "viscosity": ("viscosity", [REGIME], "Which viscosity leaves boundary lubrication."),
     "size": ("particle_diameter", [MODE], "Which particle size a filter has to keep out."),
@@ -157,7 +157,7 @@ def _without(along: str) -> dict[str, tuple]:
 
 
 def _add_changes(name: str, along: str, flags: list[str], text: str) -> None:
-    """Add the question at which value of one condition flags change."""
+    """Add the question at which value of a condition the flags change."""
     least, most = SEARCHED[along]
 
     def changes(first: First = least, last: Last = most, **given):
@@ -308,7 +308,7 @@ def _increasing(first: float, last: float, unit: str = "") -> tuple[float, float
 
 
 def _interface(given: Mapping[str, Any]) -> Any:
-    """The interface of the arguments of a sub-command; a condition that is absent counts for nothing."""
+    """The interface from the arguments of a sub-command; an absent condition is not used."""
     from thirdbody.answers.interface import Interface
 
     conditions = {

@@ -1,4 +1,4 @@
-"""The checks of what is given to the functions of the library: one line for each mistake."""
+"""Checks of the arguments of public functions: one line per error."""
 
 from __future__ import annotations
 
@@ -21,26 +21,28 @@ MOST_POINTS = 10**9  # in memory: 8 GB a variable
 
 
 def checked_parameters(parameters: Any) -> Parameters:
-    """``parameters``, by default the published ones; a ``ValueError`` unless they are ``Parameters``."""
+    """``parameters``, by default the published ones; ``ValueError`` unless they are ``Parameters``."""
     if parameters is None:
         return _published_parameters()
     if not isinstance(parameters, Parameters):
         kind = type(parameters).__name__
-        raise ValueError(f"parameters is a {kind}; allowed: Parameters, as of load_parameters()")
+        raise ValueError(
+            f"parameters is a {kind}; allowed: Parameters, as returned by load_parameters()"
+        )
     return parameters
 
 
 @lru_cache
 def _published_parameters():
-    """Read once: a call for one point takes less time than the files."""
+    """Cached: reading the files takes longer than solving one point."""
     from thirdbody.configuration.inputs import load_parameters
 
     return load_parameters()
 
 
 def check_names(argument: str, given: Any, known: Collection[str]) -> None:
-    """Raises ``ValueError`` unless an ``argument`` is a collection of names out of ``known``."""
-    allowed = f"allowed: a list out of {', '.join(known)}"
+    """Raise ``ValueError`` unless an ``argument`` is a collection of names from ``known``."""
+    allowed = f"allowed: names from {', '.join(known)}"
     listed = isinstance(given, Collection) and getattr(given, "ndim", 1) == 1
     if not listed or isinstance(given, str | bytes):
         raise ValueError(f"{argument} is {shown(given)}; {allowed}")
@@ -50,26 +52,25 @@ def check_names(argument: str, given: Any, known: Collection[str]) -> None:
 
 
 def check_rtol(rtol: Any) -> None:
-    """Raises ``ValueError`` unless ``rtol`` is within what float64 and the tables can promise."""
+    """Raise ``ValueError`` unless ``rtol`` is attainable with float64 and the tables."""
     if not isinstance(rtol, Real) or not 1e-11 <= rtol <= 1e-2:
         raise ValueError(f"rtol is {shown(rtol)}; allowed: 1e-11 to 1e-2")
 
 
 def check_points(arrays: Mapping[str, NDArray]) -> None:
-    """Raises ``ValueError`` unless ``arrays``, by the names of conditions, broadcast to no more points
-    than memory holds."""
+    """Raise ``ValueError`` unless ``arrays``, by condition, broadcast to at most ``MOST_POINTS``."""
     shapes = {name: array.shape for name, array in arrays.items() if array.ndim}
     columns = zip_longest(*(shape[::-1] for shape in shapes.values()), fillvalue=1)
     lengths = [set(column) - {1} or {1} for column in columns]
     if any(len(each) > 1 for each in lengths):
         message = ", ".join(f"{name} has {shape}" for name, shape in shapes.items())
-        raise ValueError(f"shapes do not go together: {message}; allowed: those that broadcast")
+        raise ValueError(f"shapes do not broadcast: {message}; allowed: shapes that do")
     _check_number(shapes, (each.pop() for each in lengths))
 
 
 def check_named_points(labelled: Mapping[str, Any]) -> None:
-    """Raises ``ValueError`` if arrays, by the names of conditions, broadcast by the names of their
-    dimensions to more points than memory holds."""
+    """Raise ``ValueError`` if arrays, by condition, broadcast by dimension name to more than
+    ``MOST_POINTS``."""
     sizes: dict = {}
     for array in labelled.values():
         sizes |= zip(array.dims, array.shape, strict=True)
@@ -77,15 +78,15 @@ def check_named_points(labelled: Mapping[str, Any]) -> None:
 
 
 def _check_number(names: Iterable[str], lengths: Iterable[int]) -> None:
-    """Raises ``ValueError`` if dimensions of these lengths hold more points than memory."""
+    """Raise ``ValueError`` if dimensions of these lengths have more than ``MOST_POINTS``."""
     points = prod(lengths)
     if points > MOST_POINTS:
         message = f"{', '.join(names)} make {points:.3g} points; allowed: at most {MOST_POINTS:g}"
-        raise ValueError(f"{message} in one call, and thirdbody.stream writes any number to a file")
+        raise ValueError(f"{message} in one call; thirdbody.stream writes any number to a file")
 
 
 def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
-    """Real numbers of one shape as float64, which may be infinite or nan; of quantities none."""
+    """Real numbers as a float64 array, which may contain inf or nan; quantities are refused."""
     several = given if isinstance(given, list | tuple) else [given]
     if any(has_unit(each) or is_labelled(each) or hasattr(each, "iloc") for each in several):
         raise ValueError(f"{name} is a {type(given).__name__}; allowed: {allowed}")
@@ -106,7 +107,7 @@ def checked_array(name: str, given: Any, allowed: str = "numbers") -> NDArray:
 
 
 def check_number(name: str, value: Any, positive: bool = True) -> None:
-    """Raises ``ValueError`` unless a value is a finite number, ``positive``, or zero or more."""
+    """Raise ``ValueError`` unless a value is a finite number that is ``positive``, or else not negative."""
     allowed = "positive numbers" if positive else "zero or positive numbers"
     number = checked_array(name, value, allowed)
     if number.ndim or not 0.0 <= number < np.inf or (positive and number == 0.0):
@@ -114,7 +115,7 @@ def check_number(name: str, value: Any, positive: bool = True) -> None:
 
 
 def check_ends(name: str, ends: Any) -> None:
-    """Raises ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
+    """Raise ``ValueError`` unless the ``ends`` of a range are two numbers, positive and increasing."""
     allowed = "two numbers, positive and increasing"
     array = checked_array(name, ends, allowed)
     if array.shape != (2,) or not 0.0 < array[0] < array[1] < np.inf:
@@ -122,7 +123,7 @@ def check_ends(name: str, ends: Any) -> None:
 
 
 def check_count(name: str, count: Any) -> None:
-    """Raises ``ValueError`` unless a number of values is whole, and at least 2."""
+    """Raise ``ValueError`` unless a number of values is an integer from 2 to ``MOST_VALUES``."""
     whole = isinstance(count, Integral) and not isinstance(count, bool)
     if not whole or not 2 <= count <= MOST_VALUES:
         allowed = f"whole numbers from 2 to {MOST_VALUES}"

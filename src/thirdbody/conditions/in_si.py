@@ -1,4 +1,4 @@
-"""The five conditions under any of their names, in SI."""
+"""Conversion of the five conditions, under any of their names, to SI."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from thirdbody.model.particles import LEAST
 from thirdbody.units import ENGINEERING, Unit, has_unit, is_labelled, unit_of, without_unit
 
 CONDITIONS = tuple(ENGINEERING)
-NEVER_ZERO = "load", "roughness"  # the others are 0 where there is no oil, or no particle
+NEVER_ZERO = "load", "roughness"  # the others are 0 without oil or particles
 
 
 def in_si(
@@ -24,12 +24,12 @@ def in_si(
     without: str | None = None,
     check: Callable[[str, NDArray], NDArray] = lambda key, values: values,
 ) -> dict[str, NDArray]:
-    """The ``given`` conditions, numbers or quantities under any of their names, in SI by the arguments of
-    ``solve``; warns as ``solve``, in the units that were given.
+    """The ``given`` conditions, numbers or quantities under any of their names, in SI by the
+    arguments of ``solve``; warns like ``solve``, in the given units.
 
-    The condition ``without`` is not given.  ``check`` gets the values [SI] that belong to a name, and
-    returns them.  Raises ``ValueError`` if a condition is missing, given twice, unknown, or the one that
-    is not to be given, and for numbers that ``solve`` refuses.
+    The condition ``without`` must not be given.  ``check`` is called with each name and its values
+    [SI], and returns the values.  Raises ``ValueError`` if a condition is missing, given twice,
+    unknown or not allowed, and for numbers that ``solve`` refuses.
     """
     units = {}
     for key in given:
@@ -56,12 +56,12 @@ def in_si(
 
 
 def _numbers(unit: Unit, given: Any, parameters: Parameters) -> NDArray:
-    """A copy in SI of numbers in ``unit``, or of quantities in a unit of their own, float64; of an array
-    with named dimensions its values."""
+    """A float64 copy in SI of numbers in ``unit``, or of quantities in their own unit; for an array
+    with named dimensions, its values."""
     key, newtons = unit.key, parameters.newtons_per_load
     if hasattr(given, "iloc"):
         instead = ".pint.quantity" if hasattr(given, "pint") else ".to_numpy() or .to_xarray()"
-        raise ValueError(f"{key} is a {type(given).__name__} of pandas; allowed: {instead} of it")
+        raise ValueError(f"{key} is a {type(given).__name__} of pandas; allowed: its {instead}")
     if key != unit.condition and isinstance(given, list | tuple) and any(map(has_unit, given)):
         raise ValueError(f"{key} is a list of quantities; allowed: numbers, or one quantity")
     bare = without_unit(unit, given, newtons)

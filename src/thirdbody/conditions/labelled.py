@@ -1,6 +1,6 @@
-"""Arrays with named dimensions, as of xarray: they broadcast by name, and label what is found.
+"""Arrays of xarray: broadcasting by dimension name, and labels for the results.
 
-xarray is imported where such an array is given, and nowhere else.
+xarray is imported only if such an array is given.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[str, Any]:
-    """The ``arrays`` of conditions [SI] with the dimensions and coordinates of what was ``given``;
-    ``ValueError`` for an array without names among others."""
+    """The ``arrays`` of conditions [SI] with the dimensions and coordinates of the ``given`` ones;
+    ``ValueError`` for an array without named dimensions."""
     import xarray as xr
 
     named = [name for name, each in given.items() if is_labelled(each)]
     for name, array in arrays.items():
         if name not in named and array.ndim > 0:
-            allowed = f"a number or an xarray.DataArray, as {named[0]} is"
+            allowed = f"a number or an xarray.DataArray, like {named[0]}"
             raise ValueError(f"{name} is an array without named dimensions; allowed: {allowed}")
     labelled = {
         name: xr.DataArray(arrays[name], getattr(given[name], "coords", None), given[name].dims)
@@ -37,18 +37,18 @@ def with_names(given: Mapping[str, Any], arrays: Mapping[str, NDArray]) -> dict[
 
 
 def broadcast_by_name(conditions: Mapping[str, Any]) -> tuple[dict[str, NDArray], xr.DataArray]:
-    """Arrays of one shape from ``conditions`` that broadcast by the names of their dimensions, and an
-    array with the dimensions and coordinates of that shape; ``ValueError`` for coordinates that differ."""
+    """Broadcast ``conditions`` by dimension name to arrays of one shape, and return with them an array with
+    the dimensions and coordinates of that shape; ``ValueError`` if coordinates differ."""
     import xarray as xr
 
     named = {name: each for name, each in conditions.items() if is_labelled(each)}
     try:
         labelled = xr.align(*named.values(), join="exact")
     except ValueError:
-        message = "have other coordinates along the same dimension; allowed: equal ones"
+        message = "have different coordinates along one dimension; allowed: equal coordinates"
         raise ValueError(f"{', '.join(named)} {message}") from None
     with np.errstate(over="ignore"):
-        pattern = reduce(add, labelled)  # which merges the coordinates
+        pattern = reduce(add, labelled)  # merges the coordinates
     _, *labelled = xr.broadcast(pattern, *labelled)
     found = {name: each.values for name, each in zip(named, labelled, strict=True)}
     return {**conditions, **found}, pattern

@@ -1,6 +1,6 @@
-"""The usual range of each condition: what lies outside is solved, with a warning.
+"""The usual range of each condition: points outside it are solved with a warning.
 
-A number in another unit, a load in newtons or a size in nanometres, lies outside.
+A load given in newtons, or a size in nanometres, is outside.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from contextlib import contextmanager
 import numpy as np
 from numpy.typing import NDArray
 
-# SI, far wider than the paper's ranges; 0 is no oil, or no particle
+# SI, far wider than the ranges of the paper; 0 means no oil, or no particles
 USUAL = {
     "load": (1e-13, 2e-2),
     "viscosity": (3e-7, 1e-2),
@@ -22,13 +22,13 @@ USUAL = {
     "particle_density": (1e6, 1e16),
 }
 
-# of steel in oil: what is assumed where measurements are compared and nothing else is given
+# steel in oil: defaults of comparisons with measurements
 BOUNDARY_FRICTION, FILM_FRICTION = 0.12, 0.03
 RESISTIVITY_OHM_M = 2.2e-7
 
 
 class OutOfRangeWarning(UserWarning):
-    """Numbers are outside their usual range: probably they are in another unit.
+    """Numbers are outside their usual range, probably because they are in another unit.
 
     Examples
     --------
@@ -42,8 +42,8 @@ class OutOfRangeWarning(UserWarning):
 
 
 def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
-    """Issue one ``OutOfRangeWarning``, at the caller of the package, for values, by name, outside of usual
-    ends in the same unit."""
+    """Issue one ``OutOfRangeWarning``, attributed to the caller of the package, for values, by
+    name, outside their usual range in the same unit."""
     found = []
     for name, (values, (least, most), unit) in given.items():
         values = np.ravel(values)
@@ -58,14 +58,14 @@ def warn_outside(given: Mapping[str, tuple[NDArray, NDArray, str]]) -> None:
 
 @contextmanager
 def without_warnings() -> Iterator[None]:
-    """Without warnings of conditions that were checked before."""
+    """Suppress warnings of conditions that have been checked."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", OutOfRangeWarning)
         yield
 
 
 def _outside_of_package() -> int:
-    """The ``stacklevel`` of the nearest caller outside of this package."""
+    """The ``stacklevel`` of the nearest caller outside this package."""
     frame, level = sys._getframe(1), 1
     package = __name__.partition(".")[0]
     while frame and frame.f_globals.get("__name__", "").partition(".")[0] == package:

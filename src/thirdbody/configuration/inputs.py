@@ -1,14 +1,14 @@
-"""Inputs of the model: where their values come from, and what is laid over what.
+"""Inputs of the model: the sources of their values, and which source takes precedence.
 
-``config/inputs.yaml`` has an entry for each input: its value, unless it is calibrated, with symbol, unit,
-source, and the words that are allowed; ``thirdbody.model.bounds`` says what numbers may be.  Of the values
-of an input the last that is given counts:
+``config/inputs.yaml`` has an entry for each input: its value, unless it is calibrated, with symbol,
+unit, source, and the allowed words; ``thirdbody.model.bounds`` has the allowed numbers.  Later
+values override earlier ones:
 
-1. that of ``config/inputs.yaml``;
-2. that of a calibrated file, as ``snakemake calibrate`` writes it: the one that ``calibrated`` in
-   ``config/config.yaml`` names, or one that is given in its place;
-3. that which is laid over: by ``inputs`` in ``config/config.yaml`` and its changes, by a file that gives
-   some inputs, plain or in the layout of ``config/inputs.yaml``, and by arguments of ``load_parameters``.
+1. the value in ``config/inputs.yaml``;
+2. the value in a calibrated file, as written by ``snakemake calibrate``: the file named by
+``calibrated`` in ``config/config.yaml``, or one given in its place;
+3. overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain
+or in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ Values = dict[str, float | bool | str]
 
 
 def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
-    """Inputs of the model: the calibrated ones, with what is given laid over them.
+    """The calibrated inputs of the model, overridden by the given ones.
 
     Parameters
     ----------
     path : str or Path, optional
-        A YAML file that gives some inputs, plain or in the layout of ``config/inputs.yaml``, which is
-        laid over the calibrated ones; or a calibrated file of your own, which takes their place.
+        A YAML file with some inputs, plain or in the layout of ``config/inputs.yaml``, that
+        overrides the calibrated ones; or a calibrated file of your own, which replaces them.
     **inputs : float, bool or str
-        Inputs by the names that the fields of ``Parameters`` have, SI; they win over the file.
+        Inputs by the field names of ``Parameters``, SI; they override the file.
 
     Returns
     -------
@@ -50,13 +50,13 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     Raises
     ------
     ValueError
-        In one line: the file or argument, the key at fault, its value and what is allowed.
+        One line with the file or argument, the wrong key, its value and what is allowed.
 
     Warns
     -----
     UserWarning
-        For a modulus, hardness or radius without G, V or U/nu, which hold it: ``thirdbody.bearing`` changes
-        them together.
+        For a modulus, hardness or radius without G, V or U/nu, which depend on it;
+        ``thirdbody.bearing`` changes them together.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    import numpy as np  # which the workflow is read without
+    import numpy as np  # the workflow is parsed without it
 
     from thirdbody.model.parameters import Parameters
 
@@ -87,7 +87,7 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     return Parameters(**values)
 
 
-# parameters of the film that hold a modulus, a hardness or the radius (below Eq. 8)
+# film parameters that depend on a modulus, a hardness or the radius (below Eq. 8)
 HELD_IN = {
     "elastic_modulus_surfaces": ("material_parameter", "hardness_parameter", "speed_per_viscosity"),
     "hardness_surface_1": ("hardness_parameter",),
@@ -97,16 +97,16 @@ HELD_IN = {
 
 
 def _warn_of_what_stays(given):
-    """Warn of inputs that are changed without the parameters of the film that hold them."""
+    """Warn of inputs that are changed without the film parameters that depend on them."""
     for name in HELD_IN.keys() & given.keys():
         stay = ", ".join(other for other in HELD_IN[name] if other not in given)
         if stay:
-            message = f"{name} is changed alone, not with it {stay}; thirdbody.bearing changes them together"
+            message = f"{name} is changed without {stay}; thirdbody.bearing changes them together"
             warnings.warn(message, UserWarning, stacklevel=3)
 
 
 def read_entries(directory: Path | None = None) -> Entries:
-    """Entries of the file ``inputs.yaml`` in a folder, the project's ``config/`` unless another is given."""
+    """Entries of the file ``inputs.yaml`` in a folder, by default ``config/``."""
     path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
     schema.validate(entries, _overlay_schema(entries), str(path))
@@ -114,7 +114,7 @@ def read_entries(directory: Path | None = None) -> Entries:
 
 
 def plain_values(given: Mapping) -> Values:
-    """The value of each entry that has one, or the plain value itself; numbers as ``float``."""
+    """The values of entries that have one, and plain values; numbers as ``float``."""
     values = {}
     for name, each in given.items():
         value = each.get("value") if isinstance(each, Mapping) else each
@@ -126,12 +126,12 @@ def plain_values(given: Mapping) -> Values:
 def choose_inputs(
     entries: Entries, calibrated: str | Path, given: str | Path | Mapping
 ) -> dict[str, Any]:
-    """Values of all inputs, as the head of this module says.
+    """Values of all inputs, by the precedence in the docstring of this module.
 
-    ``given``, values or a file of them, is laid over the inputs of the file ``calibrated``, or is a calibrated
-    file that takes its place.  Raises ``ValueError`` in one line.  Returned are ``parameters``, a value of each
-    input, SI; ``calibrated``, the path of the calibrated file, and ``interpretation``, the one that it is of;
-    ``ensemble``, its members with what is laid over them; ``inputs``, the values that are laid over.
+    ``given``, values or a file of them, overrides the inputs of the file ``calibrated``, or is a
+    calibrated file that replaces it.  Raises ``ValueError`` in one line.  Returns ``parameters``,
+    the value of each input, SI; ``calibrated``, the path of the calibrated file, and its
+    ``interpretation``; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
@@ -154,16 +154,16 @@ def choose_inputs(
 
 
 def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
-    """The members of the ensemble of a calibrated file, with the same values laid over all of them.
+    """The ensemble members of a calibrated file, all with the same overrides.
 
-    There are none where they do not differ: one alone is no ensemble.
+    Empty if the members do not differ.
     """
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
 
 
 def check_complete(given: Collection[str], entries: Entries, place: str) -> None:
-    """Raises ``ValueError`` unless every input that has no value of its own is ``given``."""
+    """Raise ``ValueError`` unless every input without a value of its own is ``given``."""
     for name, entry in entries.items():
         if "value" not in entry and name not in given:
             allowed = "a value of each calibrated input"
@@ -171,7 +171,7 @@ def check_complete(given: Collection[str], entries: Entries, place: str) -> None
 
 
 def check_ball(values: Values, place: str) -> None:
-    """Raises ``ValueError`` if the ball is smaller than the interface A_n, to which loads refer."""
+    """Raise ``ValueError`` if the cross-section of the ball is smaller than A_n."""
     section = math.pi * values["ball_radius"] ** 2
     if values["apparent_area"] > section:
         raise ValueError(
@@ -187,13 +187,13 @@ def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
 
 
 def values_schema(entries: Entries) -> dict:
-    """JSON Schema of plain values of some of the inputs; in it, ``$defs/name`` is that of their names."""
+    """JSON Schema of plain values of some inputs; its ``$defs/name`` is the schema of their names."""
     values = _closed({name: _value_schema(name, entry) for name, entry in entries.items()})
     return values | {"$defs": {"name": {"enum": list(entries)}}}
 
 
 def _value_schema(name: str, entry: Mapping) -> dict:
-    """JSON Schema of the value of one input: a number within bounds, or one of some words."""
+    """JSON Schema of the value of one input: a number within bounds, or an allowed word."""
     if "allowed" in entry:
         return {"enum": entry["allowed"]}
     bounds = BOUNDS[name]
@@ -203,7 +203,7 @@ def _value_schema(name: str, entry: Mapping) -> dict:
 
 
 def _overlay_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: each a value, or an entry as in ``config/inputs.yaml``, in the same unit."""
+    """JSON Schema of some inputs: values, or entries as in ``config/inputs.yaml`` in the same unit."""
     given = {}
     for name, entry in entries.items():
         value = _value_schema(name, entry)

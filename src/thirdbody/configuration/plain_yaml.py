@@ -1,4 +1,4 @@
-"""Reading YAML that is plain data: no tags of Python, no key twice."""
+"""Reading plain YAML: no Python tags, no duplicate keys."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ KINDS = {dict: "keys with values", list: "a list"}
 
 
 class _KeysOnce(yaml.CSafeLoader):
-    """PyYAML's loader, with keys that are words and stand once."""
+    """PyYAML's loader, restricted to unique keys that are strings."""
 
     def construct_mapping(self, node, deep=False):
         seen = set()
         for place, _ in node.value:
             key = self.construct_object(place, deep=True)
             if not isinstance(key, str):
-                raise _fault(place, f"key {key!r}; allowed: words")
+                raise _fault(place, f"key {key!r}; allowed: strings")
             if key in seen:
-                raise _fault(place, f"key {key!r} stands twice")
+                raise _fault(place, f"duplicate key {key!r}")
             seen.add(key)
         return super().construct_mapping(node, deep)
 
 
 def read_yaml(path: str | Path, kind: type = dict) -> Any:
-    """The content of a YAML file in UTF-8 that is plain data: a ``dict``, or a ``list`` by its ``kind``.
+    """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``.
 
-    Raises ``ValueError`` in one line: the file, the line in it, and what is wrong there.
+    Raises ``ValueError`` in one line: the file, the line in it, and the error.
     """
     name = shown_file(path)
     try:
@@ -40,7 +40,7 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
     except UnicodeDecodeError as error:
         raise ValueError(f"{name}: byte {error.start} is not UTF-8") from None
     except (TypeError, ValueError):
-        raise ValueError(f"{shown(path)} is no path; allowed: that of a YAML file") from None
+        raise ValueError(f"{shown(path)} is not a path; allowed: the path of a YAML file") from None
     try:
         content = yaml.load(text, _KeysOnce)
     except (yaml.YAMLError, ValueError) as error:
@@ -49,7 +49,7 @@ def read_yaml(path: str | Path, kind: type = dict) -> Any:
         problem = " ".join(str(getattr(error, "problem", error)).split())
         raise ValueError(f"{name}: {place}{problem}") from None
     if not isinstance(content, kind):
-        raise ValueError(f"{name}: holds {type(content).__name__}; allowed: {KINDS[kind]}")
+        raise ValueError(f"{name}: contains {type(content).__name__}; allowed: {KINDS[kind]}")
     return content
 
 

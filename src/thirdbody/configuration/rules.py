@@ -1,7 +1,7 @@
-"""What JSON Schema cannot say: rules between several values.
+"""Rules between several values, which JSON Schema cannot express.
 
-A schema names a rule, ``rules: [first_below_last]``, beside the type and the keys of the value that it is
-about.  A rule is a function of that value, which keeps to the rest of its schema; it yields each fault.
+A schema names a rule, ``rules: [first_below_last]``, beside the type and keys of a value.  A rule
+is a function of this value, which already satisfies the rest of its schema, and yields each fault.
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 
 class Fault(NamedTuple):
-    """What is allowed, the keys and positions down to the value at fault, and what is wrong if the
-    value alone does not show it."""
+    """What is allowed, the keys and positions down to the wrong value, and the problem if the value
+    alone does not show it."""
 
     allowed: str
     path: tuple[str | int, ...] = ()
@@ -21,7 +21,7 @@ class Fault(NamedTuple):
 
 
 def axis_values(axis: Mapping) -> list[float]:
-    """The values [unit of its key] of an axis of ``config/atlas.yaml``, increasing, with twelve digits.
+    """The values [unit of the key] of an axis of ``config/atlas.yaml``, increasing, to twelve digits.
 
     Examples
     --------
@@ -38,13 +38,13 @@ def axis_values(axis: Mapping) -> list[float]:
 
 
 def first_below_last(ends: list) -> Iterator[Fault]:
-    """A range goes upwards."""
+    """The ends of a range increase."""
     if not ends[0] < ends[-1]:
         yield Fault("a first value below the last")
 
 
 def particles_fit(conditions: dict) -> Iterator[Fault]:
-    """Particles lie side by side: pi/4 x_a^2 eta_a, the area they cover, cannot exceed 1."""
+    """Particles lie side by side: the area fraction pi/4 x_a^2 eta_a cannot exceed 1."""
     if "particle_diameter_nm" in conditions:
         diameter = _largest(conditions["particle_diameter_nm"])
     else:
@@ -64,7 +64,7 @@ def _largest(value: float | list[float]) -> float:
 
 
 def lists_of_equal_length(conditions: dict) -> Iterator[Fault]:
-    """Lists of conditions run together, so that each position is one curve."""
+    """Lists of conditions are combined element by element: each position is one curve."""
     lengths = {key: len(value) for key, value in conditions.items() if isinstance(value, list)}
     if len(set(lengths.values())) > 1:
         problem = ", ".join(f"{key} has {length} values" for key, length in lengths.items())
@@ -72,7 +72,7 @@ def lists_of_equal_length(conditions: dict) -> Iterator[Fault]:
 
 
 def ids_are_unique(statements: list) -> Iterator[Fault]:
-    """No two statements go by one id."""
+    """No two statements have the same id."""
     seen = set()
     for index, statement in enumerate(statements):
         if statement["id"] in seen:
@@ -81,7 +81,7 @@ def ids_are_unique(statements: list) -> Iterator[Fault]:
 
 
 def contradictions_are_settled(statements: list) -> Iterator[Fault]:
-    """Of two statements that contradict each other, both say so, and at least one stands aside."""
+    """Contradicting statements name each other, and at least one of them is set aside."""
     known = {statement["id"]: statement for statement in statements}
     for index, statement in enumerate(statements):
         for place, name in enumerate(statement.get("contradicts", [])):
@@ -90,11 +90,11 @@ def contradictions_are_settled(statements: list) -> Iterator[Fault]:
             if statement["id"] not in other.get("contradicts", []):
                 yield Fault("the id of a statement that contradicts this one too", path)
             elif "aside" not in statement and "aside" not in other:
-                yield Fault("a statement that stands aside, or this one does", path)
+                yield Fault("a statement that is set aside, unless this one is", path)
 
 
 def unknowns_are_listed(calibration: dict) -> Iterator[Fault]:
-    """What an interpretation searches has its bounds and scale under ``unknowns``."""
+    """The unknowns of an interpretation have bounds and a scale under ``unknowns``."""
     lists = {("always",): calibration["always"]}
     for name, interpretation in calibration["interpretations"].items():
         lists["interpretations", name, "unknowns"] = interpretation.get("unknowns", [])
@@ -105,7 +105,7 @@ def unknowns_are_listed(calibration: dict) -> Iterator[Fault]:
 
 
 def axis_goes_up(axis: dict) -> Iterator[Fault]:
-    """An axis has a first value below the last, and all others between."""
+    """The first value of an axis is below the last, and all others are between."""
     first, last = axis["from"], axis["to"]
     if not first < last:
         yield Fault(f"less than {last:g}, the last value", ("from",))
@@ -115,14 +115,14 @@ def axis_goes_up(axis: dict) -> Iterator[Fault]:
 
 
 def chunks_have_surfaces(atlas: dict) -> Iterator[Fault]:
-    """Each job of the atlas has one roughness or more."""
+    """Each job of the atlas has at least one roughness."""
     surfaces = len(axis_values(atlas["axes"]["roughness_nm"]))
     if atlas["chunks"] > surfaces:
         yield Fault(f"at most {surfaces}, the number of roughnesses", ("chunks",))
 
 
 def charts_lie_on_axes(atlas: dict) -> Iterator[Fault]:
-    """What charts show has been solved."""
+    """Charts show only values on the axes."""
     axes = {name: axis_values(axis) for name, axis in atlas["axes"].items()}
     for chart, shown in atlas["charts"].items():
         for place, panel in enumerate(shown):
@@ -130,4 +130,4 @@ def charts_lie_on_axes(atlas: dict) -> Iterator[Fault]:
             for key, value in conditions.items():
                 if float(f"{value:.12g}") not in axes[key]:
                     path = ("charts", chart, place) + ((key,) if panel is conditions else ())
-                    yield Fault(f"a value of axes.{key}, to which also can add it", path)
+                    yield Fault(f"a value of axes.{key}; its key also can add it", path)

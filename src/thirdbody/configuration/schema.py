@@ -1,12 +1,12 @@
-"""Checking configuration files: each kind keeps to the JSON Schema beside it in ``config/``.
+"""Validation of configuration files by the JSON Schema of each kind in ``config/``.
 
-A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two keywords of our own:
+A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two additional keywords:
 
 ``rules``
-    Names of functions of ``thirdbody.configuration.rules``, for what JSON Schema cannot say.  They are
-    called where the rest of the document is right.
+    Names of functions of ``thirdbody.configuration.rules``, for rules that JSON Schema cannot
+    express.  They are called if the rest of the document is valid.
 ``allowed``
-    What a message says is allowed here, where bare numbers or a pattern would say too little.
+    Text for messages about what is allowed, where a number or pattern is not clear enough.
 
 A schema refers to the definitions of ``conditions.schema.yaml`` as ``conditions.schema.yaml#/$defs/rtol``.
 """
@@ -36,8 +36,8 @@ from thirdbody.messages import LONGEST, shown, shown_file
 MOST_NAMED = 16  # keys in a message
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
 TYPES = {
-    **{"object": "keys with values", "array": "a list", "string": "a word", "number": "a number"},
-    **{"integer": "an integer", "boolean": "a truth value", "null": "nothing"},
+    **{"object": "keys with values", "array": "a list", "string": "a string", "number": "a number"},
+    **{"integer": "an integer", "boolean": "true or false", "null": "null"},
 }
 ALLOWED = {
     "const": "{}",
@@ -47,22 +47,22 @@ ALLOWED = {
     "exclusiveMaximum": "below {:g}",
     "minItems": "at least {} values",
     "maxItems": "at most {} values",
-    "uniqueItems": "no value twice",
+    "uniqueItems": "unique values",
     "minProperties": "at least {} keys",
-    "minLength": "at least one letter",
-    "maxLength": "at most {} letters",
+    "minLength": "at least one character",
+    "maxLength": "at most {} characters",
 }
 
 
 def config_directory() -> Path:
-    """Where the configuration lies: inside an installed package, else beside ``src/``."""
+    """The configuration folder: inside an installed package, otherwise beside ``src/``."""
     package = Path(__file__).resolve().parents[1]
     home = package if (package / "config").is_dir() else package.parents[1]
     return home / "config"
 
 
 def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
-    """The content of a YAML file, which keeps to ``config/<kind>.schema.yaml``; else as ``validate``."""
+    """The content of a YAML file, validated by ``config/<kind>.schema.yaml``; raises as ``validate``."""
     schema = read_schema(kind)
     content = read_yaml(path, {"object": dict, "array": list}[schema["type"]])
     validate(content, schema, shown_file(path), **definitions)
@@ -71,16 +71,16 @@ def read_valid(path: str | Path, kind: str, **definitions: Mapping) -> Any:
 
 @cache
 def read_schema(kind: str) -> dict:
-    """The JSON Schema of one kind of file, which nobody changes."""
+    """The JSON Schema of one kind of file (cached: do not modify)."""
     return read_yaml(config_directory() / f"{kind}.schema.yaml")
 
 
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
-    """Raise ``ValueError`` if plain data break a schema.
+    """Raise ``ValueError`` if plain data do not satisfy a schema.
 
-    Its one line is about the fault that is nearest to the top: ``name: key is VALUE; allowed: ...``, where
-    ``name`` is the file that the content is from.  ``schema`` is a JSON Schema with the keywords ``rules``
-    and ``allowed``, and refers to the ``definitions``, schemas that do not lie in a file, by their names.
+    The message is one line about the fault nearest to the top: ``name: key is VALUE; allowed: ...``, where
+    ``name`` is the file of the content.  ``schema`` is a JSON Schema with the keywords ``rules`` and
+    ``allowed``; it refers by name to the ``definitions``, schemas that are not in files.
     """
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
@@ -98,14 +98,14 @@ def _is_finite_number(checker, value) -> bool:
 
 
 def _mark(validator, names, instance, schema):
-    """Note where rules are to be called, which is done when all else is right."""
+    """Mark where rules apply; they are called if all else is valid."""
     yield ValidationError("rules are to be called")
 
 
 _Validator = extend(
     Draft202012Validator,
     {"rules": _mark},
-    # in draft 4 the number 5.0 is no integer
+    # in draft 4 the number 5.0 is not an integer
     type_checker=Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number),
 )
 
@@ -114,7 +114,7 @@ _Validator = extend(
 
 
 def _line(content: Any, fault: Fault) -> str:
-    """What is wrong where: the problem or, if there is none, the value itself."""
+    """The place of a fault, and the problem or, without one, the value."""
     keys = list(fault.path)
     entry = content[keys[0]] if isinstance(content, list) and keys else None
     name = entry.get("id") if isinstance(entry, dict) else None
@@ -127,13 +127,13 @@ def _line(content: Any, fault: Fault) -> str:
 
 
 def _dotted(keys: Sequence[str | int]) -> str:
-    """Keys and positions as ``scenes.fig03.curves[0]``."""
+    """Keys and positions in the form ``scenes.fig03.curves[0]``."""
     parts = (f"[{key}]" if isinstance(key, int) else f".{key}" for key in keys)
     return "".join(parts).removeprefix(".")
 
 
 def _faults(error: ValidationError) -> Iterator[Fault]:
-    """What is wrong where an error is, or what the rules find there."""
+    """The fault of a validation error, or the faults that the rules find there."""
     if error.validator == "rules":
         for rule in error.validator_value:
             for fault in getattr(rules, rule)(error.instance):
@@ -153,7 +153,7 @@ def _faults(error: ValidationError) -> Iterator[Fault]:
 
 
 def _allowed(error: ValidationError) -> str:
-    """What would have been right in place of the value at fault."""
+    """What is allowed instead of the wrong value."""
     value, bound = error.instance, error.validator_value
     if "allowed" in error.schema:
         allowed = error.schema["allowed"]
@@ -170,12 +170,12 @@ def _allowed(error: ValidationError) -> str:
     else:
         allowed = error.message
     if error.validator == "type" and isinstance(value, str) and NUMBER.fullmatch(value):
-        allowed += ", which YAML reads from 1.0e+11, not from 1e11, nor in quotes or in braces after --config"
+        allowed += "; in YAML write 1.0e+11, not 1e11, and neither quotes nor braces after --config"
     return allowed
 
 
 def _nearest(name: str, known: Sequence[str]) -> str:
-    """All ``known`` keys or, of a great many, those that ``name`` can be a slip for."""
+    """All ``known`` keys or, if there are many, those closest to ``name``."""
     if len(known) <= MOST_NAMED:
         return ", ".join(known)
     near = get_close_matches(name[:LONGEST], known, MOST_NAMED // 2, cutoff=0.0)

@@ -1,4 +1,4 @@
-"""What the workflow takes from the configuration, checked as a whole before anything is computed."""
+"""Settings of the workflow, checked as a whole before anything is computed."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import shown
 
-SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # whose versions can change a number
+SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
 
 def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict[str, Any]:
     """All settings of a run of the workflow, checked before anything is computed.
 
-    ``config`` is what Snakemake has read: keys that are missing are those of the paper, and ``changes`` is
-    the path of a file that is laid over all of them.  ``folder`` is that of the configuration; ``given`` are
-    files of the command line, which Snakemake has merged into ``config``.  Returned is what
-    ``workflow_settings`` returns, with ``run``, the name of the run or None; ``config``, the merged
-    configuration, and ``is_paper``, whether it is the paper's.  Raises ``ValueError`` in one line: the file,
-    the key at fault, its value and what is allowed.
+    ``config`` is the configuration read by Snakemake: missing keys have the values of the paper, and
+    ``changes`` is the path of a file that overrides all of them.  ``folder`` is the folder of the
+    configuration; ``given`` are configuration files of the command line, which Snakemake has merged into
+    ``config``.  Returns the result of ``workflow_settings``, with ``run``, the name of the run or None;
+    ``config``, the merged configuration; and ``is_paper``, whether it is that of the paper.  Raises
+    ``ValueError`` in one line: the file, the wrong key, its value and what is allowed.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in given:
@@ -47,7 +47,7 @@ def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> di
 
 
 def _merged(base: Mapping, changes: Mapping) -> dict:
-    """``base`` with ``changes`` laid over it, key by key, as Snakemake merges configurations."""
+    """``base`` updated by ``changes``, key by key, as Snakemake merges configurations."""
     merged = dict(base)
     for key, value in changes.items():
         both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
@@ -56,11 +56,11 @@ def _merged(base: Mapping, changes: Mapping) -> dict:
 
 
 def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
-    """``config`` and the files in ``folder`` as the rules take their parameters from them.
+    """The settings of the rules, from ``config`` and the files in ``folder``.
 
     Returns ``config`` with
 
-    - ``scenes``, each with its own load axis and ``rtol``, so that it depends on nothing else;
+    - ``scenes``, each with its load axis and ``rtol``, so that it depends on nothing else;
     - ``parameters``, ``calibrated``, ``ensemble`` and ``inputs``, as ``choose_inputs`` returns them,
       and ``uncalibrated``, the values of the inputs that no search finds, SI;
     - ``calibration``, ``sensitivity``, ``accuracy`` and ``atlas``, the settings of these runs;
@@ -73,7 +73,7 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     read_valid(folder / "paper_tables.yaml", "paper_tables")
 
     def found(path):
-        """A file named as ``config/...``: in the current folder, else beside the configuration."""
+        """A file ``config/...``: in the current folder, otherwise beside the configuration."""
         return path if Path(path).exists() else str(folder.parent / path)
 
     given = config["inputs"]
@@ -105,10 +105,10 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
 
 def _require_surfaces(settings: Mapping) -> None:
-    """Raise ``ValueError`` unless every surface can have the inputs that are laid over the calibrated ones."""
+    """Raise ``ValueError`` unless every surface is valid with the overridden inputs."""
     if not settings["inputs"]:
         return
-    import numpy as np  # the workflow is read without, unless inputs are changed
+    import numpy as np  # the workflow is parsed without it, unless inputs are changed
 
     from thirdbody.model.parameters import Parameters
 
