@@ -54,35 +54,35 @@ def _optional(texts: Mapping[str, str]) -> dict[str, tuple]:
 
 CONDITIONS = {
     "load_N": "normal load [N]",
-    "viscosity_cSt": "kinematic viscosity of the lubricant, 0 when dry [cSt]",
-    "particle_diameter_nm": "x_a, the paper's mean diameter of the particles, 0 without [nm]",
+    "viscosity_cSt": "kinematic viscosity of the lubricant, 0 if dry [cSt]",
+    "particle_diameter_nm": "mean particle diameter x_a as in the paper, 0 if none [nm]",
     "roughness_nm": "equivalent root mean square roughness [nm]",
-    "particle_density_per_m2": "particles per area, 0 without [m-2]",
+    "particle_density_per_m2": "particles per area, 0 if none [m-2]",
 }
 # types and defaults of options, by the names of their arguments
 EACH = {
     key: (_option(key.replace("_", "-"), text), Parameter.empty) for key, text in CONDITIONS.items()
 }
 SOME = _optional(CONDITIONS)
-OTHER = _optional({f"other_{key}": f"of the second: {text}" for key, text in CONDITIONS.items()})
+OTHER = _optional({f"other_{key}": f"second interface: {text}" for key, text in CONDITIONS.items()})
 BEARING = _optional(
     {
         "ball_radius_mm": "radius R_x [mm]",
         "speed_m_per_s": "rolling speed u [m/s]",
-        "oil_density_kg_per_m3": "density rho [kg m-3]; goes with the speed",
-        "dynamic_viscosity_mPa_s": "mu_0 [mPa s]; with nu in place of the density",
-        "viscosity_cSt": "nu [cSt]; U is given for it",
+        "oil_density_kg_per_m3": "density rho [kg m-3]; required with the speed",
+        "dynamic_viscosity_mPa_s": "mu_0 [mPa s]; with nu instead of the density",
+        "viscosity_cSt": "nu [cSt]; U is printed for it",
         "pressure_viscosity_per_GPa": "alpha [GPa-1]",
-        "apparent_area_mm2": "A_n [mm2], to which loads refer",
+        "apparent_area_mm2": "A_n [mm2], reference area of loads",
     }
 )
-SPEED = _optional({"speed_m_per_s": "speed of the inputs, with a column of speeds"})
+SPEED = _optional({"speed_m_per_s": "speed of the inputs [m/s], if the data have speeds"})
 First = _option("from", "first value, in the unit of its option")
 Last = _option("to", "last value, in the unit of its option")
 File = Annotated[str | None, typer.Option(metavar="FILE")]
 Inputs = Annotated[
     str | None,
-    typer.Option(metavar="FILE", help="inputs, as of bearing --write; by default the calibrated"),
+    typer.Option(metavar="FILE", help="inputs from bearing --write; default: calibrated"),
 ]
 Json = Annotated[bool, typer.Option("--json", help="print the answer as JSON")]
 COMMON = {"inputs": (Inputs, None), "json": (Json, False)}
@@ -103,7 +103,7 @@ def _version(given: bool) -> None:
 
 
 @questions.callback(
-    epilog="Exit codes: 0 answered, 1 what was asked for does not occur, 2 bad input, 3 the answer "
+    epilog="Exit codes: 0 answered, 1 no such value, 2 bad input, 3 the answer "
     "cannot be written, 130 stopped by Ctrl-C."
 )
 def _thirdbody(
@@ -146,9 +146,9 @@ def _state(**given):
 CHANGES = {
     "viscosity": ("viscosity", [REGIME], "Which viscosity leaves boundary lubrication."),
     "size": ("particle_diameter", [MODE], "Which particle size a filter has to keep out."),
-    "roughness": ("roughness", [REGIME, MODE], "At which roughness regime or mode change."),
+    "roughness": ("roughness", [REGIME, MODE], "At which roughness the regime or mode changes."),
     "density": ("particle_density", [MODE], "Which density of debris is too much."),
-    "transitions": ("load", [REGIME, MODE], "At which load the regime or the mode changes."),
+    "transitions": ("load", [REGIME, MODE], "At which load the regime or mode changes."),
 }
 
 
@@ -197,7 +197,7 @@ def _material(text: str) -> Any:
         with without_warnings():
             material = Material(1e9 * modulus, ratio, 1e9 * hardness)
     except ValueError:
-        raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, as 205,0.29,5") from None
+        raise typer.BadParameter(f"is {text!r}; allowed: {MATERIALS}, e.g. 205,0.29,5") from None
     typed = {"modulus": modulus, "hardness": hardness}
     ends = {name: [1e-9 * end for end in USUAL[name][0]] for name in typed}
     warn_outside({name: (value, ends[name], "GPa") for name, value in typed.items()})
@@ -206,7 +206,7 @@ def _material(text: str) -> Any:
 
 Body = Annotated[
     str | None,
-    typer.Option(parser=_material, metavar="MATERIAL", help=f"{MATERIALS}, as 205,0.29,5"),
+    typer.Option(parser=_material, metavar="MATERIAL", help=f"{MATERIALS}, e.g. 205,0.29,5"),
 ]
 
 
@@ -258,7 +258,7 @@ def _curve(
 
 @_question("compare", EACH | OTHER | COMMON)
 def _compare(other_inputs: Inputs = None, **given):
-    """Two interfaces beside each other; the second differs by --other-..."""
+    """Compare two interfaces; the second differs by --other-..."""
     one = _interface(given)
     changes = {key: given[f"other_{key}"] for key in SOME if given[f"other_{key}"] is not None}
     if other_inputs is not None:
@@ -272,16 +272,16 @@ MEASURED = f"thirdbody compare-data measured.csv --viscosity-cSt 90 {PARTICLES} 
 @_question("compare-data", SOME | SPEED | COMMON, MEASURED)
 def _compare_data(
     file: Annotated[
-        str, typer.Argument(metavar="FILE", help="CSV with units in its headings, as load [N]")
+        str, typer.Argument(metavar="FILE", help="CSV with units in its headings, e.g. load [N]")
     ],
-    boundary_friction: _option("boundary-friction", "of what solids carry [1]") = BOUNDARY_FRICTION,
-    film_friction: _option("film-friction", "of what the film carries [1]") = FILM_FRICTION,
+    boundary_friction: _option("boundary-friction", "friction of solids [1]") = BOUNDARY_FRICTION,
+    film_friction: _option("film-friction", "friction of the film [1]") = FILM_FRICTION,
     resistivity_ohm_m: _option("resistivity-ohm-m", "of both bodies [ohm m]") = RESISTIVITY_OHM_M,
     csv: File = None,
     plot: File = None,
     **given,
 ):
-    """Your measurements beside the model: residuals, the ensemble's range, a figure."""
+    """Compare your measurements with the model: residuals, ensemble ranges, a figure."""
     from thirdbody.measured.comparison import compare
     from thirdbody.measured.estimates import Assumed
 
