@@ -97,7 +97,7 @@ def test_a_run_in_another_folder_makes_the_same_there(sources, finished, elsewhe
     minimal = sources.root / MINIMAL[1]
     there = ("--snakefile", str(sources.root / "workflow/Snakefile"), "--configfile", str(minimal))
     elsewhere.root.mkdir()
-    assert "Judging every statement" in planned(elsewhere, *there)
+    assert "Evaluating every statement" in planned(elsewhere, *there)
     before = set(sources.root.rglob("*"))
     products = made(elsewhere, TABLE, DATASET, arguments=there)
     assert products == [(finished.root / name).read_bytes() for name in (TABLE, DATASET)]
@@ -137,7 +137,7 @@ def test_a_deployed_copy_follows_the_configuration_beside_it(
     deployed = Workspace(tmp_path / "deployed", (installed,))
     write(deployed, "workflow/Snakefile", DEPLOYED)
     shutil.copytree(published.root / "config", deployed.root / "config")
-    assert "Judging every statement" in planned(deployed)
+    assert "Evaluating every statement" in planned(deployed)
     deployed.put("config/scenes.yaml", "load_axis/count", 24)
     assert made(deployed, DATASET) == [(finished.root / DATASET).read_bytes()]
     deployed.rewrite("config/paper_tables.yaml", lambda text: text.replace("0.04, 80", "0.05, 80"))

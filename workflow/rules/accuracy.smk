@@ -1,4 +1,4 @@
-# `snakemake -c2 accuracy`, not part of the default run: errors, verdicts on extremes, times, and targets.
+# `snakemake -c2 accuracy`, not part of the default run: errors, checks of extremes, times, and targets.
 
 ACCURACY = settings["accuracy"]
 MEASURED = digest(
@@ -22,7 +22,7 @@ rule measure_errors:
         rtol=ACCURACY["rtol"],
         sources=MEASURED,
     message:
-        "Measuring errors and judging every extreme"
+        "Measuring errors and checking all extremes"
     script:
         "../scripts/measure_errors.py"
 
@@ -47,7 +47,7 @@ rule compare_oracle:
         "../scripts/compare_oracle.py"
 
 
-# Takes all of the resource `quiet`, so that it runs alone.
+# Uses the whole resource `quiet`, so that it runs alone.
 rule time_library:
     input:
         plain=project_file("verification/plain_model.py"),
@@ -89,7 +89,7 @@ rule compare_targets:
     params:
         sources=MEASURED,
     message:
-        "Comparing what was measured with the targets"
+        "Comparing the measurements with the targets"
     script:
         "../scripts/compare_targets.py"
 
@@ -99,4 +99,4 @@ rule accuracy:
         *ACCURACY_TABLES.values(),
         "<results>/accuracy/targets.csv",
     message:
-        "Errors, extremes, times and targets are there"
+        "Errors, extremes, times and targets are complete"

@@ -1,8 +1,8 @@
-# The release: one folder, one archive file of it, and beside them the record of their making.
+# The release: a folder, its archive file, and their provenance.
 from thirdbody.release.citation import Release, software_versions
 from thirdbody.release.files import source_files
 
-# nothing but the paper's configuration is archived under the name and version of the project
+# only the configuration of the paper is archived under the name and version of the project
 try:
     RELEASE = Release.of("pyproject.toml", "CITATION.cff", settings["is_paper"])
 except ValueError as error:
@@ -14,7 +14,7 @@ rule release:
         archive=f"<results>/release/{RELEASE.full_name}.zip",
         provenance="<results>/release/provenance.json",
     message:
-        "The release is made"
+        "The release is complete"
 
 
 rule list_jobs:
@@ -76,6 +76,6 @@ rule pack_release:
         date=RELEASE.date,
         sources=sources_of("pack_release.py"),
     message:
-        "Packing the release, and recording when and where"
+        "Packing the release and recording its provenance"
     script:
         "../scripts/pack_release.py"

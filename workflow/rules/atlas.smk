@@ -1,5 +1,5 @@
 # The atlas: `snakemake -c2 atlas`, not part of the default run.  A job solves some of the roughnesses
-# for all inputs, once; all else is taken from its file.  An interruption loses the chunks under way.
+# for all inputs; everything else is read from its file.  An interruption loses only the running chunks.
 
 ATLAS = settings["atlas"]
 
@@ -67,7 +67,7 @@ rule extract_chart:
         charts=ATLAS["charts"],
         sources=sources_of("extract_chart.py"),
     message:
-        "Reading {wildcards.chart} off the atlas"
+        "Extracting {wildcards.chart} from the atlas"
     script:
         "../scripts/extract_chart.py"
 
@@ -98,4 +98,4 @@ rule atlas:
         expand("<results>/figures/{chart}.{kind}", chart=CHARTS, kind=FIGURE_KINDS),
         expand("<results>/tables/{chart}.{kind}", chart=CHARTS, kind=TABLE_KINDS),
     message:
-        "All of the atlas is made"
+        "The atlas is complete"

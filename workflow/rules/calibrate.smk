@@ -1,5 +1,5 @@
-# Calibration: `snakemake -c2 calibrate`, not part of the default run. What the searches find is sampled and
-# summed up. The result goes to config/calibrated/, which is kept in git and read by the default run.
+# Calibration: `snakemake -c2 calibrate`, not part of the default run. The results of the searches are sampled and
+# summarised. The summary goes to config/calibrated/, which is kept in git and read by the default run.
 
 
 rule sample_inputs:
@@ -66,7 +66,7 @@ rule choose_default:
         parameters=settings["uncalibrated"],
         sources=sources_of("choose_default.py"),
     message:
-        "Choosing the default, and what the headline numbers that it misses would cost"
+        "Choosing the default, and the cost of the headline numbers that it misses"
     script:
         "../scripts/choose_default.py"
 

@@ -1,4 +1,4 @@
-# The verdict on every statement of the paper, and what the headline numbers that are missed would cost.
+# The verdict on every statement of the paper, and the cost of the missed headline numbers.
 
 CALIBRATED = sorted(str(path) for path in Path(CONFIG, "calibrated").glob("*.yaml"))
 
@@ -30,12 +30,12 @@ rule judge_claims:
         laid_over=settings["inputs"],
         sources=sources_of("judge_claims.py"),
     message:
-        "Judging every statement of the paper"
+        "Evaluating every statement of the paper"
     script:
         "../scripts/judge_claims.py"
 
 
-# figures that sum up the work, and what each is drawn from
+# summary figures, and the data of each
 SUMMARIES = {
     "claims": "<results>/claims/claims.csv",
     "sensitivity": "<results>/tables/sensitivity.csv",

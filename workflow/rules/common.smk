@@ -1,4 +1,4 @@
-# What the rules share: where the project's files lie, and which modules a script imports.
+# Shared by the rules: the location of project files, and the modules that a script imports.
 import ast
 from functools import cache
 from hashlib import sha256
@@ -10,7 +10,7 @@ import thirdbody
 from thirdbody.configuration.schema import config_directory
 
 PACKAGE = Path(thirdbody.__file__).resolve().parent
-HOME = config_directory().parent  # the repository, or the installed package that holds its files
+HOME = config_directory().parent  # the repository, or the installed package
 LIBRARY = "src/thirdbody/"
 
 
@@ -21,7 +21,7 @@ def project_file(name):
     return str(path.relative_to(HOME) if Path.cwd() == HOME else path)
 
 
-# snakedeploy copies the configuration into the folder of a user's own workflow
+# snakedeploy copies the configuration into the folder of the user's workflow
 CONFIG = "config" if Path("config/config.yaml").is_file() else project_file("config")
 IMPORTS = grimp.build_graph("thirdbody", exclude_type_checking_imports=True, cache_dir=None)
 # priority of small jobs that no long one waits for: they fill both cores at the end of a run
@@ -30,16 +30,16 @@ STYLE = project_file("src/thirdbody/figures/paper.mplstyle")
 
 
 def figure_files(figure, category):
-    """The files of a drawing by their kinds; the PNG goes into Snakemake's report."""
+    """The files of a figure by kind; the PNG goes into Snakemake's report."""
     files = {kind: f"<results>/figures/{figure}.{kind}" for kind in FIGURE_KINDS}
     caption, labels = "../report/product.rst", {"figure": figure}
     return files | {"png": report(files["png"], caption, category=category, labels=labels)}
 
 
 def sources_of(script, *modules):
-    """SHA-256 of ``modules`` and those that a script imports, with all that they import.
+    """SHA-256 of ``modules``, of those that a script imports, and of all their imports.
 
-    As a parameter of a rule it makes an edit of any of them rerun the rule.
+    As a parameter of a rule, it reruns the rule if any of them is edited.
     """
     named = set(modules)
     for statement in ast.walk(ast.parse((HOME / "workflow/scripts" / script).read_bytes())):

@@ -1,4 +1,4 @@
-# Solving: one dataset a figure, the ranges of the ensemble around its curves, the sections of a schematic.
+# Solving: one dataset per figure, the ensemble ranges of its curves, and the sections of the schematics.
 
 
 rule solve_scene:

@@ -1,4 +1,4 @@
-# The explorer: one page for a browser that shows the figures and evaluates the equations.
+# The explorer: a web page that shows the figures and evaluates the equations.
 
 
 rule build_explorer:

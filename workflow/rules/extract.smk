@@ -1,4 +1,4 @@
-# Extraction: what the curves of a dataset hold, where turning points occur, what the paper prints.
+# Extraction: turning points and transitions of datasets, windows, and the printed numbers.
 
 
 rule extract_curves:
@@ -50,7 +50,7 @@ rule gather_printed:
     params:
         sources=sources_of("gather_printed.py"),
     message:
-        "Gathering the numbers that the paper prints"
+        "Gathering the printed numbers of the paper"
     script:
         "../scripts/gather_printed.py"
 
@@ -75,7 +75,7 @@ rule recompute_paper_tables:
         "../scripts/recompute_paper_tables.py"
 
 
-# how results respond to the inputs that the paper does not print, at the default
+# sensitivity of the results to the unprinted inputs, at the default
 rule compute_sensitivities:
     output:
         elasticities="<results>/extracted/sensitivity/elasticities.csv",
@@ -90,6 +90,6 @@ rule compute_sensitivities:
         parameters=settings["parameters"],
         sources=sources_of("compute_sensitivities.py"),
     message:
-        "Computing how results respond to each unpublished input"
+        "Computing the sensitivity to each unprinted input"
     script:
         "../scripts/compute_sensitivities.py"

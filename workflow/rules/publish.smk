@@ -1,17 +1,17 @@
-# The page that leads to all products, the sums of all of them, and the last line of a run.
+# The index page, the checksums of all products, and the last line of a run.
 import logging
 import os
 
-# where a disk is full, Snakemake's log is too: a line that it has no room for is left out
+# on a full disk, lines that do not fit into Snakemake's log are dropped
 logging.raiseExceptions = False
 
-# before a run begins: Snakemake would end with a traceback
+# before the run starts, where Snakemake would end with a traceback
 for folder in [RESULTS, LOGS]:
     if Path(folder).is_dir() and not os.access(folder, os.W_OK):
-        sys.exit(f"{folder} is read-only; allowed: a folder that may be written to")
+        sys.exit(f"{folder} is read-only; allowed: a writable folder")
 
 
-# what products are made from
+# intermediate files
 INTERMEDIATE = [
     *expand("<results>/schematics/{figure}.nc", figure=SCHEMATICS),
     *expand(
@@ -44,7 +44,7 @@ rule write_index:
     params:
         sources=sources_of("write_index.py"),
     message:
-        "Writing the page that leads to all products"
+        "Writing the index page"
     script:
         "../scripts/write_index.py"
 
@@ -63,7 +63,7 @@ rule write_sums:
     params:
         folder=lambda wildcards, output: Path(output.sums).parent,
     message:
-        "Writing the sums of all products"
+        "Writing the checksums of all products"
     script:
         "../scripts/write_sums.py"
 
@@ -74,4 +74,4 @@ onsuccess:
 
 
 onerror:
-    print("What is made stays: the same command goes on from there")
+    print("Finished products are kept: the same command continues from there")

@@ -1,4 +1,4 @@
-# Rendering: figures with the data drawn, tables in five formats.  Nothing is solved here.
+# Rendering: figures with their data, and tables in five formats.  Nothing is solved here.
 
 TABLE_PARTS = {
     "tpca_loads": SCENES,
@@ -85,7 +85,7 @@ rule write_table:
         "../scripts/write_table.py"
 
 
-# the same tables for a scene of your own: mine_tpca_loads, mine_transitions
+# the same tables for your own scene: mine_tpca_loads, mine_transitions
 use rule write_table as write_scene_table with:
     input:
         parts=["<results>/extracted/{table}/{scene}.csv"],

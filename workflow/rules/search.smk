@@ -1,4 +1,4 @@
-# The searches of the calibration: each is a job, and keeps its evaluations, so that an interruption loses
+# The searches of the calibration: each is a job and stores its evaluations, so that an interruption loses
 # nothing.
 
 
@@ -23,7 +23,7 @@ rule scatter_inputs:
         parameters=settings["uncalibrated"],
         sources=sources_of("scatter_inputs.py"),
     message:
-        "Judging scattered inputs of {wildcards.interpretation}"
+        "Evaluating scattered inputs of {wildcards.interpretation}"
     script:
         "../scripts/scatter_inputs.py"
 

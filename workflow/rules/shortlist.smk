@@ -1,4 +1,4 @@
-# What the rules of the calibration share: their settings, and which interpretations are on the shortlist.
+# Shared by the rules of the calibration: their settings, and the shortlisted interpretations.
 import json
 
 CALIBRATION = settings["calibration"]
@@ -15,7 +15,7 @@ SEARCHED = expand(f"{FOUND}/seed{{seed}}.csv", seed=SEEDS)
 
 
 def settings_of(wildcards):
-    """The settings for one interpretation, which depends on nothing of the others."""
+    """The settings for one interpretation, independent of the others."""
     name = wildcards.interpretation
     interpretation = dict(CALIBRATION["interpretations"][name])
     budget = CALIBRATION["budget"] | interpretation.pop("budget", {})

@@ -73,7 +73,7 @@ def test_a_folder_that_may_not_be_written_to_is_named(workspace, undisturbed, te
     for folder in folders:
         folder.chmod(0o755)
     assert code != 0
-    assert "results is read-only; allowed: a folder that may be written to" in said
+    assert "results is read-only; allowed: a writable folder" in said
     kept = products(workspace.root / "results")
     assert not [name for name in kept if kept[name] != undisturbed[name]]
     complete(workspace)
