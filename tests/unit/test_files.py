@@ -56,9 +56,9 @@ def test_want_of_room_names_the_product(tmp_path):
         ("file/a.csv", r"file/a.csv cannot be written \(Not a directory\)"),
         ("folder", r"folder cannot be written \(Is a directory\)"),
         ("x" * 300, r"x+ cannot be written \(File name too long\)"),
-        ("", "'' is no name of a file; allowed: the path of one to write"),
-        ("a\0b", r"'a\\x00b' is no name of a file"),
-        (None, "None is no name of a file"),
+        ("", "'' is not a file name; allowed: the path of a file to write"),
+        ("a\0b", r"'a\\x00b' is not a file name"),
+        (None, "None is not a file name"),
     ],
 )
 def test_a_place_where_nothing_can_be_written_is_named_before_the_block_runs(

@@ -72,7 +72,7 @@ def test_no_damaged_product_is_released(released, tmp_path):
     stage = f"results/release/{NAME}/tagmanifest-sha512.txt"
     run = workspace.snakemake("--force", stage, "--allowed-rules", "stage_release")
     assert run.returncode != 0
-    message = "results/figures/fig05.svg is not as it was made; remake it: snakemake"
+    message = "results/figures/fig05.svg has changed since it was made; remake it: snakemake"
     assert message in run.stdout + run.stderr
 
 

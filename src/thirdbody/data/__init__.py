@@ -1,9 +1,9 @@
-"""Solved points as data that last: scenes, datasets, files and tables.
+"""Solved points as lasting data: scenes, datasets, files and tables.
 
-``conditions`` and ``quantities`` name every axis and variable; ``dataset`` makes a dataset of a configured
-figure or a grid, held inside as one of ``plain``; ``netcdf`` and ``streaming`` write its file; ``extraction``,
-``tables`` and ``readable`` are about what is found in it.  Begin with ``dataset.grid``.  It imports
-``thirdbody.curves``, ``thirdbody.configuration`` and what is below them.
+``conditions`` and ``quantities`` name all axes and variables; ``dataset`` builds the dataset of a
+figure or a grid, internally a dataset of ``plain``; ``netcdf`` and ``streaming`` write files;
+``extraction``, ``tables`` and ``readable`` make tables from them.  Start with ``dataset.grid``.  It
+imports ``thirdbody.curves``, ``thirdbody.configuration`` and the packages below.
 """
 
 from thirdbody.extras import require

@@ -1,5 +1,5 @@
-"""Attributes of the files: what CF-1.11 and ACDD-1.3 ask of a dataset and of each variable in it, and the
-inputs of the model as text."""
+"""Attributes of datasets and variables required by CF-1.11 and ACDD-1.3, and the inputs of the
+model as text."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Qu
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
-# Attributes of a whole dataset in their order, null where they depend on its content.  The dates are that of
-# this version of the software, so that the same inputs give the same bytes.
+# Attributes of a dataset in their order; null if they depend on its content.  The dates are those
+# of the software version, so that the same inputs give the same bytes.
 EVERYWHERE = json.loads(Path(__file__).with_name("attributes.json").read_text(encoding="utf-8"))
-# keys of inputs, and of fields of a surface, in the order in which they stand in the attribute
+# keys of inputs and of fields of a surface, in the order of the attribute
 BODY_KEYS = {
     "elastic_modulus_surfaces": "E_ss",
     "elastic_modulus_particle": "E_sa",
@@ -57,7 +57,7 @@ PARTICLE_KEYS = {
 
 
 def software_version() -> str:
-    """Version of this package, as installed."""
+    """Installed version of this package."""
     try:
         return version("thirdbody")
     except PackageNotFoundError:
@@ -65,12 +65,12 @@ def software_version() -> str:
 
 
 def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
-    """Attributes of a coordinate: an axis, or the normal load beside the first."""
+    """Attributes of a coordinate: an axis, or the normal load along the load axis."""
     return {"units": described.units, "long_name": described.long_name, "symbol": described.symbol}
 
 
 def variable_attributes(quantity: Quantity) -> dict:
-    """Attributes of a variable, with what stands for points that a figure does not show."""
+    """Attributes of a variable, including the fill value of points that a figure does not show."""
     attributes = coordinate_attributes(quantity) | {"equation": quantity.equation}
     if quantity.meanings:
         named = dict(enumerate(quantity.meanings))
@@ -90,7 +90,7 @@ def variable_attributes(quantity: Quantity) -> dict:
 
 
 def identity(origin: str) -> dict[str, str]:
-    """The sum of an ``origin`` text, and the name of a dataset that it makes."""
+    """The SHA-256 of an ``origin`` text, and the dataset id derived from it."""
     digest = hashlib.sha256(origin.encode()).hexdigest()
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
@@ -105,7 +105,7 @@ def global_attributes(
     """Attributes of a whole dataset.
 
     ``model_parameters`` lists the summits of ``parameters`` along ``roughness`` [m], shape (n,);
-    ``configuration_sha256`` depends on the parameters, ``rtol`` and what was asked for, ``request``.
+    ``configuration_sha256`` depends on the parameters, ``rtol`` and the ``request``.
     """
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
     return {
@@ -120,8 +120,8 @@ def global_attributes(
 
 
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
-    """The attribute ``model_parameters`` of a dataset with these coordinates ``roughness`` [m]: a
-    flat JSON object, in SI; what depends on the roughness is a list along it."""
+    """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
+    flat JSON object, in SI, with lists for values that depend on the roughness."""
     surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
     model = {key: getattr(parameters, name) for name, key in BODY_KEYS.items()}
     for name, key in SURFACE_KEYS.items():
@@ -131,10 +131,10 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
 
 
 def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
-    """The inputs that ``model`` describes, with the summits of one surface at ``roughness`` [m] alone.
+    """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
 
-    ``model`` has values by the keys of ``model_parameters``, numbers or their texts, and no lists.
-    Older datasets have no ``particle_plane``, which was that of the surface.
+    ``model`` has the keys of ``model_parameters`` with numbers or their texts, not lists.  Older
+    datasets have no ``particle_plane``; it was ``surface``.
     """
     model = {"particle_plane": "surface", **model}
     kinds = Parameters.__annotations__

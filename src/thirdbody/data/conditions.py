@@ -14,10 +14,11 @@ from thirdbody.units import ENGINEERING, UNITS
 class Axis(NamedTuple):
     """One condition.
 
-    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset, ``column`` the column
-    of tables; ``symbol`` and ``sign`` are the symbol of the paper in plain letters and as figures print it;
-    ``long_name`` says what it is in datasets.  ``units`` are SI, spelt as UDUNITS reads them; ``key`` is the
-    key of configuration and claims, in the engineering unit ``unit``, which is ``scale`` in SI.
+    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset, ``column``
+    the column of tables; ``symbol`` and ``sign`` are the symbol of the paper in ASCII and as
+    printed in figures; ``long_name`` describes it in datasets.  ``units`` are SI in UDUNITS
+    spelling; ``key`` is the key of configuration and claims, in the engineering unit ``unit``,
+    which is ``scale`` in SI.
     """
 
     name: str
@@ -32,7 +33,7 @@ class Axis(NamedTuple):
 
     @classmethod
     def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Axis:
-        """The axis whose column ends with this ``suffix``, the SI unit."""
+        """The axis whose column ends with ``suffix``, the SI unit."""
         key = ENGINEERING[name] if suffix else name
         column = f"{name}_{suffix}" if suffix else name
         unit = UNITS[key]
@@ -40,15 +41,15 @@ class Axis(NamedTuple):
         return cls(name, column, symbol, sign, long_name, units, key, unit.text, unit.scale)
 
     def to_si(self, value: float) -> float:
-        """The float in SI that is nearest to the decimal ``value`` [engineering unit]: 300 nm are 3e-07 m."""
+        """The float in SI nearest to the decimal ``value`` [engineering unit]: 300 nm is 3e-07 m."""
         return float(f"{value * self.scale:.12g}")
 
     def values(self, given: Iterable[float]) -> NDArray[np.float64]:
-        """``given`` values [engineering unit] in SI, shape (n,): increasing, each once."""
+        """``given`` values [engineering unit] in SI, shape (n,): increasing and unique."""
         return np.unique(np.array([self.to_si(value) for value in given]))
 
     def from_si(self, value: float) -> float:
-        """``value`` [SI] in the engineering unit, for texts: it may differ in the last digit."""
+        """``value`` [SI] in the engineering unit, for texts: the last digit may differ."""
         return value / self.scale
 
 
@@ -70,8 +71,8 @@ DIMENSIONS = tuple(AXES)  # of every dataset, in this order
 
 
 class Condition(NamedTuple):
-    """What is held along one curve while the load varies, SI: ν [m2/s], 0 in dry contact; mean x_a [m]
-    and η_a [m-2], 0 in two-body contact; σ [m]."""
+    """Conditions of a curve over the load, SI: ν [m2/s], 0 in dry contact; mean x_a [m] and η_a
+    [m-2], 0 in two-body contact; σ [m]."""
 
     viscosity: float
     particle_diameter: float
@@ -80,17 +81,17 @@ class Condition(NamedTuple):
 
     @classmethod
     def of(cls, given: Mapping[str, float]) -> Condition:
-        """The condition of a configuration, a number for each key; ``KeyError`` if one is missing."""
+        """The condition from a configuration, a number for each key; ``KeyError`` if one is missing."""
         return cls(*(AXES[name].to_si(given[AXES[name].key]) for name in cls._fields))
 
     @property
     def columns(self) -> dict[str, float]:
-        """The four numbers by the names of the columns of tables."""
+        """The four numbers by column name."""
         return {AXES[name].column: value for name, value in self._asdict().items()}
 
     @property
     def diameter_ratio(self) -> float:
-        """x_a/σ [1], free of rounding."""
+        """x_a/σ [1], without rounding noise."""
         return round(self.particle_diameter / self.roughness, 9)
 
     @property
@@ -108,10 +109,10 @@ CONDITION_AXES = tuple(AXES[name] for name in Condition._fields)  # all but the 
 
 
 def condition_key(values: Iterable[float | None]) -> tuple[str, ...]:
-    """Conditions free of the rounding of files."""
+    """A key of conditions that ignores the rounding of files."""
     return tuple("" if value is None else f"{value:.9g}" for value in values)
 
 
 def row_key(row: Mapping) -> tuple[str, ...]:
-    """The ``condition_key`` of the curve that a row of a table is about."""
+    """The ``condition_key`` of the curve in a row of a table."""
     return condition_key(row[axis.column] for axis in CONDITION_AXES)

@@ -1,5 +1,5 @@
-"""Solved points as an archival dataset: variables over the five axes, with names and units; of a grid, or
-of a scene, the curves that one figure shows."""
+"""Solved points as a dataset with names and units over the five axes, for a grid or for a scene
+(the curves of one figure)."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from thirdbody.solver.sweep import is_worthwhile, sweep
 if TYPE_CHECKING:
     import xarray as xr
 
-RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key in the place of the diameter's own
+RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
 SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
@@ -47,20 +47,20 @@ def grid(
     progress: bool = True,
     **conditions: ArrayLike,
 ) -> xr.Dataset:
-    """Every combination of five axes, solved and described, in memory.
+    """Solve every combination of five axes and return a dataset.
 
     Parameters
     ----------
     parameters : Parameters, optional
         Inputs of the model, by default the published ones.
     rtol : float, optional
-        Relative error asked for in every variable [1].  From 1e-3 on large grids are interpolated
-        over the separation, in a fifth of the time; with less every point is solved by itself.
+        Requested relative error of every variable [1].  From 1e-3 on, large grids are interpolated
+        over the separation, in a fifth of the time; below, every point is solved individually.
     variables : collection of str, optional
-        Those of ``Solution`` that are wanted; ``solution_status`` is always given, and
-        ``separation_count`` where a point has the status ``several_separations``.
+        Variables of ``Solution`` to compute; ``solution_status`` is always included, and
+        ``separation_count`` if a point has the status ``several_separations``.
     progress : bool, optional
-        Whether a call that takes long says how far it has come, as ``solve``.
+        Whether a long call reports its progress, as in ``solve``.
     **conditions : array_like, shape (n,) or scalar
         The five axes, increasing, as numbers or quantities: ``load`` [1] or ``load_N``, ``viscosity``
         [m2/s] or ``viscosity_cSt``, ``particle_diameter`` [m] or ``particle_diameter_nm``,
@@ -71,20 +71,20 @@ def grid(
     Returns
     -------
     xarray.Dataset
-        Dimensions are the five axes, of the lengths given.  ``solution_status`` says of each
-        point whether it has values, which are nan if not, and how to take them.
+        Dimensions are the five axes.  ``solution_status`` is the status of each point; points
+        without values are nan.
 
     Raises
     ------
     ValueError
-        In one line: for an axis that is missing, not 1-D, not increasing or not physical, a quantity
-        of another dimension, more than 1e9 points, inputs that are no ``Parameters``, an ``rtol`` that
-        float64 cannot keep, or an unknown variable.
+        For an axis that is missing, not 1-D, not increasing or not physical, a quantity of the
+        wrong dimension, more than 1e9 points, inputs that are not ``Parameters``, an ``rtol`` out
+        of range, or an unknown variable.
 
     Warns
     -----
     OutOfRangeWarning
-        As ``solve``.
+        As in ``solve``.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def checked_grid(
     progress: bool,
     conditions: Mapping[str, ArrayLike],
 ) -> tuple[Parameters, list[str], Axes]:
-    """Inputs, variables and axes [SI] of ``grid``; the status, which says what nan mean, is always there."""
+    """Inputs, variables and axes [SI] of ``grid``; the status, which explains nan, is always included."""
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
     check_progress(progress)
@@ -138,7 +138,7 @@ def _checked_increasing(key: str, values: NDArray) -> NDArray:
 
 
 def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
-    """``sides`` of a grid as arrays that broadcast to all of its points."""
+    """The axes ``sides`` of a grid as arrays that broadcast to all points."""
     return dict(zip(sides, np.ix_(*sides.values()), strict=True))
 
 
@@ -150,8 +150,8 @@ def described_grid(
     title: str = "Three-body contact on a grid",
     request: Mapping | None = None,
 ) -> PlainDataset:
-    """The dataset around ``values``, an array over all ``axes`` for each variable: with coordinates and
-    attributes.  Its sum depends on what was asked for, a ``request`` or all of the axes."""
+    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
+    attributes.  Its SHA-256 depends on the ``request``, by default the axes."""
     variables = {
         name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
         for name, quantity in VARIABLES.items()
@@ -169,11 +169,11 @@ def described_grid(
 
 
 def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
-    """What a valid entry of ``config/scenes.yaml`` shows: groups of curves, each every combination of five
-    axes, of which the load is the same; what stands in several groups is shown once.
+    """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
+    of five axes, with the same loads; curves in several groups are shown once.
 
-    Loads are evenly spaced in their logarithm, joined by those that the text names and that lie between
-    the ends.  Diameters relative to the roughness make a group of each roughness.
+    Loads are logarithmically spaced, plus those named in the text between the ends.  Diameters
+    relative to the roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
@@ -196,11 +196,11 @@ def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
 def scene_dataset(
     scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
 ) -> PlainDataset:
-    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT`` over the
-    five axes, and ``separation_count`` where a point has several separations.
+    """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
+    over the five axes, and ``separation_count`` if a point has several separations.
 
-    Combinations that the figure does not show hold ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
-    ``rtol`` or a value on an axis is out of its bounds.
+    Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
+    ``rtol`` or a value on an axis is out of bounds.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {

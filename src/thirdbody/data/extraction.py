@@ -1,4 +1,4 @@
-"""What the curves of a dataset hold: turning points and transitions, as rows of tables."""
+"""Extraction from curves of a dataset: turning points and transitions, as rows of tables."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ FOUND = ("load", "load_error", "peak_ratio", "solid_load_fraction")  # of a turn
 
 
 def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``tpca_loads``, one a curve that has a turning point, of the ``dataset`` of a
-    ``figure`` that was solved with ``parameters``."""
+    """Rows of the table ``tpca_loads``, one per curve with a turning point, for the ``dataset`` of
+    a ``figure`` solved with ``parameters``."""
     conditions, shown = curves_of(dataset)
     found = turning_points(dataset["separation"].values[:, shown], *conditions, parameters)
     curves = np.flatnonzero(found.exists)
@@ -28,8 +28,8 @@ def tpca_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> lis
 
 
 def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) -> list[dict]:
-    """Rows of the table ``transitions``, one a crossing of a regime or mode limit; arguments as of
-    ``tpca_rows``."""
+    """Rows of the table ``transitions``, one per crossing of a regime or mode limit; arguments as
+    in ``tpca_rows``."""
     conditions, shown = curves_of(dataset)
     rtol = float(dataset.attrs["rtol"])
     values = {quantity: dataset[quantity].values[:, shown] for quantity, _ in LIMITS}
@@ -47,7 +47,7 @@ def transition_rows(figure: str, dataset: PlainDataset, parameters: Parameters) 
 
 
 def _rows(figure, conditions, columns, dataset, parameters) -> list[dict]:
-    """Rows of a table, each with the condition of its curve and the status of the point at its load."""
+    """Rows of a table, each with the condition of its curve and the status of its point."""
     given = {"load": columns["load"]} | dict(zip(Condition._fields, conditions, strict=True))
     rtol = float(dataset.attrs["rtol"])
     status = solve_arrays(given, parameters, rtol, [STATUS]).solution_status

@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all, the error of one that is damaged, and SHA-256 sums of files."""
+"""Atomic writing of files, the error for damaged files, and SHA-256 sums."""
 
 from __future__ import annotations
 
@@ -15,15 +15,14 @@ from thirdbody.messages import shown, shown_file
 
 @contextmanager
 def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
-    """Write files that take their places together, once all of them are written.
+    """Write files atomically: they are moved into place together, once all are written.
 
-    Yields names beside the places, to be written to: one, or as many as there are ``paths``.
-    ``ValueError`` for what is no name of a file.  ``OSError`` names the places, if a file was not or
-    cannot be written; what cannot be begun is refused before the block runs.  Whatever the block
-    raises, nothing new appears in any place.
+    Yields a temporary name beside each of the ``paths``, to be written to.  Raises ``ValueError``
+    for an invalid file name, and ``OSError`` with the paths if a file was not or cannot be written,
+    if possible before the block runs.  If the block raises, no file is changed.
     """
     places = [_place(path) for path in paths]
-    # names beside the places that no other process uses
+    # temporary names that no other process uses
     parts = [
         place.with_name(f".{place.stem}.partial{secrets.token_hex(4)}{place.suffix}")
         for place in places
@@ -53,40 +52,41 @@ def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
 
 
 def _place(path: str | Path) -> Path:
-    """``path`` as the place of a file."""
+    """``path`` as a ``Path``, which must name a file."""
     try:
         place = Path(path)
     except TypeError:
         place = Path()
     if not place.name or "\0" in place.name:
-        raise ValueError(f"{shown(path)} is no name of a file; allowed: the path of one to write")
+        raise ValueError(f"{shown(path)} is not a file name; allowed: the path of a file to write")
     return place
 
 
 def unreadable(path: str | os.PathLike, reason: object) -> OSError:
-    """The error of a product that is damaged: it says how to make it again."""
+    """The error for a damaged product, with the command that recreates it."""
     return OSError(f"{path} cannot be read ({reason}); remake it: snakemake -c2 --force {path}")
 
 
 def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
-    """A line for each product, as ``sha256sum --check`` reads it: its sum, and its name in ``folder``."""
+    """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
+    ``folder``."""
     lines = (f"{digest(product)}  {Path(product).relative_to(folder)}\n" for product in products)
     return "".join(sorted(lines, key=lambda line: line.split("  ", 1)[1]))
 
 
 def require_sums(path: str | Path) -> None:
-    """Require that all products are what the file of ``sums_text`` in their folder says; ``ValueError``
-    names one that is missing or differs, and the command that makes it again."""
+    """Raise ``ValueError`` if a product is missing or differs from its sum in a file of
+    ``sums_text``; the message has the command that recreates it."""
     for line in Path(path).read_text(encoding="utf-8").splitlines():
         expected, name = line.split("  ", 1)
         product = Path(path).parent / name
         if not product.is_file() or digest(product) != expected:
             raise ValueError(
-                f"{product} is not as it was made; remake it: snakemake -c2 --force {product}"
+                f"{product} has changed since it was made; remake it: snakemake -c2 --force {product}"
             )
 
 
 def digest(path: str | os.PathLike, algorithm: str = "sha256") -> str:
-    """The sum of a file, in hexadecimal digits."""
+    """The sum of a file, in hexadecimal."""
     with open(path, "rb") as content:
         return hashlib.file_digest(content, algorithm).hexdigest()

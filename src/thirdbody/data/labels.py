@@ -1,4 +1,4 @@
-"""Solved points with labels: what ``Solution.to_dataset`` and ``Solution.to_dataframe`` return."""
+"""Labelled solutions: the results of ``Solution.to_dataset`` and ``Solution.to_dataframe``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES
 from thirdbody.data.quantities import FLAGS, NORMAL_LOAD, VARIABLES
 
-POINT = "point"  # a dimension along which several conditions vary, or none
+POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
 def labelled_dataset(
@@ -21,10 +21,9 @@ def labelled_dataset(
     conditions: Mapping[str, Any],
     newtons_per_load: float | None = None,
 ) -> xr.Dataset:
-    """Variables of a ``Solution`` and the conditions (SI) that were solved, which broadcast to the
-    same shape, as a dataset.
+    """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a dataset.
 
-    A dimension along which one condition alone varies has the name of this condition.  With
+    A dimension is named after the condition if only one varies along it.  With
     ``newtons_per_load``, F_t/F_t* [N], and a load, the dataset has ``normal_load``.
     """
     first = next(iter(variables.values()), None)
@@ -40,7 +39,7 @@ def labelled_dataset(
     described = {}
     for name, values in variables.items():
         attributes = variable_attributes(VARIABLES[name])
-        attributes.pop("_FillValue", None)  # every point is there
+        attributes.pop("_FillValue", None)  # no point is missing
         described[name] = (dimensions, np.asarray(values), attributes)
     dataset = xr.Dataset(described, coordinates)
     if newtons_per_load is None or "load" not in dataset.coords:
@@ -51,7 +50,7 @@ def labelled_dataset(
 
 
 def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:
-    """What ``labelled_dataset`` returned as a table: one row a point, flags by their names."""
+    """The result of ``labelled_dataset`` as a table: one row per point, flags by name."""
     flat = dataset if dataset.sizes else dataset.expand_dims(POINT)
     labels = [name for name in flat.dims if name in flat.coords]
     others = [name for name in flat.coords if name not in labels]
@@ -65,7 +64,7 @@ def labelled_frame(dataset: xr.Dataset) -> pd.DataFrame:
 
 
 def _dimensions(shape, conditions) -> list[str]:
-    """A name for each axis of the points: that of a condition that has it, and no other, to itself."""
+    """A name for each axis of the points: the condition, if only one varies along it and along no other."""
     having = [
         [name for name, values in conditions.items() if axis in _axes(np.shape(values), shape)]
         for axis in range(-len(shape), 0)
@@ -78,7 +77,7 @@ def _dimensions(shape, conditions) -> list[str]:
 
 
 def _placed(values, dimensions, shape):
-    """Dimensions and values of a condition, without the axes along which it is merely repeated."""
+    """Dimensions and values of a condition, without the axes along which it is constant."""
     if isinstance(values, xr.DataArray):
         return values.dims, values.values
     axes = _axes(np.shape(values), shape)
@@ -87,5 +86,5 @@ def _placed(values, dimensions, shape):
 
 
 def _axes(sizes, shape) -> list[int]:
-    """Axes, counted from the last, of an array of ``sizes`` that are as long as those of ``shape``."""
+    """Axes (negative) of an array of ``sizes`` that are as long as those of ``shape``."""
     return [axis for axis in range(-len(sizes), 0) if sizes[axis] == shape[axis]]

@@ -1,4 +1,4 @@
-"""Datasets as NetCDF-4 files: written so that the same dataset gives the same bytes, and read."""
+"""Reading and writing NetCDF-4 files; the same dataset gives the same bytes."""
 
 from __future__ import annotations
 
@@ -21,11 +21,10 @@ if TYPE_CHECKING:
 def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
     """Write a dataset as NetCDF-4: the same dataset gives the same bytes.
 
-    Its values are written as they are, those that hold ``FILL_FLOAT`` or ``FILL_FLAG`` being the
-    missing ones: the nan of an unsolved point stays what it is.  ``OSError`` if there is no room or
-    no right, however the library below says so.
+    Values are written unchanged; ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing ones, and unsolved points
+    stay nan.  Raises ``OSError`` if the disk is full or not writable, whatever the library raises.
     """
-    # smallest, to 0.2 %, of what every NetCDF-4 library reads; level 9 takes half as long again to write
+    # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
         name: compressed | {"chunksizes": variable.values.shape}
@@ -42,10 +41,10 @@ def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> N
 def declare(
     file: netCDF4.Dataset, dataset: PlainDataset | xr.Dataset, storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
-    """Write all of a dataset to a new file except the values of its variables, which are returned by
-    name, empty, and take values as they are stored.
+    """Write a dataset to a new file, except the values of its variables, and return the empty
+    variables by name; they store values unchanged.
 
-    ``storage`` has of each variable the arguments of ``netCDF4.Dataset.createVariable`` that say how.
+    ``storage`` has the storage arguments of ``netCDF4.Dataset.createVariable`` for each variable.
     """
     file.setncatts(dataset.attrs)
     for name, size in dataset.sizes.items():
@@ -53,7 +52,7 @@ def declare(
     declared = {}
     for name, variable in dataset.data_vars.items():
         declared[name] = _added(file, name, variable, **storage[name])
-        beside = [  # coordinates along its dimensions that have other names than these
+        beside = [  # coordinates along its dimensions that have other names
             other
             for other, coordinate in dataset.coords.items()
             if other not in coordinate.dims and set(coordinate.dims) <= set(variable.dims)
@@ -66,7 +65,7 @@ def declare(
 
 
 def _added(file, name, variable, **storage) -> netCDF4.Variable:
-    """A new variable in a file that has its dimensions."""
+    """Add a variable to a file that has its dimensions."""
     attributes = dict(variable.attrs)
     fill = attributes.pop("_FillValue", None)
     kind = variable.values.dtype
@@ -77,14 +76,14 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
 
 
 def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """A dataset of the five axes as one of xarray; errors as of ``read_plain``."""
+    """A dataset of the five axes as ``xarray.Dataset``; raises as ``read_plain``."""
     return read_plain(path).to_xarray()
 
 
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """Any NetCDF file in memory, with nan for the fill values of numbers.
+    """Read a NetCDF file, with nan for the fill values of numbers.
 
-    ``OSError`` names a file that is absent, damaged, or lacks what is ``needed``, in one line.
+    Raises ``OSError`` in one line for a file that is missing, damaged, or lacks ``needed`` variables.
     """
     coordinates, variables = set(), {}
     try:
@@ -99,7 +98,7 @@ def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> Pl
                     values[values == fill] = np.nan
                 variables[name] = Variable(stored.dimensions, values, attributes)
             attributes = dict(file.__dict__)
-    except Exception as error:  # each kind of damage has an exception of its own below
+    except Exception as error:  # netCDF4 raises different exceptions for different damage
         raise unreadable(path, type(error).__name__) from None
     for name in needed:
         if name not in variables:

@@ -1,4 +1,4 @@
-"""Tables 1 and 2 of the paper as printed, each derived entry recomputed beside it."""
+"""Tables 1 and 2 of the paper as printed, with derived entries recomputed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def _force_unit(inputs: Parameters) -> float:
     return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
-RECOMPUTED = {  # how an entry derives from the others, and what to say of it
+RECOMPUTED = {  # how an entry follows from the others, and a remark
     "hertz_modulus": (
         lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
         "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)",
@@ -47,8 +47,8 @@ RECOMPUTED = {  # how an entry derives from the others, and what to say of it
 
 
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
-    """Rows of the table ``paper_table``: those of a table of ``config/paper_tables.yaml``, in the same
-    order, with each entry that derives from ``inputs`` recomputed."""
+    """Rows of the table ``paper_table``: the ``rows`` of ``config/paper_tables.yaml``, in the same
+    order, with derived entries recomputed from ``inputs``."""
     judged = []
     for row in rows:
         printed, recomputed = row["printed"], []

@@ -1,4 +1,4 @@
-"""Where in the paper a statement stands, as a name for its group."""
+"""Groups of statements by their place in the paper."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ FIGURE = re.compile(r"Figures? (\d+)")
 
 
 def part_of_paper(place: str) -> str:
-    """The first part of the paper that the ``place`` of a claim in ``config/claims.yaml`` names: Figure 4 of
-    "Figures 4B and 4C, section 3.3"."""
+    """The first part of the paper in the ``place`` of a claim in ``config/claims.yaml``: Figure 4
+    for "Figures 4B and 4C, section 3.3"."""
     figure = FIGURE.match(place)
     if figure:
         return f"Figure {figure[1]}"

@@ -1,6 +1,6 @@
-"""Datasets as the workflow solves, stores and draws them: what xarray calls alike, without it.
+"""Datasets of the workflow, with the names of xarray but without importing it.
 
-Loading xarray and the pandas that it needs takes longer than solving or drawing a figure does.
+Importing xarray and pandas takes longer than solving or drawing a figure.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Variable(NamedTuple):
-    """An array with named dimensions, and what a file says of it; xarray takes it as it is."""
+    """An array with named dimensions and attributes, in a form that xarray accepts."""
 
     dims: tuple[str, ...]
     values: NDArray
@@ -25,8 +25,8 @@ class Variable(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class PlainDataset:
-    """Variables over shared dimensions, coordinates and attributes, under the names that they have in
-    ``xarray.Dataset``: what takes one takes the other as well."""
+    """Variables over shared dimensions, coordinates and attributes, with the interface of
+    ``xarray.Dataset``: functions accept either."""
 
     data_vars: Mapping[str, Variable]
     coords: Mapping[str, Variable]
@@ -34,7 +34,7 @@ class PlainDataset:
 
     @property
     def variables(self) -> dict[str, Variable]:
-        """Variables and coordinates, in the order in which a file holds them."""
+        """Variables and coordinates, in the order of a file."""
         return {**self.data_vars, **self.coords}
 
     @property
@@ -50,7 +50,7 @@ class PlainDataset:
         return self.variables[name]
 
     def to_xarray(self) -> xr.Dataset:
-        """The same as a dataset of xarray."""
+        """The same data as an ``xarray.Dataset``."""
         import xarray as xr
 
         return xr.Dataset(self.data_vars, self.coords, self.attrs)

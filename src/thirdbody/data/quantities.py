@@ -1,7 +1,7 @@
-"""The variables of the datasets: name, symbol, unit, equation and meaning of each.
+"""The variables of the datasets: name, symbol, unit, equation and meaning.
 
-Datasets, tables, figures, answers and the nomenclature page take all of it from here; the conditions,
-which are given and not computed, stand in ``thirdbody.data.conditions``.
+Datasets, tables, figures, answers and the nomenclature page use these definitions; the conditions,
+which are given and not computed, are in ``thirdbody.data.conditions``.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from thirdbody.model.regimes import FLAG_MEANINGS
 if TYPE_CHECKING:
     from thirdbody.data.plain import PlainDataset
 
-# what each status says of a point
+# meaning of each status
 STATUS_MEANINGS = {
     "converged": "the equations hold to the error asked for",
     "outside_film_formula": (
@@ -38,19 +38,19 @@ STATUS_MEANINGS = {
     "area_exceeded": "the real contact area would be larger than the apparent one, A_t* > 1",
     "load_exceeded": "the load is more than what is carried at any separation of zero or more",
 }
-STATUS = "solution_status"  # the flag that says how to take all other variables
-# What stands where a figure shows no point: the fill values of NetCDF.  Of a flag it is a value with a
-# meaning, not_shown: xarray would turn integers with missing values into floats.
+STATUS = "solution_status"  # the flag that qualifies all other variables
+# Values of points that a figure does not show: the fill values of NetCDF.  For a flag it is a value
+# with a meaning, not_shown, because xarray converts integers with missing values to floats.
 FILL_FLOAT = 9.969209968386869e36
 FILL_FLAG = np.int8(-127)
 
 
 class Quantity(NamedTuple):
-    """One variable, a name of datasets and of ``thirdbody.Solution``: how data files describe it.
+    """One variable of datasets and of ``thirdbody.Solution``, as described in data files.
 
-    ``symbol`` is that of the paper in plain letters, ``equation`` the equation or section that defines it,
-    either ``none`` where there is none; ``units`` are SI, spelt as UDUNITS reads them.  It is between 0 and
-    ``largest``.
+    ``symbol`` is the symbol of the paper in ASCII, ``equation`` the equation or section that
+    defines it (``none`` if there is none); ``units`` are SI in UDUNITS spelling.  Values are
+    between 0 and ``largest``.
     """
 
     name: str
@@ -63,7 +63,7 @@ class Quantity(NamedTuple):
 
     @property
     def meanings(self) -> tuple[str, ...]:
-        """What the values 0, 1, ... of a flag stand for; empty for a number."""
+        """Meanings of the values 0, 1, ... of a flag; empty for a number."""
         return FLAG_MEANINGS.get(self.name, ())
 
 
@@ -108,18 +108,18 @@ FLAGS = _by_name(
         comment="; ".join(f"{status}: {meaning}" for status, meaning in STATUS_MEANINGS.items()),
     ),
 )
-# numbers and flags of every dataset of a figure, and all that a dataset can hold
+# numbers and flags in every dataset of a figure, and all possible variables of a dataset
 NUMBERS = QUANTITIES | _by_name(ERROR_BOUND)
 CONTRACT = (*NUMBERS, *FLAGS)
 VARIABLES = NUMBERS | FLAGS | _by_name(SEPARATION_COUNT)
 
 
 def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """The curves that a dataset shows, any point with a status: what is held along each, SI, in the order
-    of ``Condition``, shape (4, curves); and their index in a variable behind its axis of loads,
+    """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
+    order of ``Condition``, shape (4, curves); and their index in a variable after its load axis,
     ``values[:, index]``."""
     status = dataset[STATUS].values
-    # nan where xarray has masked points, of which it makes floats
+    # nan where xarray has masked points, which it converts to floats
     shown = (np.isfinite(status) & (status != FILL_FLAG)).any(axis=0)
     axes = [dataset[name].values for name in Condition._fields]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])

@@ -1,7 +1,7 @@
-"""Tables for reading: a row a curve, engineering units, the paper's numbers beside.
+"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper.
 
-Programs read the CSV files of the same names, which hold every digit in SI.  Here a number has three
-digits, or fewer where its error is larger than that.
+Programs use the CSV files of the same names, with all digits in SI.  Here a number has three
+digits, or fewer if its error is larger.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ ARROWS = {"rising": "↑ ", "falling": "↓ "}
 
 
 class Sheet(NamedTuple):
-    """A table for reading: a title and a note above it, and rows of texts by their headings."""
+    """A table for reading: title, note, and rows of texts by heading."""
 
     title: str
     note: str
@@ -56,9 +56,9 @@ class Sheet(NamedTuple):
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with so many digits, or fewer where ``error`` leaves fewer.
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger.
 
-    None is empty, and nan is none: what is missing, and what does not exist.
+    None (missing) gives an empty text, and nan (does not exist) gives "none".
     """
     if value is None:
         return ""
@@ -73,7 +73,7 @@ def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> st
 
 
 def result_name(row: Mapping) -> str:
-    """The result that a row of the table ``sensitivity`` is about, with what tells it from others."""
+    """The result in a row of the table ``sensitivity``, with the condition that distinguishes it."""
     name = RESULTS[row["quantity"] or row["output"]].format(row["level"])
     varied = {"window": "roughness", "turning": "viscosity", "transition": "particle_diameter"}
     axis = AXES[varied[row["output"].partition("_")[0]]]
@@ -86,8 +86,8 @@ def result_name(row: Mapping) -> str:
 def readable(
     table: str, rows: Sequence[Mapping], printed: Sequence[Mapping], newtons_per_load: float
 ) -> list[Sheet]:
-    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table ``printed``,
-    without columns that are empty; ``newtons_per_load`` is F_t/F_t* [N]."""
+    """The sheets of a ``table`` of ``READABLE`` from its ``rows`` and those of the table
+    ``printed``, without empty columns; ``newtons_per_load`` is F_t/F_t* [N]."""
     sheets = []
     for title, note, lines in READABLE[table](rows, printed, newtons_per_load):
         kept = [name for name in lines[0] if any(line[name] for line in lines)] if lines else []
@@ -97,7 +97,7 @@ def readable(
 
 
 def markdown(sheets: Sequence[Sheet]) -> str:
-    """Text of ``sheets``, one below the other, each with its caption as a first paragraph."""
+    """Text of ``sheets``, one below the other, each under its caption."""
     return "\n".join(
         f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n{sheet.table('github')}\n"
         for sheet in sheets
@@ -105,7 +105,7 @@ def markdown(sheets: Sequence[Sheet]) -> str:
 
 
 def page(sheets: Sequence[Sheet]) -> str:
-    """HTML page of ``sheets``, one below the other; it needs no other file."""
+    """A self-contained HTML page of ``sheets``, one below the other."""
     parts = [
         f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
         f"{sheet.table('html')}"
@@ -116,7 +116,7 @@ def page(sheets: Sequence[Sheet]) -> str:
 
 
 def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
-    """A table of the paper: printed and recomputed values side by side."""
+    """A table of the paper, with printed and recomputed values side by side."""
     lines = [
         {
             **{name: row[name] for name in ("property", "symbol", "unit")},
@@ -127,7 +127,7 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
         }
         for row in rows
     ]
-    return [Sheet(title, "Recomputed from the other printed values where that is possible.", lines)]
+    return [Sheet(title, "Recomputed from the other printed values where possible.", lines)]
 
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
@@ -150,7 +150,7 @@ def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
                 "status": _statuses(some),
             }
         )
-    note = "A row is a curve. Beside the model's numbers stand the paper's, with their tolerances."
+    note = "Each row is a curve. Numbers of the paper are given with their tolerances."
     return [Sheet("Turning points of the contact area", note, lines)]
 
 
@@ -164,9 +164,7 @@ def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
             line |= {f"{end} end of xₐ/σ": rounded(ratio, error), f"{end} end (paper)": paper}
             sizes.append(rounded(ratio * roughness / 1e-9, error * roughness / 1e-9))
         lines.append(line | {"xₐ [nm]": " to ".join(sizes)})
-    note = (
-        "It occurs between two ends of xₐ/σ. Beside them stand the paper's, with their tolerances."
-    )
+    note = "Turning points occur between two ends of xₐ/σ. Ends of the paper have their tolerances."
     return [Sheet("Windows of the turning point in dry contact", note, lines)]
 
 
@@ -185,7 +183,7 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
             spread = _spread(paper, 1.0 / newtons_per_load, **at)
             line[heading] = ", ".join([*texts, f"(paper: {spread})"] if spread else texts)
         lines.append(line | {"status": _statuses(some)})
-    note = "A row is a curve. ↓ the quantity falls with the load, ↑ it rises."
+    note = "Each row is a curve. ↓: the quantity decreases with the load, ↑: it increases."
     return [Sheet("Loads at which the regime or mode changes", note, lines)]
 
 
@@ -199,16 +197,16 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
             for row in given
             if row["measure"] == measure and row["sensitivity"] is not None
         ]
-        note = f"0 stands for less than {NEGLIGIBLE:g}."
+        note = f"0 means less than {NEGLIGIBLE:g}."
         sheets.append(Sheet(title, note, _pivoted(cells, results)))
     return sheets
 
 
 def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
-    """A design chart: a column a load, the range of the ensemble in brackets.
+    """A design chart: one column per load, with the ensemble range in brackets.
 
-    ``limited`` is the axis that the limit is on; ``below`` and ``beyond`` stand for limits beyond
-    either end of it.
+    ``limited`` is the axis of the limit; ``below`` and ``beyond`` are the texts for limits outside
+    its ends.
     """
 
     def text(value) -> str:
@@ -225,16 +223,15 @@ def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> 
     loads = [f"{row['load_N']:g} N" for row in rows]
     cells = zip([_conditions(row, held) for row in rows], loads, map(cell, rows), strict=True)
     note = (
-        "At the load of each column; in brackets between which values nine in ten members of "
-        f"the calibrated ensemble lie. none, all: of the {limited.replace('_', ' ')} values in "
-        "the atlas."
+        "At the load of each column, with the range of nine in ten members of the calibrated "
+        f"ensemble in brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
     )
     return [Sheet(title, note, _pivoted(cells, loads))]
 
 
 TABLE1 = "Table 1. Properties of the materials, as printed and recomputed"
 TABLE2 = "Table 2. Operating conditions, as printed and recomputed"
-LARGEST = "Largest particles that stay out of the particle-surface mode [nm]"
+LARGEST = "Largest particles that avoid the particle-surface mode [nm]"
 LEAST = "Least viscosity that leaves boundary lubrication [cSt]"
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
     "table1": partial(_paper_table, TABLE1),
@@ -249,7 +246,7 @@ READABLE: dict[str, Callable[..., list[Sheet]]] = {
 
 
 def _pivoted(cells, columns) -> list[dict[str, str]]:
-    """One row for the ``cells`` (first columns, further column, text) that share the first columns."""
+    """One row for all ``cells`` (first columns, further column, text) with the same first columns."""
     lines: dict[tuple, dict] = {}
     for first, column, text in cells:
         line = lines.setdefault(tuple(first.values()), first | dict.fromkeys(columns, ""))
@@ -258,7 +255,7 @@ def _pivoted(cells, columns) -> list[dict[str, str]]:
 
 
 def _curves(rows, printed):
-    """Rows by curve, some of which figures share, and what the paper prints of each."""
+    """Rows by curve, which several figures may share, and the printed numbers of each."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
     for key, some in groupby(ordered, key=row_key):
@@ -266,7 +263,7 @@ def _curves(rows, printed):
 
 
 def _curve_cells(rows) -> dict[str, str]:
-    """Figures of the paper that show a curve, and its conditions."""
+    """Figures of the paper with a curve, and its conditions."""
     numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in rows)
     figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
     return {"figures": figures, **_conditions(rows[0], CONDITION_AXES)}
@@ -281,13 +278,13 @@ def _in_unit(name, value) -> str:
 
 
 def _statuses(rows) -> str:
-    """Statuses of some points, except of those that have converged."""
+    """Statuses of points that have not converged."""
     statuses = dict.fromkeys(row["solution_status"] for row in rows)
     return ", ".join(each.replace("_", " ") for each in statuses if each != "converged")
 
 
 def _ends(low, high) -> str:
-    """A range, or the one value that there is."""
+    """A range, or a single value."""
     return " to ".join(f"{value:.6g}" for value in (low, high) if value is not None)
 
 

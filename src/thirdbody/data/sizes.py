@@ -1,4 +1,4 @@
-"""What x_a stands for: the sizes of the particles behind the paper's mean diameter."""
+"""The sizes of the particles for a mean diameter x_a of the paper."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from thirdbody.model.particles import ParticleLayer
 
 
 def sizes_of(diameter: float, roughness: float, parameters: Parameters) -> tuple[float, ...]:
-    """Mean and largest diameter of the particles that ``diameter`` x_a stands for, normal from 0 to X_max
-    (Eq. 6), and the separation d below which one carries load on a ``roughness`` sigma [m]."""
+    """Mean and largest diameter of the particles for ``diameter`` x_a, normal from 0 to X_max (Eq.
+    6), and the separation d below which particles carry load on a ``roughness`` sigma [m]."""
     mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
     largest = mean + parameters.truncation * spread
     if spread:
@@ -24,7 +24,7 @@ def sizes_of(diameter: float, roughness: float, parameters: Parameters) -> tuple
 
 
 def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
-    """A sentence on the particles that ``diameter`` x_a stands for on a ``roughness`` sigma [m]."""
+    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]."""
     mean, largest, reach = (
         f"{1e9 * each:.4g}" for each in sizes_of(diameter, roughness, parameters)
     )

@@ -1,4 +1,4 @@
-"""The range that stands beside a number: what nine in ten members of an ensemble give."""
+"""The range of a number over nine in ten members of an ensemble."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Iterable
 
 import numpy as np
 
-ENDS = (0.05, 0.95)  # quantiles between which the range lies
+ENDS = (0.05, 0.95)  # quantiles at the ends of the range
 
 
 def spread(values: Iterable[float]) -> tuple[float, float] | None:
-    """Between which two numbers nine in ten of ``values`` lie, None where there are none."""
+    """The range of nine in ten of ``values``; None if there are none."""
     known = [value for value in values if np.isfinite(value)]
     if not known:
         return None

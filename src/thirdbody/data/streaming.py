@@ -1,4 +1,4 @@
-"""Grids larger than memory: solved block by block, each written before the next is solved."""
+"""Grids larger than memory, solved and written block by block."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ from thirdbody.progress import Progress
 from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve_arrays
 
-POINTS_PER_BLOCK = 2**18  # some 50 MB while they are solved
-ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a variable kept by the file: no chunk is written twice
+POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
+ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
 
 
 def stream(
@@ -40,30 +40,31 @@ def stream(
 ) -> None:
     """Solve every combination of five axes block by block, into a file.
 
-    What ``grid`` returns is written to the file, and no more than a block of it is in memory.
+    Writes the dataset that ``grid`` would return, with only one block in memory.
 
     Parameters
     ----------
     path : path
-        NetCDF-4 file to write: it appears whole or not at all.
+        NetCDF-4 file to write; it is written atomically.
     parameters, rtol, progress, **conditions
-        As of ``grid``.
+        As in ``grid``.
     variables : collection of str, optional
-        As of ``grid``; ``separation_count`` is given only if it is among them.
+        As in ``grid``; ``separation_count`` is only included on request.
     compression : int, optional
-        Level of zlib, from 0 to 9.  Nothing is compressed at 0: it would take longer than solving.
+        Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
+        longer than solving.
 
     Raises
     ------
     ValueError
-        As ``grid``, but for any number of points.
+        As in ``grid``, but without a limit on the number of points.
     OSError
-        If there is no right to write, or no room: unless it is compressed, before anything is solved.
+        If the path is not writable or the disk is full; without compression, before anything is solved.
 
     Warns
     -----
     OutOfRangeWarning
-        As ``solve``.
+        As in ``solve``.
 
     Examples
     --------
@@ -92,7 +93,7 @@ def stream(
         if size > free and not compression:
             raise OSError(
                 f"{shown_file(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
-                f"most the {free:.3g} bytes that are free there"
+                f"most the {free:.3g} bytes free on the disk"
             )
         with (
             netCDF4.Dataset(part, "w", format="NETCDF4") as file,
@@ -110,8 +111,8 @@ def stream(
 
 
 def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
-    """Lengths of blocks of at most ``points`` each, whose points lie together in an array: of an array of
-    shape (10, 20, 30), at most 100 make blocks of shape (1, 3, 30)."""
+    """Lengths of contiguous blocks of at most ``points`` each: for an array of shape (10, 20, 30),
+    at most 100 points make blocks of shape (1, 3, 30)."""
     lengths = []
     for size in reversed(shape):
         lengths.append(min(size, max(points, 1)))
@@ -120,7 +121,7 @@ def block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
 
 
 def blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice, ...]]:
-    """Index of each block of ``lengths`` in an array of ``shape``, in their order in it."""
+    """Index of each block of ``lengths`` in an array of ``shape``, in memory order."""
     starts = [range(0, size, length) for size, length in zip(shape, lengths)]
     for corner in product(*starts):
         yield tuple(slice(start, start + length) for start, length in zip(corner, lengths))

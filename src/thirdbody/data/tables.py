@@ -1,4 +1,4 @@
-"""Tidy tables: ``tables.csv`` describes their columns; from it come CSV, Table Schema and LaTeX."""
+"""Tidy tables as CSV, Table Schema and LaTeX; ``tables.csv`` describes their columns."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from thirdbody.data.files import unreadable
 
 
 class Column(NamedTuple):
-    """A column of a table: its heading, which ends with the SI unit where there is one; the type of the
-    Table Schema, ``number`` or ``string``; the SI unit, ``1`` of a pure number, empty of a text; and
-    what stands in it."""
+    """A column of a table: its heading, which ends with the SI unit if there is one; the type of
+    the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
+    text; and its description."""
 
     name: str
     kind: str
@@ -23,13 +23,13 @@ class Column(NamedTuple):
     description: str
 
     def parse(self, text: str) -> float | str | None:
-        """The value that a field of a CSV file stands for; None where it is empty."""
+        """The value of a field of a CSV file; None if it is empty."""
         if text == "":
             return None
         return float(text) if self.kind == "number" else text
 
     def format(self, value: float | str | None, digits: int) -> str:
-        """Text of ``value``, a number with so many significant digits; empty for None."""
+        """Text of ``value``, a number with ``digits`` significant digits; empty for None."""
         if value is None:
             return ""
         return f"{value:.{digits}g}" if self.kind == "number" else str(value)
@@ -48,8 +48,8 @@ DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 
 
 def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
-    """Write a table as CSV, numbers with ten significant digits: of each row, a value or None for the
-    name of each column."""
+    """Write a table as CSV, numbers with ten significant digits; each row has a value or None for
+    each column name."""
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
@@ -58,8 +58,8 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
-    """Rows of a table of ``write_csv``; ``OSError`` in one line names a file that is damaged or has
-    other columns."""
+    """Rows of a table of ``write_csv``; raises ``OSError`` in one line for a file that is damaged
+    or has other columns."""
     rows = read_texts(path, columns)
     try:
         return [
@@ -70,7 +70,7 @@ def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
 
 
 def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str]]:
-    """The fields of each row as they stand in the file; ``OSError`` as of ``read_csv``."""
+    """The fields of each row as texts; raises ``OSError`` as ``read_csv``."""
     try:
         with open(path, encoding="utf-8", newline="") as stream:
             header, *rows = csv.reader(stream)
