@@ -1,4 +1,4 @@
-"""What the page shows, gathered from products of the workflow: figures, statements, inputs.
+"""Data of the page, collected from products of the workflow: figures, statements, inputs.
 
 The page computes the curves itself.
 """
@@ -20,12 +20,12 @@ from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_texts
 from thirdbody.model.bounds import BOUNDS
 
-NODES = 48  # of the integrals that the page computes
-DIGITS = 5  # of places in panels
-RANGE_STEP = 2  # of the points around an ensemble range, one is kept
+NODES = 48  # of the integrals computed in the page
+DIGITS = 5  # of coordinates in panels
+RANGE_STEP = 2  # every second point of the outline of an ensemble range is kept
 CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
 PRINTED, TOLERANCE, RANGE = "printed; ", "tolerance; ", "band; "
-STATED = (  # fields of a statement that the page needs to judge and to show it
+STATED = (  # fields of a statement that the page needs to evaluate and show it
     *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
     *("extreme", "against", "open_end", "any_curve", "must_be_reached", "tolerance", "relative"),
     *("step", "limits", "source", "reason", "aside"),
@@ -41,15 +41,15 @@ def page_content(
     ensemble: Sequence[Mapping[str, Any]],
     ranges: Mapping[str, Sequence[float]],
 ) -> dict[str, Any]:
-    """Gather what the page shows, as plain values for JSON; ``OSError`` in one line names a damaged file.
+    """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
 
-    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves; ``claims`` those
-    of ``thirdbody.study.claims``, ``verdicts`` the content of ``claims.json``.  ``inputs`` has of each input
-    its ``symbol``, ``unit``, ``source``, ``value`` as the run has it, and either ``allowed`` words or, of a
-    number that is not printed, perhaps ``bounds`` and ``scale`` of the search for it.  ``interpretations`` are
-    inputs by the name of each calibrated one, ``ensemble`` those that differ from the default in each
-    member, ``ranges`` the first and last value of each condition in the paper, by its symbol, in engineering
-    units.
+    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves;
+    ``claims`` those of ``thirdbody.study.claims``, ``verdicts`` the content of ``claims.json``.
+    ``inputs`` has for each input its ``symbol``, ``unit``, ``source``, ``value`` in the run, and
+    either ``allowed`` words or, for an unprinted number, ``bounds`` and ``scale`` of the search if
+    there are any.  ``interpretations`` are inputs by the name of each calibrated interpretation,
+    ``ensemble`` the inputs of each member that differ from the default, ``ranges`` the first and
+    last value of each condition in the paper, by symbol, in engineering units.
     """
     found = {row["id"]: row for row in verdicts["statements"]}
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
@@ -65,7 +65,7 @@ def page_content(
         ],
         "quantities": list(QUANTITIES),
         "statuses": dict(STATUS_MEANINGS),
-        # nodes and weights of Gauss and Legendre on the interval from 0 to 1
+        # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
         "inputs": {name: {**entry, **_bounds(name)} for name, entry in inputs.items()},
         "interpretation": verdicts["interpretation"],
@@ -81,7 +81,7 @@ def _bounds(name):
 
 
 def _claim(claim, verdict):
-    """The statement with its verdict; conditions in SI, without those that it does not name."""
+    """The statement with its verdict; conditions in SI, without those it does not specify."""
     reference = claim.reference or {}
     return {key: getattr(claim, key) for key in STATED} | {
         "curves": [
@@ -100,10 +100,10 @@ def _claim(claim, verdict):
 
 
 def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
-    """What the page shows of a figure of curves: ``points`` drawn (.csv), and its ``caption`` (.md).
+    """Data of a figure of curves: its ``points`` drawn (.csv), and its ``caption`` (.md).
 
-    Its ``curves`` are the conditions [SI] of all that it shows; each of the ``panels`` has the indices of its
-    curves, their ensemble ranges and the numbers that the paper prints.
+    ``curves`` are the conditions [SI] of all curves; each of the ``panels`` has the indices of its
+    curves, their ensemble ranges and the printed numbers.
     """
     panels: dict[str, dict] = {}
     for letter, label, x_name, x, y_name, y in read_texts(points, DRAWN_POINTS):
@@ -146,7 +146,7 @@ def _panel(letter, panel, labels):
 
 
 def _marks(name, drawn):
-    """The numbers of one statement: each a place, and both ends of its tolerance."""
+    """The numbers of one statement: each a point with both ends of its tolerance."""
     ends = _rounded(drawn[TOLERANCE + name])
     for place, point in enumerate(_rounded(drawn[PRINTED + name])):
         yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}

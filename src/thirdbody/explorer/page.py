@@ -1,4 +1,4 @@
-"""One file made of a template, a style, scripts, D3 and the content of the page."""
+"""One HTML file from a template, a style, scripts, D3 and the content of the page."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).parent
-FIRST = "main.js"  # the script that uses all others
+FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
 
 
 def page_text(content: Mapping[str, Any]) -> str:
-    """The page as HTML, which needs no other file and no network, of the ``content`` that
-    ``thirdbody.explorer.content.page_content`` gathers."""
+    """The page as self-contained HTML, from the ``content`` of
+    ``thirdbody.explorer.content.page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
         "style.css": _read("page/style.css"),
@@ -29,7 +29,7 @@ def page_text(content: Mapping[str, Any]) -> str:
 
 
 def _one_script(first: str) -> str:
-    """A script and all that it imports as one: each module is a function that is called once."""
+    """Bundle a script and all its imports: each module becomes a function that is called once."""
     joined: dict[str, str] = {}
 
     def join(name):

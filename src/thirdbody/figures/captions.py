@@ -1,7 +1,7 @@
-"""Captions and alternative texts, as data and as Markdown; their words are in ``captions.toml``.
+"""Captions and alternative texts, as data and as Markdown; the texts are in ``captions.toml``.
 
-A caption has a title, what each panel shows, the conditions, the marks, and what the paper concludes
-from the figure.  The alternative text of a figure of curves is made from the curves drawn.
+A caption has a title, the content of each panel, the conditions, the marks, and the conclusion of
+the paper.  The alternative text of a figure of curves is generated from the curves.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from thirdbody.figures.drawing import CURVE, Panel
 from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
 WORDS = tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))
-MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # letters that Markdown takes for markup
+MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
 MEANINGS = {
     marks.TURNING_POINTS: "Stars: turning points of the contact area.",
     marks.LOCUS: "Heavy dashes join the turning points.",
@@ -33,8 +33,8 @@ MEANINGS = {
 def caption(
     name: str, panels: Sequence[Panel] = (), title: str = "", notes: Sequence[str] = ()
 ) -> str:
-    """Caption and alternative text of a figure, two paragraphs of Markdown or reStructuredText; a figure
-    of curves takes them from the ``title`` of its scene and from its ``panels``."""
+    """Caption and alternative text of a figure, two paragraphs of Markdown or reStructuredText;
+    those of a figure of curves follow from the ``title`` of its scene and from its ``panels``."""
     words = WORDS.get(name, {})
     if "title" not in words:
         number = f"Figure {int(name.removeprefix('fig'))}. " if words else ""
@@ -47,7 +47,7 @@ def caption(
 
 
 def _content(panel) -> str:
-    """The letter and quantities of a panel, and the conditions that its title names."""
+    """The letter and quantities of a panel, and the conditions in its title."""
     own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
     over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
     return f"({panel.letter}) {_quantity(panel.y)}{own}{over}"
@@ -59,7 +59,7 @@ def _quantity(name) -> str:
 
 
 def _notes(panels) -> list[str]:
-    """Sentences on the panels, the axis of loads, the conditions, and what marks and lines mean."""
+    """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     kinds = {series.kind for panel in panels for series in panel.series}
     sentences = ["; ".join(map(_content, panels)) + "."]
@@ -71,7 +71,7 @@ def _notes(panels) -> list[str]:
 
 
 def _conditions(conditions) -> str:
-    """The values of the four conditions that the curves take."""
+    """The values of the four conditions of the curves."""
     parts = []
     for name, taken in zip(Condition._fields, zip(*conditions), strict=True):
         values = sorted(set(taken))
@@ -86,7 +86,7 @@ def _conditions(conditions) -> str:
 
 
 def _description(panel) -> str:
-    """Alternative text of a panel: its curves with their ends, and how many marks it has."""
+    """Alternative text of a panel: its curves with their ends, and the number of marks."""
     curves = panel.of_kind(CURVE)
     parts = []
     if curves:

@@ -1,4 +1,4 @@
-"""Design charts of the atlas: limits over the load with the ensemble range, a curve a roughness."""
+"""Design charts of the atlas: limits over the load with ensemble ranges, one curve per roughness."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ RANGE = "90 % of the ensemble"
 
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
-    """The limit ``name``, one of ``SCALES``, in a panel for each of ``charts``: datasets of
+    """The limit ``name``, one of ``SCALES``, in one panel per dataset of ``charts``, from
     ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses."""
     surfaces = charts[0]["roughness"].values
     names = [f"sigma = {value_text('roughness', surface)} nm" for surface in surfaces]
@@ -53,7 +53,7 @@ def _notes(chart) -> list[str]:
 
 
 def _series(chart, names) -> Iterator[Series]:
-    """The curve of each roughness and the outlines of its range, within the atlas."""
+    """The curve of each roughness and the outlines of its range, inside the atlas."""
     load = chart["load"].values
     for index, name in enumerate(names):
         surface = chart.isel(roughness=index)

@@ -1,4 +1,4 @@
-"""The verdicts at a glance: the statements of each figure of the paper in a row, misses by name."""
+"""Overview of the verdicts: the statements of each figure in a row, missed ones by name."""
 
 from __future__ import annotations
 
@@ -14,31 +14,31 @@ from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 WIDTH = 7.2  # inches
 LINE_INCHES = 0.17  # height of a line
 KEY_INCHES = 1.4  # of the key and the axis
-NO_SCORE = -0.35  # where a statement without a score stands
+NO_SCORE = -0.35  # position of a statement without a score
 AGREEMENT = 0.75  # fraction of the ensemble from which a marker is filled
-# verdict: colour of its marker; dark and light, so that grey tells hit and miss apart
+# verdict: colour of its marker; dark and light, so that they differ in grey
 COLOURS = {
     "holds": "C5",
     "fails": "C1",
     "not tested": "C3",
     "contradicted by the paper itself": "C4",
 }
-# by the verdict when the figure of a statement is left out of the search for inputs
+# marker by the verdict if the figure of a statement is left out of the search for inputs
 PREDICTED, NOT_PREDICTED = "o", "D"
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
 def score_of(distance: float) -> float:
-    """The score of a ``distance`` in tolerances, as ``thirdbody.study.checks`` counts it."""
+    """The score of a ``distance`` in tolerances, as in ``thirdbody.study.checks``."""
     return distance if distance <= 1.0 else 1.0 + math.log(distance)
 
 
-LAST = score_of(DISTANCES[-1])  # scores beyond it are drawn here
+LAST = score_of(DISTANCES[-1])  # larger scores are drawn here
 
 
 def plot(rows: Sequence[Mapping]) -> Drawing:
-    """The score of each statement of the paper, from rows of the table ``claims``: those that hold in
-    one line for each figure of the paper, all others below it in a line of their own."""
+    """The score of each statement, from rows of the table ``claims``: those that hold on one line
+    per figure of the paper, all others on separate lines below."""
     lines = _lines(rows)
     height = len(lines) * LINE_INCHES + KEY_INCHES
     figure = Drawing(figsize=(WIDTH, height), layout="constrained")
@@ -64,7 +64,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
     axes.set_yticks(range(len(lines)), [text for text, _ in lines])
     axes.tick_params(axis="y", length=0)
-    axes.yaxis.set_label_coords(0.0, 0.5)  # none: it need not be placed beside all names
+    axes.yaxis.set_label_coords(0.0, 0.5)  # no label, so that none is placed beside the names
     axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
     figure.panels.append(Panel("", "score", "line", series, letter="A"))
@@ -92,7 +92,7 @@ def _marker(row) -> str:
 
 
 def _key(rows) -> list[Line2D]:
-    """Verdicts by colour, each with its number of statements, and the markers."""
+    """Verdicts by colour with the number of statements, and the markers."""
     found = [row["verdict"] for row in rows]
     looks = {
         f"{verdict} ({found.count(verdict)})": {"color": colour, "marker": "s"}

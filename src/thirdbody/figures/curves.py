@@ -1,4 +1,4 @@
-"""Figures of curves: the curves of a dataset, what panels show of them, and how that is drawn."""
+"""Figures of curves: the curves of a dataset, the content of panels, and how they are drawn."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
 from thirdbody.figures.styles import band_style, curve_styles, key_entries
 
-BAND_STEP = 2  # every second load is fine enough for the edge of a range
+BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
 KEY_INCHES = 0.5, 0.17  # height of a key without entries, and of a row of entries
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
 MARGINS = 0.68, 0.42, 0.48, 0.44
-TITLE_PAD = 17.0  # points; newtons stand below the title
+TITLE_PAD = 17.0  # points; newtons are below the title
 TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
 
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One curve of a dataset: its ``condition``, and its ``place`` behind the load axis; ``load`` and
-    ``peak_ratio`` of its turning point, if it is known to have one; the ``reference`` of its area, dry
-    two-body contact on the same surface, if the dataset has it."""
+    """One curve of a dataset: its ``condition``, and its ``place`` after the load axis; ``load``
+    and ``peak_ratio`` of its turning point, if it has one; the ``reference`` of its area, dry
+    two-body contact on the same surface, if it is in the dataset."""
 
     data: PlainDataset
     condition: Condition
@@ -45,7 +45,7 @@ class Curve:
 
     @property
     def label(self) -> str:
-        """Name in the file of the drawn data."""
+        """Name in the file of the data drawn."""
         return label(self.condition)
 
     def has(self, name: str) -> bool:
@@ -62,8 +62,8 @@ class Curve:
         return values if values.ndim == 1 else values[(slice(None), *self.place)]
 
     def at(self, name: str, load: float) -> float:
-        """The quantity ``name`` at a ``load``, interpolated over its logarithm; or one of the two numbers
-        of a panel of turning points, which are the same at all loads."""
+        """The quantity ``name`` at a ``load``, interpolated over ln load; or one of the two numbers
+        of a panel of turning points, which do not depend on the load."""
         if name == "diameter_ratio":
             return self.condition.diameter_ratio
         if name == "turning_point_ratio":
@@ -92,10 +92,10 @@ def curves_in(data: PlainDataset, turning_points: Iterable[Mapping] = ()) -> lis
 
 @dataclass(frozen=True)
 class Content:
-    """What a panel shows: a quantity ``y`` over ``x``, two of ``SCALES``.
+    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
 
-    Over ``diameter_ratio`` it shows turning points alone.  A ``surface`` restricts it to the smoothest (0)
-    or the roughest (-1) of the dataset; ``locus`` joins the turning points of the curves.
+    Over ``diameter_ratio`` only turning points are shown.  ``surface`` selects the smoothest (0) or
+    the roughest (-1) surface of the dataset; ``locus`` joins the turning points of the curves.
     """
 
     y: str
@@ -108,8 +108,8 @@ class Content:
 class CurveFigure:
     """A figure of curves that differ in one ``parameter`` of their ``Condition``: a row of the registry.
 
-    Its panels show ``contents`` in order, or each for every roughness of the dataset in turn.  Two-body
-    contact is among the curves, or only what areas are compared with.
+    Its panels show ``contents`` in order, or each of them for every roughness of the dataset.
+    Two-body contact is one of the curves, or only the reference of areas.
     """
 
     parameter: str
@@ -125,11 +125,11 @@ class CurveFigure:
         printed: Sequence[Mapping] = (),
         windows: Sequence[Mapping] = (),
     ) -> Drawing:
-        """Draw it; ``ValueError`` in one line if ``data`` have nothing that the figure shows.
+        """Draw the figure; ``ValueError`` if ``data`` have no values for it.
 
-        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio`` of each;
-        ``ensemble_range`` has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and
-        ``windows`` are rows of the tables ``printed``, those of this figure, and ``tpca_windows``.
+        ``turning_points`` have the four conditions (SI), ``load`` and ``peak_ratio``; ``ensemble_range``
+        has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and ``windows`` are rows
+        of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
         curves = curves_in(data, turning_points)
         if not self.two_body:
@@ -165,7 +165,7 @@ class CurveFigure:
         return draw_panels(panels, styles, newtons_per_load, entries, title)
 
     def _contents(self, curves) -> list[Content]:
-        """The contents for which there are values along ``curves``."""
+        """The contents with values along ``curves``."""
         sizes = {each.condition.diameter_ratio for each in curves}
         contents = [
             each
@@ -180,7 +180,7 @@ class CurveFigure:
 
 
 def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
-    """All that a panel of curves shows."""
+    """All series of a panel of curves."""
     x, y = content.x, content.y
     for curve in curves:
         yield Series(CURVE, curve.label, curve.values(x), curve.values(y), curve.condition)
@@ -200,15 +200,15 @@ def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
 
 
 def range_outline(x, low, high):
-    """The closed outline of a range where it is known: along its lower, back along its upper end."""
+    """The closed outline of a range where it is known: along its low and back along its high end."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
     return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
 
 
 def _window_series(content, curves, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ on one surface, and the computed and printed ends of the range where they
-    occur, which have no height: their ``y`` is 0."""
+    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range,
+    which have no height: their ``y`` is 0."""
     yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
 
     def is_here(row):
@@ -231,9 +231,10 @@ def draw_panels(
     entries: Sequence[Line2D] = (),
     key_title: str = "",
 ) -> Drawing:
-    """Draw panels of curves, and a key in the cell that they leave free or below them.
+    """Draw panels of curves, and a legend in the free cell or below them.
 
-    ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``, F_t/F_t* [N], loads have an axis in newtons too.
+    ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``,
+    F_t/F_t* [N], load axes also show newtons.
     """
     beside = len(panels) % 2 == 1
     rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
@@ -250,12 +251,12 @@ def draw_panels(
 
 
 def key_title(title: str, conditions: Sequence[str]) -> str:
-    """Title of a key, and below it the conditions that all curves share."""
+    """Title of a legend, and below it the conditions common to all curves."""
     return "\n".join(filter(None, (title, ", ".join(conditions))))
 
 
 def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool) -> None:
-    """Explain the lines of a figure beside its last panel or below all."""
+    """Add a legend beside the last panel of a figure or below all panels."""
     if beside:
         height = figure.get_figheight()
         columns = -(-len(entries) // KEY_ROWS)
@@ -267,13 +268,13 @@ def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool)
 
 
 def _draw_series(axes: Axes, panel: Panel, series: Series, style: dict) -> None:
-    """Draw a series in the ``style`` of its curve; what has no height as vertical lines and areas."""
+    """Draw a series in the ``style`` of its curve; data without height as vertical lines and areas."""
     colour = {"color": style["color"]} if style else {}
     is_limit = panel.is_over_sizes and series.kind != marks.TURNING_POINTS
     if series.kind == CURVE:
         axes.plot(series.x, series.y, **style)
     elif series.kind == marks.BAND:
-        # not `fill`, which finds limits of the axes from each edge
+        # not `fill`, which updates the limits of the axes for each edge
         area = np.column_stack([series.x, series.y])
         axes.add_artist(Polygon(area, **band_style(style["color"])))
         axes.update_datalim(area)

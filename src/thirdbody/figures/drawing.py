@@ -1,4 +1,4 @@
-"""A drawing: a figure, the data that it shows panel by panel, and the files written of both."""
+"""A drawing: a figure with the data of its panels, and the files of both."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from thirdbody.data.quantities import VARIABLES
 from thirdbody.data.tables import DRAWN_POINTS, write_csv
 
 STYLE = Path(__file__).with_name("paper.mplstyle")
-# without dates, so that the same figure gives the same bytes
+# without dates, so that files are reproducible
 FORMATS = {
     "svg": {"metadata": {"Date": None}},
     "pdf": {"metadata": {"CreationDate": None}},
@@ -38,8 +38,8 @@ SI_UNITS = {name: each.units for name, each in (AXES | VARIABLES).items()}
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Points [SI] that a panel shows under one name, and the curve that they are or belong to: its
-    condition, or its name.  Their kind is ``CURVE``, "band", "turning points", "printed", ..."""
+    """Points [SI] of a panel under one name, and their curve: its condition, or its name.  The kind
+    is ``CURVE``, "band", "turning points", "printed", ..."""
 
     kind: str
     name: str
@@ -49,7 +49,7 @@ class Series:
 
     @property
     def label(self) -> str:
-        """Name in the file of the drawn data."""
+        """Name in the file of the data drawn."""
         if self.kind == CURVE:
             return self.name
         return f"{self.kind}; {self.name}" if self.name else self.kind
@@ -57,8 +57,7 @@ class Series:
 
 @dataclass(frozen=True, eq=False)
 class Panel:
-    """A panel: its title, the names of the quantities on its axes, and what it shows; its letter once it has
-    axes."""
+    """A panel: title, names of the quantities on its axes, series, and its letter once drawn."""
 
     title: str
     x: str
@@ -68,7 +67,7 @@ class Panel:
 
     @property
     def is_over_sizes(self) -> bool:
-        """Whether it shows turning points over x_a/σ."""
+        """Whether the panel shows turning points over x_a/σ."""
         return self.x == "diameter_ratio"
 
     def of_kind(self, kind: str) -> list[Series]:
@@ -77,14 +76,14 @@ class Panel:
 
 
 class Drawing(Figure):
-    """A figure that notebooks show as a picture, with pyplot or without; ``panels`` are what its axes show."""
+    """A figure that notebooks display as a picture, with or without pyplot; ``panels`` has its content."""
 
     def __init__(self, *given: Any, **options: Any) -> None:
         super().__init__(*given, **options)
         self.panels: list[Panel] = []
 
     def add_panel(self, panel: Panel, pad: float = 6.0) -> Axes:
-        """The next axes, with the letter and the title of their panel ``pad`` points above."""
+        """The next axes, with the letter and title of ``panel``, ``pad`` points above."""
         axes = self.axes[len(self.panels)]
         panel = replace(panel, letter=ascii_uppercase[len(self.panels)])
         axes.set_title(f"({panel.letter})  {panel.title}", loc="left", y=1.0, pad=pad)
@@ -104,10 +103,10 @@ def grid_of_axes(
     columns: int = 2,
     below: float = 0.0,
 ) -> Drawing:
-    """A figure with axes in rows, each in a ``cell`` of this width and height with ``margins`` left,
-    right, below and above it, and room ``below`` all [inches].
+    """A figure with axes in rows, each in a ``cell`` (width, height) with ``margins`` left, right,
+    below and above, and space ``below`` all [inches].
 
-    Margins are fixed: to find them from the texts takes longer than to draw.
+    Margins are fixed: computing them from the texts takes longer than drawing.
     """
     (width, height), (left, right, bottom, top) = cell, margins
     rows = math.ceil(count / columns)
@@ -122,8 +121,8 @@ def grid_of_axes(
 
 
 def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
-    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError`` if
-    there is no room or no right to write."""
+    """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError``
+    if the disk is full or not writable."""
     layout = drawing.get_layout_engine()
     if layout is not None:  # once for all formats
         layout.execute(drawing)
@@ -143,7 +142,7 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
 
 
 def save_figure(figure: Figure, path: str | PathLike) -> None:
-    """Write a figure in the format that the ending of its path names, one of ``FORMATS``."""
+    """Write a figure in the format of the suffix of its path, one of ``FORMATS``."""
     kind = Path(path).suffix.removeprefix(".")
     if kind not in FORMATS:
         raise ValueError(f"{path} ends with {kind!r}; allowed: {', '.join(FORMATS)}")
@@ -152,8 +151,8 @@ def save_figure(figure: Figure, path: str | PathLike) -> None:
 
 
 def write_wide(panels: Iterable[Panel], path: str | PathLike) -> None:
-    """Write the curves of all panels side by side, for spreadsheets: a column x where the curves of a
-    panel have it in common, and a column for each curve, with names and SI units in the headings."""
+    """Write the curves of all panels side by side, for spreadsheets: a shared column x if the curves of a
+    panel have the same x, and a column for each curve, with names and SI units in the headings."""
     columns = {}
     for panel in panels:
         curves = panel.of_kind(CURVE)

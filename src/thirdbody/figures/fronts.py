@@ -1,4 +1,4 @@
-"""Pareto fronts: what each headline statement costs all others, for every interpretation."""
+"""Pareto fronts: the cost of each headline statement to all others, for every interpretation."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ COLUMNS = 3
 CELL = 2.4, 1.55  # of a panel with its labels [inches]
 MARGINS = 0.42, 0.08, 0.2, 0.38
 BELOW = 0.75  # inches for the labels of the axes and the key
-LETTERS = 30  # of a title in a line
+LETTERS = 30  # in a line of a title
 DISTANCES = (0, 0.5, 1, 2, 5, 20)  # ticks, in tolerances
-ABOVE = 25.0  # the objective is drawn up to so much above the least
+ABOVE = 25.0  # the objective is drawn up to this much above the least
 FIRST, OTHERS = {"linewidth": 1.6, "zorder": 3}, {"linewidth": 0.9, "zorder": 2}
 
 
 def plot(interpretations: Sequence[Mapping]) -> Drawing:
-    """The front of each headline statement against all others, a line an interpretation; these are the
-    contents of the calibrated files, the first of which is drawn above the others."""
+    """The front of each headline statement against all others, one line per interpretation;
+    ``interpretations`` are the contents of calibrated files, the first of which is drawn on top."""
     statements = list(dict.fromkeys(name for each in interpretations for name in each["fronts"]))
     figure = grid_of_axes(len(statements), CELL, MARGINS, COLUMNS, BELOW)
     for statement in statements:
@@ -46,7 +46,7 @@ def plot(interpretations: Sequence[Mapping]) -> Drawing:
 
 
 def _front(interpretation, statement) -> Series:
-    """The front of one statement; what was found this near the statement is good for all farther."""
+    """The front of one statement, extended to the largest distance."""
     front = np.array(interpretation["fronts"].get(statement, ())).reshape(-1, 2)
     if front.size:
         front = np.vstack([front, [score_of(DISTANCES[-1]), front[-1, 1]]])

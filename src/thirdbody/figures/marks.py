@@ -1,8 +1,8 @@
-"""What panels show beside curves: turning points of the contact area (TPCA), statuses of points, and the
-numbers that the paper prints, with their tolerances, where curves should pass through them.
+"""Marks in panels: turning points of the contact area (TPCA), statuses of points, and printed
+numbers with their tolerances, through which curves should pass.
 
-A printed number that stands for a place on a curve (``A_sa,t*`` at the turning point, say) is drawn at the
-other number that the paper prints of this place, or else where the curve has it.
+A printed number at a point of a curve (``A_sa,t*`` at the turning point, for example) is drawn at
+the other printed coordinate of this point, or otherwise at that of the curve.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
-# markers of points that have not plainly converged; where there are no values the curve ends
+# markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
 POINTS = {"linestyle": "none", "zorder": 3.2}
 LINE = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
@@ -39,7 +39,7 @@ STAR = POINTS | {
 }
 SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
 SQUARE |= {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
-# kind of series: text in the key, line properties
+# kind of series: text in the legend, line properties
 MARKS = {
     TURNING_POINTS: ("turning point (TPCA)", STAR),
     LOCUS: ("locus of turning points", LINE),
@@ -52,8 +52,8 @@ BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
 AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 MIXED = "bend_load_over_mixed_load"
-# panels over the load that show a number which is no variable of theirs: loads of a bend or a reversal, and
-# what belongs to a turning point
+# panels over the load for numbers that are not variables: loads of a bend or a reversal, and those
+# of a turning point
 LOADS = {
     "bend_load": (AREA,),
     MIXED: (AREA,),
@@ -68,8 +68,8 @@ AT_TURNING_POINT = {
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load`` and
-    ``peak_ratio`` of each; ``OSError`` in one line if the file is damaged."""
+    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load``
+    and ``peak_ratio``; ``OSError`` in one line if the file is damaged."""
     columns = {axis.name: axis.column for axis in CONDITION_AXES}
     columns |= {"load": "load", "peak_ratio": "peak_ratio"}
     return [
@@ -87,7 +87,7 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
-    """First and last points whose status is not ``converged``, and ends of curves without values."""
+    """First and last points with a status other than ``converged``, and ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
             marked = curve.values(STATUS) == SOLUTION_STATUSES.index(status)
@@ -102,7 +102,7 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
 
 
 def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
-    """Entries of the key for the marks that ``panels`` show."""
+    """Legend entries for the marks in ``panels``."""
     kinds = {series.kind for panel in panels if not panel.is_over_sizes for series in panel.series}
     limits = {series.kind for panel in panels if panel.is_over_sizes for series in panel.series}
     entries = [entry for kind, entry in MARKS.items() if kind in kinds | limits - {PRINTED}]
@@ -112,7 +112,7 @@ def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
 
 
 class Mark(NamedTuple):
-    """A printed number in a panel: its place, and the ends of its tolerance along ``x`` or ``y``."""
+    """A printed number in a panel: its position, and the ends of its tolerance along ``x`` or ``y``."""
 
     x: float
     y: float
@@ -120,7 +120,7 @@ class Mark(NamedTuple):
     along: str
 
     def series(self, name: str, condition: Condition | None = None) -> Iterator[Series]:
-        """Its place and its tolerance."""
+        """Series of the number and of its tolerance."""
         bar = (self.ends, (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, self.ends)
         yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
         yield Series(TOLERANCE, name, *np.array(bar), condition)
@@ -129,8 +129,8 @@ class Mark(NamedTuple):
 def printed_series(
     x: str, y: str, curves: Sequence[Curve], printed: Sequence[Mapping]
 ) -> Iterator[Series]:
-    """Printed numbers of ``curves``, rows of the table ``printed``, that a panel of ``x`` and ``y`` can
-    show: each place once, however many curves have it."""
+    """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
+    each position is shown once, even if several curves have it."""
     drawn: set[Mark] = set()
     for curve in curves:
         key = condition_key(curve.condition)
@@ -144,8 +144,7 @@ def printed_series(
 
 
 def _mark(curve, row, numbers, x, y) -> Mark | None:
-    """The mark of ``row`` in a panel of these quantities, None if they do not show it; ``numbers`` are all
-    that are printed of the curve."""
+    """The mark of ``row`` in a panel of ``x`` and ``y``, or None; ``numbers`` are those of the curve."""
     quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
     if x == quantity == "film_thickness":
         return Mark(value, curve.at(y, _extreme(curve, row)), ends, "x")
@@ -175,7 +174,7 @@ def _mark(curve, row, numbers, x, y) -> Mark | None:
 
 
 def _load_of(curve, row) -> float:
-    """The load at which the number of ``row`` is printed."""
+    """The load of the printed number in ``row``."""
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:
@@ -191,14 +190,14 @@ def _falls_to(curve, name, level) -> float:
 
 
 def _extreme(curve, row) -> float:
-    """The load of the extreme of the curve that ``row`` names."""
+    """The load of the extreme of the curve in ``row``."""
     load = curve.values("load")
     within = load <= (row["load_max"] or np.inf)
     within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
     values = curve.values(row["quantity"])[within]
     wanted = values.min() if row["extreme"] == "minimum" else values.max()
     found = np.flatnonzero(values == wanted)
-    # A constant curve has it everywhere.  The paper speaks of loads up to the last one, and
-    # fractions of the solid and of particles fall with the load.
+    # A constant curve has it everywhere.  The paper means loads up to the last one, and the
+    # fractions of solids and particles decrease with the load.
     is_last = row["load_max"] or row["extreme"] == "minimum"
     return float(load[found[-1 if is_last else 0]])

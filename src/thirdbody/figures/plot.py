@@ -47,34 +47,34 @@ def plot(
     ----------
     data : xarray.Dataset or path
         Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
-        ``.sel`` picks from a larger one.
+        Use ``.sel`` to select from a larger one.
     over : str, optional
         The axis along x: "load", "viscosity", "particle_diameter", "roughness" or
-        "particle_density".  Over the load, besides it one of viscosity, particle diameter and density
-        may vary, beside dry and lubricated contact, and any number of roughnesses.  Over another axis,
-        all others may vary: each combination is a curve.
+        "particle_density".  Over the load, one of viscosity, particle diameter and density may
+        vary, in addition to dry and lubricated contact, and any number of roughnesses.  Over
+        another axis, all others may vary: each combination is a curve.
     like : str, optional
-        A figure of the paper, "fig03" to "fig13", whose panels are drawn; only over the load.
+        Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
-        Turning points to be marked over the load, as mappings of the four conditions [SI], ``load``
-        [1] and ``peak_ratio`` [1], or a file of the workflow's table ``tpca_loads``.
+        Turning points to mark over the load, as mappings of the four conditions [SI], ``load`` [1]
+        and ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     band : xarray.Dataset or path, optional
         Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
 
     Returns
     -------
     matplotlib.figure.Figure
-        Its ``savefig`` writes it.
+        Save it with ``savefig``.
 
     Raises
     ------
     ValueError
-        In one line: for data that are no such dataset, that vary in more than one figure can
+        For data that are not such a dataset, vary in more conditions than one figure can
         distinguish, or have nothing to draw, and for an unknown axis or figure.
     OSError
         If a file cannot be read.
     ModuleNotFoundError
-        In one line, if matplotlib is not installed: the extra ``figures`` brings it.
+        If matplotlib is not installed: the extra ``figures`` installs it.
 
     Examples
     --------
@@ -107,7 +107,7 @@ def plot(
 
 
 def _plot_over(data: xr.Dataset, over: str) -> Figure:
-    """Panels of all variables over one axis, with a curve for each combination of the others."""
+    """Panels of all variables over one axis, with a curve for each combination of the other axes."""
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
@@ -131,7 +131,7 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
 
 
 def plot_curve(curve: Any) -> Figure:
-    """Draw what ``Interface.curve`` returns, and its range if it has one."""
+    """Draw the result of ``Interface.curve``, with its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     name, unit = units.get(curve.along, ("normal_load", 1.0))
     along, x = curve.along, unit * np.asarray(curve.points)
@@ -147,8 +147,8 @@ def plot_curve(curve: Any) -> Figure:
 
 
 def plot_comparison(comparison: Any) -> Figure:
-    """Draw a ``Comparison``: measurements over one condition, a panel for each variable, with the model's
-    curve and the range of its ensemble; without a curve, the model is a mark beside each measurement."""
+    """Draw a ``Comparison``: measurements over one condition, a panel for each variable, with the curve of
+    the model and its ensemble range; without a curve, a mark of the model beside each measurement."""
     names, along, curve = comparison.variables, comparison.along, comparison.curve
     table = comparison.table.sort_values(along)
     model = curve if len(curve) else table
@@ -174,7 +174,7 @@ def plot_comparison(comparison: Any) -> Figure:
 
 
 def _note(data, name, value) -> str:
-    """A condition with its symbol and unit; a load in newtons too."""
+    """A condition with its symbol and unit; a load also in newtons."""
     text = note(name, float(value))
     if name != "load" or "normal_load" not in data:
         return text
@@ -183,7 +183,7 @@ def _note(data, name, value) -> str:
 
 
 def _with_all_dimensions(name, data) -> xr.Dataset:
-    """A dataset over the five axes in their order: of those that were left out, the one value."""
+    """A dataset over the five axes in their order; missing ones have length one."""
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
             raise FileNotFoundError(f"{name} is {str(data)!r}, which is no file")

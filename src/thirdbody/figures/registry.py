@@ -1,8 +1,7 @@
-"""The figures of the paper that show curves, and what each of their panels shows.
+"""The figures of curves in the paper, and the content of their panels.
 
-A figure is a row here; what its curves are computed for stands under the same name in
-``config/scenes.yaml``.  A scene that is not the paper's needs no row.  Figures 1 and 2 are in
-``schematics``.
+A figure is a row here; the conditions of its curves have the same name in ``config/scenes.yaml``.
+Other scenes need no row.  Figures 1 and 2 are in ``schematics``.
 """
 
 from __future__ import annotations
@@ -18,17 +17,17 @@ RATIO = Content("particle_contact_area_ratio")  # A_sa,t*
 AREA = Content("total_contact_area")  # A_t*
 SOLID = Content("solid_load_fraction")  # L_s
 FILM = Content("film_thickness")  # H_c
-RELATIVE = Content(RELATIVE_AREA)  # A_t* over that of dry two-body contact
+RELATIVE = Content(RELATIVE_AREA)  # A_t* relative to dry two-body contact
 WINDOW = Content("turning_point_ratio", x="diameter_ratio")
 SMOOTHEST, ROUGHEST = 0, -1
 
 CURVE_FIGURES = {
     # dry: from the p-s over the hybrid to the s-s mode
     "fig03": CurveFigure("particle_diameter", (RATIO, AREA, RELATIVE)),
-    # lubricants, beside dry and two-body contact; then on two surfaces
+    # lubricants, with dry and two-body contact; then on two surfaces
     "fig04": CurveFigure("viscosity", (RATIO, AREA, SOLID, FILM)),
     "fig05": CurveFigure("viscosity", (SOLID,), each_surface=True),
-    # lubricated beside dry contact
+    # lubricated and dry contact
     "fig06": CurveFigure("particle_diameter", (AREA, SOLID, RATIO, RELATIVE)),
     "fig07": CurveFigure("particle_density", (AREA, SOLID, RATIO, RELATIVE)),
     "fig08": CurveFigure("roughness", (AREA, SOLID, RATIO, RELATIVE), two_body=False),
@@ -39,7 +38,7 @@ CURVE_FIGURES = {
         two_body=False,
     ),
     "fig10": CurveFigure("diameter_ratio", (RATIO, WINDOW), each_surface=True),
-    # where lubricants shift it: over the load and over the film; on two surfaces
+    # how lubricants shift it: over the load and over the film; on two surfaces
     "fig11": CurveFigure(
         "viscosity", (RATIO, SOLID, Content("particle_contact_area_ratio", x="film_thickness"))
     ),
@@ -51,17 +50,17 @@ CURVE_FIGURES = {
             Content("particle_contact_area_ratio", surface=ROUGHEST),
         ),
     ),
-    # and with other numbers of particles
+    # and with other particle densities
     "fig13": CurveFigure("particle_density", (RATIO,), each_surface=True),
 }
 
 
 def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
-    """What a figure of curves shows: a row of the registry, or for any other scene of a ``data`` set
-    areas, and fractions of the load and the film unless all is dry, over the load, on each surface, with
-    curves that differ in the one condition that varies, beside dry and lubricated contact.
+    """The definition of a figure of curves: a row of the registry or, for any other scene in
+    ``data``, areas over the load on each surface, also load fractions and film unless all curves
+    are dry, with curves that differ in one condition, in addition to dry and lubricated contact.
 
-    ``ValueError`` if more conditions vary than one figure can tell apart.
+    ``ValueError`` if more conditions vary than one figure can distinguish.
     """
     if name in CURVE_FIGURES:
         return CURVE_FIGURES[name]

@@ -1,5 +1,5 @@
-"""How figures write numbers and conditions, and how each quantity stands on an axis: title, label, unit,
-scale, and the limits of regimes."""
+"""Text of numbers and conditions in figures, and the axis of each quantity: title, label, unit,
+scale, and limits of regimes."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 from thirdbody.data.conditions import AXES, CONDITION_AXES, Condition
 from thirdbody.model.regimes import BOUNDARY_LIMIT, FULL_FILM_LIMIT, PARTICLE_LIMIT, SURFACE_LIMIT
 
-# of labels in fractions of the axes: fixed, as to find them from the texts of ticks takes long
+# of labels in fractions of the axes: fixed, because computing them from tick labels is slow
 LABEL_PLACES = {"x": (0.5, -0.11), "y": (-0.18, 0.5)}
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 NOTED = ("viscosity", "roughness", "particle_diameter", "particle_density")  # in this order
 
 
 def power_text(value: float) -> str:
-    """``value`` as a power of ten, four digits at most: 5×10¹⁰, 10¹¹."""
+    """``value`` as a power of ten, with at most four digits: 5×10¹⁰, 10¹¹."""
     mantissa, exponent = f"{value:.3e}".split("e")
     power = "10" + str(int(exponent)).translate(SUPERSCRIPTS)
     return power if float(mantissa) == 1.0 else f"{float(mantissa):g}×{power}"
@@ -33,7 +33,7 @@ def unit_text(parameter: str) -> str:
 
 
 def parameter_title(parameter: str) -> str:
-    """Title of a key whose curves differ in ``parameter``: a condition, or the ``diameter_ratio``."""
+    """Title of a legend of curves that differ in a condition or the ``diameter_ratio``."""
     if parameter == "diameter_ratio":
         return "Diameter over roughness xₐ/σ"
     name = parameter.replace("_", " ").capitalize()
@@ -57,7 +57,7 @@ def note(parameter: str, value: float) -> str:
 
 
 def shared_notes(conditions: Sequence[Condition]) -> list[str]:
-    """The notes that all of ``conditions`` with particles have in common."""
+    """The notes common to all ``conditions`` with particles."""
     rows = [
         [note(name, getattr(one, name)) for name in NOTED]
         for one in conditions
@@ -67,7 +67,7 @@ def shared_notes(conditions: Sequence[Condition]) -> list[str]:
 
 
 def label(condition: Condition) -> str:
-    """All four conditions, as the file of the drawn data names a curve."""
+    """All four conditions, the name of a curve in the file of the data drawn."""
     return "; ".join(
         f"{axis.symbol} = {axis.from_si(value):.10g} {axis.unit}"
         for axis, value in zip(CONDITION_AXES, condition, strict=True)
@@ -78,8 +78,8 @@ POWERS = FuncFormatter(lambda value, _: power_text(value))
 
 
 class Scale(NamedTuple):
-    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI; of a fraction
-    the ``limits`` between regimes or contact modes, and the names of these ``zones`` from below."""
+    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI; for a fraction
+    also the ``limits`` between regimes or contact modes, and the names of these ``zones``."""
 
     title: str
     label: str
@@ -120,10 +120,10 @@ SCALES = {
 
 
 def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
-    """Set scales, ticks, labels and limits of axes in which all data have been drawn.
+    """Set scales, ticks, labels and limits of axes after all data have been drawn.
 
-    ``x`` and ``y`` are quantities of ``SCALES``.  With ``newtons_per_load``, F_t/F_t* [N], an axis of
-    loads has newtons at the upper edge.
+    ``x`` and ``y`` are quantities of ``SCALES``.  With ``newtons_per_load``, F_t/F_t* [N], a load
+    axis shows newtons at the upper edge.
     """
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
@@ -156,7 +156,7 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
 
 
 def _draw_newtons(axes, newtons_per_load):
-    """Ticks in newtons at the upper edge: a secondary axis takes as long to draw as the first one."""
+    """Ticks in newtons at the upper edge; a secondary axis would take as long to draw as the first one."""
     ends = np.array(axes.get_xlim()) * newtons_per_load
     locator = LogLocator() if axes.get_xscale() == "log" else MaxNLocator(5)
     newtons = [tick for tick in locator.tick_values(*ends) if ends[0] <= tick <= ends[1]]

@@ -1,4 +1,4 @@
-"""Figures 1 and 2: the three-body interface and its contact modes, drawn true to scale."""
+"""Figures 1 and 2: the three-body interface and its contact modes, drawn to scale."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ def plot_interface(data: PlainDataset) -> Drawing:
 
 
 def plot_modes(data: PlainDataset) -> Drawing:
-    """Figure 2: a section in each of ``MODES``, in this order; ``ValueError`` if the model finds another
-    mode than a panel is to show."""
+    """Figure 2: a section for each of ``MODES``, in this order; ``ValueError`` if the model finds a
+    different mode than a panel shows."""
     sections = panels_of(data)
     figure = grid_of_axes(len(MODES), CELL, MARGINS)
     common = shared_notes([condition_of(section) for section in sections])
@@ -78,7 +78,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
 
 
 def _entries(looks) -> list[Line2D]:
-    """Entries of the key."""
+    """Legend entries."""
     entries = [
         Line2D([], [], label=text, linestyle="none", markersize=9.0, **look)
         for text, look in looks.items()
@@ -87,8 +87,8 @@ def _entries(looks) -> list[Line2D]:
 
 
 def _draw_section(figure: Drawing, title: str, section: Section) -> Axes:
-    """Draw a section, lengths and heights to one scale: surfaces, the contact of summits, particles,
-    undeformed though they dent the surfaces where they are held."""
+    """Draw a section, lengths and heights to the same scale: surfaces, contacts of summits, and
+    particles, undeformed although they indent the surfaces where they are held."""
     series: list[Series] = []
     axes = figure.add_panel(Panel(title, "position", "height", series))
     position, length = section["position"], section["position"][-1]

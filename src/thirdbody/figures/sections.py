@@ -1,12 +1,12 @@
-"""Random sections through the three-body interface, true to scale, and the dataset that keeps them.
+"""Random sections through the three-body interface, to scale, and their dataset.
 
-The surfaces are Gaussian, the particles come from the size distribution of the model, and the mean
-planes stand at the solved separation.  The seed is always the same.
+The surfaces are Gaussian, the particles follow the size distribution of the model, and the mean
+planes are at the solved separation.  The seed is fixed.
 
-A section has values by the names of the variables of the dataset.  Its state: the condition, d [m],
-A_sa,t*, L_s and the mode of the solution there.  Shape (n,): ``position`` along it, the heights ``lower``
-and ``upper`` of both surfaces [m], equal and flat where ``surfaces_touch``.  Shape (particles,): position
-and height of their centres and their size [m], and ``particle_carries_load``.
+A section has values by the variable names of the dataset.  Its state: the condition, d [m],
+A_sa,t*, L_s and the mode of the solution.  Shape (n,): ``position`` along it, the heights ``lower``
+and ``upper`` of both surfaces [m], equal and flat where ``surfaces_touch``.  Shape (particles,):
+position and height of their centres and their size [m], and ``particle_carries_load``.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES
 
-SEED = 20240507  # the day on which the paper appeared
+SEED = 20240507  # publication date of the paper
 LENGTHS = {"fig01": 12e-6, "fig02": 8e-6}  # of the sections of each schematic [m]
 POINTS = 500
-CLEARANCE = 0.12  # fraction of the section that contacts keep from its ends
+CLEARANCE = 0.12  # distance of contacts from the ends, as a fraction of the section
 ATTEMPTS = 1000
 
 Section = Mapping[str, Any]
@@ -83,7 +83,7 @@ def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> 
     variables = {}
     for name, (dims, attributes) in VARIABLES.items():
         values = [section[name] for section in found]
-        if dims is PARTICLE:  # panels with fewer particles than others end with nan
+        if dims is PARTICLE:  # panels with fewer particles are padded with nan
             nothing = np.nan if values[0].dtype == float else 0
             values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
         variables[name] = Variable(dims, np.array(values), attributes)
@@ -101,7 +101,7 @@ def panels_of(data: PlainDataset) -> list[Section]:
 
 
 def section_through(state: Section, parameters: Parameters, length: float, seed: int) -> Section:
-    """A section of this ``length`` [m] that meets the contacts which carry the load: summits touch in
+    """A section of this ``length`` [m] through the contacts that carry the load: summits touch in
     the s-s and hybrid modes, a particle is held in the p-s and hybrid modes.
 
     ``ValueError`` if no random section is of this kind.
@@ -111,8 +111,8 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
     mode = CONTACT_MODES[state["contact_mode"]]
     summits_touch = mode in ("two_body", "surface_surface", "hybrid")
     particle_carries = mode in ("particle_surface", "hybrid")
-    # by how much a gap may exceed a particle that carries load in it: by the height of the plane that
-    # particles meet, and by the elastic zone as printed
+    # largest excess of a gap over a particle that carries load in it: the height of the plane that
+    # particles meet, plus the elastic zone as printed
     options, sigma = parameters.interpretation, state["roughness"]
     depth = parameters.elastic_depth_ratio * state["particle_diameter"]
     reach = options.particle_plane.height(sigma, parameters) + options.elastic_limits.beyond * depth
@@ -141,16 +141,16 @@ def section_through(state: Section, parameters: Parameters, length: float, seed:
 def _surfaces(state, parameters, position, summits_touch, random):
     """Heights of the lower and the upper surface; they interpenetrate where summits touch."""
     sigma, separation = state["roughness"], state["separation"]
-    # the correlation length l of a Gaussian surface with the model's density of summits, which is
-    # 1/(2 pi sqrt(3) l^2) with the autocorrelation exp(-x^2/2l^2): Nayak (1971)
-    # ASSUME: this autocorrelation, and the density rather than the radius of the summits, which
-    # cannot both be those of a Gaussian surface
+    # the correlation length l of a Gaussian surface with the summit density of the model, which is
+    # 1/(2 pi sqrt(3) l^2) for the autocorrelation exp(-x^2/2l^2): Nayak (1971)
+    # ASSUME: this autocorrelation, and the density rather than the radius of the summits, as a
+    # Gaussian surface cannot have both
     length = 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * parameters.surface(sigma).summit_density)
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
     lower, upper = (sigma / np.sqrt(2.0) * _profile(position, length, random) for _ in range(2))
     if summits_touch:
-        # a Gaussian process that passes a given height there: a draw plus its regression on the
-        # difference; beyond a high level d it rises sigma^2/d on average
+        # a Gaussian process through a given height there: a sample plus its regression on the
+        # difference; above a high level d it rises by sigma^2/d on average
         place = random.uniform(0.25, 0.4) * position[-1]
         missing = separation + sigma**2 / separation - np.interp(place, position, lower - upper)
         rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
@@ -168,10 +168,10 @@ def _profile(position, length, random):
 
 
 def _particles(state, parameters, position, lower, upper, reach, random) -> dict[str, NDArray]:
-    """Particles of a slab as deep as their mean distance.
+    """Particles of a slab as deep as their mean spacing.
 
-    With a ``reach`` the first carries load: it lies in the narrowest place on the right, and is larger
-    than the gap there less the reach.
+    With a ``reach`` the first carries load: it is in the narrowest gap on the right, and larger
+    than this gap minus the reach.
     """
     count = round(position[-1] * np.sqrt(state["particle_density"]))
     places = random.uniform(0.05, 0.95, count) * position[-1]
@@ -193,8 +193,8 @@ def _particles(state, parameters, position, lower, upper, reach, random) -> dict
 def size_quantiles(
     fraction: ArrayLike, smallest: ArrayLike, diameter: float, parameters: Parameters
 ) -> NDArray:
-    """Sizes [m] below which a ``fraction`` of the particles from ``smallest`` [m] to X_max lies, for a
-    mean ``diameter`` x_a [m]."""
+    """Quantiles [m] of the sizes from ``smallest`` [m] to X_max at a ``fraction``, for x_a =
+    ``diameter`` [m]."""
     mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
     above = ndtr(parameters.truncation)
     below = np.minimum(ndtr((smallest - mean) / spread), above)
@@ -202,8 +202,8 @@ def size_quantiles(
 
 
 def _settled(place, diameter, position, lower, upper, reach) -> tuple[float, bool]:
-    """Height of a particle at rest on the lower surface, or held where the gap is narrower than it; and
-    whether it carries load, as where the gap exceeds it by no more than the ``reach``."""
+    """Height of a particle resting on the lower surface, or held in a narrower gap; and whether it
+    carries load, which it does if the gap exceeds it by at most ``reach``."""
     radius = 0.5 * diameter
     across = np.abs(position - place) < radius
     if not across.any():
@@ -215,7 +215,7 @@ def _settled(place, diameter, position, lower, upper, reach) -> tuple[float, boo
 
 
 def _are_apart(particles, contacts, length) -> bool:
-    """Whether no particle covers another, a contact of summits, or the ends of the section."""
+    """Whether no particle overlaps another, a contact of summits, or the ends of the section."""
     places, radii = particles["particle_position"], 0.5 * particles["particle_size"]
     distances = np.abs(places[:, None] - places) - radii[:, None] - radii
     np.fill_diagonal(distances, np.inf)

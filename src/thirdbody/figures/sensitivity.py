@@ -1,4 +1,4 @@
-"""How results respond to each unpublished input: heat maps of elasticities and total Sobol indices."""
+"""Sensitivity to each unprinted input: heat maps of elasticities and total Sobol indices."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ WIDTH, ROW = 7.5, 0.17  # of the figure, height of a row [inches]
 MARGINS = 1.65, 0.1, 0.05, 0.22
 BELOW = 1.75  # inches for the names of the results and the note
 LETTERS = 110  # in a line of the note
-# measure: colour map, values of its ends, least value that is written
+# measure: colour map, values at its ends, smallest value that is printed
 SHADES = {"elasticity": ("RdBu", (-3.0, 3.0), 0.05), "sobol_total": ("Blues", (0.0, 0.6), 0.015)}
-DARK = 0.45  # lightness of a cell below which its number is white
+DARK = 0.45  # lightness of a cell below which its text is white
 LIGHTNESS = (0.299, 0.587, 0.114)  # weights of red, green, blue: ITU-R BT.601
 CORNERS = np.array([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)])  # of a cell
 
@@ -52,7 +52,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
 
 
 def _by_weight(rows) -> list[str]:
-    """The inputs, those with the largest total index or else elasticity first."""
+    """The inputs in decreasing order of total index, then of elasticity."""
     weights = {row["input"]: dict.fromkeys(reversed(MEASURES), 0.0) for row in rows}
     for row in rows:
         largest, measure = weights[row["input"]], row["measure"]
@@ -61,7 +61,7 @@ def _by_weight(rows) -> list[str]:
 
 
 def _draw_cells(axes: Axes, values: np.ndarray, measure: str) -> None:
-    """A coloured cell for each value, and its number where it is not negligible."""
+    """A coloured cell for each value, with its number if it is not negligible."""
     colours, (low, high), least = SHADES[measure]
     mesh = axes.pcolormesh(
         values, cmap=colours, vmin=low, vmax=high, edgecolors="white", linewidth=0.6

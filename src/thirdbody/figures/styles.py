@@ -1,4 +1,4 @@
-"""How curves look: colours, dashes and markers that differ in grey too."""
+"""Styles of curves: colours, dashes and markers that also differ in grey."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from matplotlib.lines import Line2D
 from thirdbody.data.conditions import Condition
 from thirdbody.figures.scales import value_text
 
-MARKERS = "osD^vPX"  # every second one is hollow: levels next to each other look different
-DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: two-body contact is black, lines fade on white
+MARKERS = "osD^vPX"  # every second one is hollow, so that neighbouring levels differ
+DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: black is two-body contact, white is paper
 GREY = "0.5"
-BLUE = "#0072B2"  # of the one curve of an interface, or of the model
+BLUE = "#0072B2"  # of a single curve of an interface, or of the model
 MARKERS_PER_CURVE = 5
-# Dry curves lie on the lubricated ones, which show in the gaps of their heavier dashes.
+# Dry curves are drawn over the lubricated ones, which are visible between the dashes.
 DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
 DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
 TINT = 0.13  # of the colour in a range, the rest is white
 
 
 def level_styles(count: int, size: int = 1) -> list[dict]:
-    """Line properties of curves of so many points at ``count`` ordered levels: the colour grows lighter, each
-    has its marker, at other points than the next one."""
+    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
+    lighter, and each has its own marker, at other points than the next one."""
     colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
     step = max(size // MARKERS_PER_CURVE, 1)
     return [
@@ -38,16 +38,16 @@ def level_styles(count: int, size: int = 1) -> list[dict]:
 
 
 def band_style(colour) -> dict:
-    """Properties of the area of a range: opaque with an edge, as many may lie on one another."""
+    """Properties of the area of a range: opaque with an edge, because several may overlap."""
     tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
     return {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
 
 
 def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict[Condition, dict]:
-    """Line properties of ``curves`` of so many points that differ in one ``parameter``.
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``.
 
-    Two-body contact is black or grey.  Beside lubricated contact, dry contact is dashed, or dotted without
-    particles, and has no markers.
+    Two-body contact is black or grey.  With lubricated contact, dry contact is dashed, or dotted
+    without particles, and has no markers.
     """
     all_dry = all(each.is_dry for each in curves)
     levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
@@ -65,8 +65,7 @@ def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict
 
 
 def key_entries(styles: Mapping[Condition, dict], parameter: str) -> list[Line2D]:
-    """Entries of the key for ``curve_styles``: the levels, then dry and lubricated contact where the curves
-    compare them."""
+    """Legend entries for ``curve_styles``: the levels, then dry and lubricated contact if compared."""
     compares_media = parameter != "viscosity" and len({each.is_dry for each in styles}) == 2
     entries = {
         _level_text(each, parameter): look
