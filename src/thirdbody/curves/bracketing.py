@@ -1,4 +1,4 @@
-"""Roots between two bounds of a function whose slope is not known, for arrays of points at once."""
+"""Bracketed root finding without derivatives, vectorized over points."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MAX_ITERATIONS = 100
-SPACING = 4.0 * np.finfo(float).eps  # of neighbouring numbers, relative: no bracket gets narrower
+SPACING = 4.0 * np.finfo(float).eps  # relative spacing of floats: width of the narrowest bracket
 
 
 def bracketed_roots(
@@ -17,11 +17,11 @@ def bracketed_roots(
     high: NDArray,
     tolerance: NDArray | float,
 ) -> tuple[NDArray, NDArray]:
-    """Find where a function changes its sign between two bounds, element by element.
+    """Find where a function changes sign between two bounds, element by element.
 
-    ``function`` maps a 1-D array to one of its shape; it is positive at one of ``low`` and ``high`` and not at
-    the other.  Returned are the end of the last bracket at which the function is smaller, and the width of
-    that bracket, at most ``tolerance`` where float64 allows it.
+    ``function`` maps a 1-D array to one of its shape, and is positive at exactly one of ``low`` and
+    ``high``.  Returns the end of the last bracket with the smaller absolute value, and the width of
+    the bracket, at most ``tolerance`` if float64 allows it.
 
     Chandrupatla (1997), Adv. Eng. Software 28:145.
     """
@@ -36,7 +36,7 @@ def bracketed_roots(
         done = width <= limit
         if done.all():
             break
-        with np.errstate(all="ignore"):  # where it divides by zero it bisects
+        with np.errstate(all="ignore"):  # a division by zero leads to bisection
             fraction = _interpolated(newest, other, last, f_newest, f_other, f_last)
             least = np.minimum(0.5 * limit / width, 0.5)
         fraction = np.where(np.isfinite(fraction), np.clip(fraction, least, 1.0 - least), 0.5)
@@ -50,12 +50,12 @@ def bracketed_roots(
 
 
 def _interpolated(newest, other, last, f_newest, f_other, f_last):
-    """How far on the way from ``newest`` to ``other`` inverse quadratic interpolation puts the root,
-    from 0 to 1; nan where the three points do not promise that it is near there."""
+    """Root by inverse quadratic interpolation, as a fraction of the way from ``newest`` to
+    ``other``; nan where the three points do not make it reliable."""
     place, level = (newest - other) / (last - other), (f_newest - f_other) / (f_last - f_other)
-    guide = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
+    reliable = (level**2 < place) & ((1.0 - level) ** 2 < 1.0 - place)
     fraction = f_newest / (f_other - f_newest) * f_last / (f_other - f_last)
     fraction = fraction + (last - newest) / (other - newest) * f_newest / (f_last - f_newest) * (
         f_other / (f_last - f_other)
     )
-    return np.where(guide, fraction, np.nan)
+    return np.where(reliable, fraction, np.nan)

@@ -1,7 +1,7 @@
-"""Loads at which a curve passes from one lubrication regime or contact mode to another.
+"""Loads at which the lubrication regime or contact mode of a curve changes.
 
-At a separation d the loads of solids and film, and so L_s and A_sa,t*, depend on d alone.  A crossing
-is found over d between two points of the curve, and its load follows from Eq. 1.
+The loads of solids and film, and so L_s and A_sa,t*, depend on the separation d alone.  A crossing
+is found in d between two points of the curve, and Eq. 1 gives its load.
 """
 
 from __future__ import annotations
@@ -35,10 +35,10 @@ def transitions(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
-    ``separation`` d [m] and the ``values`` of the quantities that ``LIMITS`` name have the shape (loads,
+    ``separation`` d [m] and the ``values`` of the quantities in ``LIMITS`` have the shape (loads,
     curves), at increasing loads, nan where unknown; ``conditions``, shape (4, curves), are those of
-    ``solve`` after the load.  Returned are of each crossing the index of the limit and of the curve, the load
-    F_t* [1], a bound on its error [1], and whether the quantity rises with the load.
+    ``solve`` after the load.  Returns for each crossing the index of the limit and of the curve,
+    the load F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, known = excess > 0.0, np.isfinite(excess)
@@ -57,7 +57,7 @@ def transitions(
 
 
 def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
-    """F_t* [1] where A_sa,t*, or else L_s, has its level between two separations [m], and error bounds."""
+    """F_t* [1] where A_sa,t*, or else L_s, crosses its level between two separations [m]."""
     viscosity, diameter, roughness, density = conditions
     solids = make_contact(diameter, roughness, density, parameters, rtol)
 
@@ -68,7 +68,7 @@ def _crossings(first, last, of_ratio, level, conditions, parameters, rtol):
         return value - level
 
     at_first, at_last = excess(first), excess(last)
-    # within its error a point may lie on the level itself
+    # within its error a point may lie on the level
     outside = (at_first > 0.0) == (at_last > 0.0)
     nearest = np.where(np.abs(at_first) < np.abs(at_last), first, last)
     ends = (np.where(outside, nearest, end) for end in (first, last))

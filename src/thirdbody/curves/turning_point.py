@@ -1,14 +1,14 @@
 """Turning points of the contact area (TPCA).
 
-As the load on a contact with particles grows, the fraction of particles in the real contact area,
-A_sa,t*, first grows because more particles are touched, and falls once the summits between them
-touch in numbers.  "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section
-3.3): a curve has a turning point if A_sa,t* has a maximum within its range of loads that stands out,
-by ``PROMINENCE``, of the least value at smaller loads and of the least value at larger ones.
+As the load on a contact with particles increases, the particle fraction of the real contact area,
+A_sa,t*, first increases because more particles touch, and decreases once many summits between them
+touch. "A_sa,t* exhibits a rise followed by a decrease as the load increases" (section 3.3).  A
+curve has a turning point if A_sa,t* has a maximum within the range of loads that exceeds the least
+value at smaller loads, and the least value at larger loads, by ``PROMINENCE``.
 
-For given particles and surface A_sa,t* depends on the separation d alone.  The maximum therefore
-lies at one separation d*, dry or lubricated, and its load follows from the balance of forces
-(Eq. 1) without any search over loads: F_t = F_s(d*) + F_f(d*).
+For given particles and surface, A_sa,t* depends on the separation d alone.  The maximum is
+therefore at the same separation d*, dry or lubricated, and the force balance (Eq. 1) gives its load
+without a search over loads: F_t = F_s(d*) + F_f(d*).
 """
 
 from __future__ import annotations
@@ -29,21 +29,21 @@ from thirdbody.solver.points import make_contact
 from thirdbody.solver.solve import DEFAULT_RTOL
 from thirdbody.tabular import Tabular
 
-# ASSUME: by how much a turning point stands out on both sides [1], the width of a line on an axis from 0 to 1
+# ASSUME: prominence of a turning point on both sides [1], a line width on an axis from 0 to 1
 PROMINENCE = 0.02
-# d is found this much closer than the load is asked for: F_t* changes by up to t^2 as much as d
+# tolerance of d over that of the load: relative changes of F_t* are up to t^2 times those of d
 SEPARATION_MARGIN = 1e-3
-PLACES = 60  # separations between which the maxima under all films are looked for
+SAMPLES = 60  # separations between which the maxima under all films are sought
 
 
 @dataclass(frozen=True)
 class TurningPoints(Tabular):
-    """The interior maximum of each curve that stands out most: its turning point if ``exists``.
+    """The most prominent interior maximum of each curve: its turning point if ``exists``.
 
-    Arrays of shape (curves,), nan where a curve has no interior maximum: ``load`` is F_t* there, F_TPCA* [1],
-    with a bound ``load_error`` on its error; ``peak_ratio`` A_sa,t* [1], ``solid_load_fraction`` L_s [1] and
-    ``separation`` d* [m].  ``prominence`` is by how much A_sa,t* is higher there than the least value at smaller
-    loads, and than that at larger ones, whichever is less [1].
+    Arrays of shape (curves,), nan for curves without interior maximum: ``load`` is F_t* there,
+    F_TPCA* [1], and ``load_error`` bounds its error; ``peak_ratio`` is A_sa,t* [1],
+    ``solid_load_fraction`` L_s [1] and ``separation`` d* [m].  ``prominence`` is the excess of
+    A_sa,t* over the least value at smaller or at larger loads, whichever is less [1].
     """
 
     load: NDArray
@@ -68,13 +68,13 @@ def turning_points(
     parameters: Parameters,
     rtol: float = DEFAULT_RTOL,
 ) -> TurningPoints:
-    """Find the interior maximum of A_sa,t*(F_t*) that stands out most on each curve.
+    """Find the most prominent interior maximum of A_sa,t*(F_t*) on each curve.
 
-    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, whose first and
-    last are those of the range; nan where there is no solution.  They only enclose the maxima, which are
-    then found more closely.  The conditions have the shape (curves,) [m2/s, m, m, m-2].  Two-body curves,
-    and curves without solution where the maximum would lie, have none; nor do those whose maximum
-    float64 cannot tell from the least value beside it.
+    ``separation``, shape (loads, curves), are solved separations d [m] at increasing loads, whose
+    first and last are those of the range; nan without solution.  They only bracket the maxima,
+    which are found more accurately.  The conditions have the shape (curves,) [m2/s, m, m, m-2].
+    Two-body curves, and curves without solution at the maximum, have none; nor do curves whose
+    maximum float64 cannot distinguish from the least value beside it.
     """
     ends = np.fmax.reduce(separation)[np.newaxis], np.fmin.reduce(separation)[np.newaxis]
     solids = particle_diameter, roughness, particle_density
@@ -96,14 +96,14 @@ def film_turning_points(
 ) -> TurningPoints:
     """Find the turning points of the same solids under every film: arrays of shape (films, solids).
 
-    The maxima lie at the same separations d* whatever the film, and are searched once; their loads, and
-    how far they stand out within the loads, differ.  ``separation``, shape (loads, films, solids), only
-    tells the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the others (solids,).
-    ``prominence`` is negative where the maximum lies beyond the loads, as ``ratio_maxima`` says; all else
-    is known of turning points alone.
+    The maxima are at the same separations d* for all films, and are found once; their loads and
+    their prominence within the range of loads differ.  ``separation``, shape (loads, films,
+    solids), only gives the ends of the curves; ``viscosity`` [m2/s] has the shape (films,), the
+    others (solids,).  ``prominence`` is negative for maxima outside the loads, as in
+    ``ratio_maxima``; all other fields are nan without a turning point.
     """
     first, last = np.fmax.reduce(separation), np.fmin.reduce(separation)
-    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), PLACES)
+    between = np.linspace(np.fmax.reduce(first), np.fmin.reduce(last), SAMPLES)
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
     found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
@@ -118,7 +118,7 @@ def film_turning_points(
 def _turning_points(
     separation, ends, viscosity, diameter, roughness, density, parameters, rtol
 ) -> TurningPoints:
-    """The maximum that stands out most under each film on each solid: arrays of shape (films, solids).
+    """The most prominent maximum of each solid under each film: arrays of shape (films, solids).
 
     ``separation`` [m] has shape (separations, solids), ``ends`` and ``viscosity`` (films, solids).
     """
@@ -157,14 +157,13 @@ def _turning_points(
 def ratio_maxima(
     solids: Contact, separation: NDArray, ends: tuple[NDArray, NDArray], rtol: float
 ) -> tuple[NDArray, NDArray, NDArray, NDArray]:
-    """Find the maxima of A_sa,t* over the separation, as closely as ``rtol`` d, and how far each stands out.
+    """Find the maxima of A_sa,t* over the separation, to ``rtol`` d, and their prominence.
 
-    ``separation`` is d [m], falling from row to row, shape (separations, curves), nan where there is no
-    solution; ``ends``, shape (..., curves), d [m] at the first and at the last load.  Returned are the curve
-    of each maximum, its d* [m], a bound on the error of that, and its prominence [1], shape (..., maxima):
-    by how much A_sa,t* is higher than the least value at smaller loads, and than that at larger ones,
-    whichever is less.  A maximum beyond an end of the curve counts by how much it exceeds the end,
-    negatively: so the prominence passes 0 where a maximum leaves the loads.
+    ``separation`` d [m], shape (separations, curves), decreases from row to row, nan without solution;
+    ``ends``, shape (..., curves), are d [m] at the first and last load.  Returns the curve of each maximum,
+    its d* [m], a bound on the error of d*, and its prominence [1], shape (..., maxima): the excess of
+    A_sa,t* over the least value at smaller or larger loads, whichever is less.  For a maximum outside the
+    curve it is minus the excess over the end, so that it passes through 0 at the end.
     """
     falling = odds_slope(solids, separation) > 0.0
     solved = np.isfinite(separation)
@@ -185,7 +184,7 @@ def ratio_maxima(
 
 
 def _prominence(maxima, minima, ends, solids: Contact) -> NDArray:
-    """Prominence of maxima, each a curve, d [m] and A_sa,t*, among minima and the ends [m]."""
+    """Prominence of maxima (curve, d [m], A_sa,t*), given the minima and the ends [m]."""
     curve, place, ratio = maxima
     first, last = ends[..., curve]
     before, after = ratio - particle_ratio(solids.take(curve), np.stack([first, last]))
@@ -210,8 +209,8 @@ def particle_ratio(solids: Contact, separation: NDArray) -> NDArray:
 def load_at(
     solids: Contact, viscosity: NDArray, roughness: NDArray, separation: NDArray
 ) -> tuple[NDArray, NDArray, NDArray]:
-    """F_t* [1] that holds surfaces at ``separation`` d [m] (Eq. 1), L_s [1] there, and the steepest
-    |d ln F/dd| [m-1] of solids and film, for nu [m2/s] and sigma [m]: arrays of one shape."""
+    """F_t* [1] at ``separation`` d [m] (Eq. 1), L_s [1] there, and the largest |d ln F/dd| [m-1] of
+    solids and film, for nu [m2/s] and sigma [m]: arrays of one shape."""
     inputs, loads = solids.parameters, solids.log_solid_load(separation)
     solid = np.exp(loads.value)
     film, film_slope = film_load(separation, viscosity, roughness, inputs)
@@ -220,7 +219,7 @@ def load_at(
 
 
 def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
-    """dA_sa/dd - A_sa d ln A_ss-sa/dd over A_n [m-1], which has the sign of dA_sa,t*/dd.
+    """(dA_sa/dd - A_sa d ln A_ss-sa/dd)/A_n [m-1], with the sign of dA_sa,t*/dd.
 
     It is finite where no summit touches, and negative where no particle touches.
     """

@@ -1,7 +1,7 @@
-"""Windows of particle sizes: between which diameters a curve has a turning point.
+"""Windows of particle sizes in which a curve has a turning point.
 
-Small particles vanish between the summits, large ones keep them apart: only for diameters x_a of
-about the roughness sigma does A_sa,t* of dry contact turn (see ``turning_point``).
+Small particles do not touch between the summits, and large ones keep the summits apart; A_sa,t* of
+dry contact turns only for diameters x_a close to the roughness sigma (see ``turning_point``).
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from thirdbody.tabular import Tabular
 
 @dataclass(frozen=True)
 class Window(Tabular):
-    """Diameters over roughness between which there is a turning point [1].
+    """Range of x_a/sigma [1] with a turning point.
 
-    ``low`` and ``high`` are nan where there is no window.  ``low_error`` and ``high_error`` bound
-    their errors; infinite where the sweep ends within the window, so that it was not enclosed.
+    ``low`` and ``high`` are nan if there is no window.  ``low_error`` and ``high_error`` bound
+    their errors; they are infinite if the sweep ends inside the window.
     """
 
     low: float
@@ -35,11 +35,11 @@ class Window(Tabular):
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """How finely windows are searched.
+    """Resolution and tolerance of the search for windows.
 
-    ``ratios`` are the x_a/sigma of the first sweep [1], increasing; ``tolerance`` is the absolute error of both
-    ends [1]; infinite: they are interpolated in the sweep, not refined.  Maxima are looked for between so many
-    ``separations``, and must stand out by ``prominence`` [1]; ``rtol`` is the relative error of what is solved.
+    ``ratios`` are the sampled x_a/sigma [1], increasing; ``tolerance`` is the absolute error of both ends
+    [1]; if infinite, they are interpolated, not refined.  Maxima are sought between ``separations`` points
+    and must have a ``prominence`` [1]; ``rtol`` is the relative error of the solved points.
     """
 
     ratios: NDArray
@@ -56,7 +56,7 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find on each surface, of ``roughness`` sigma [m], the longest range of x_a/sigma with a turning point.
+    """Find the longest range of x_a/sigma with a turning point for each ``roughness`` sigma [m].
 
     The contact is dry, ``density`` is eta_a [m-2], and ``load_range`` the first and last load F_t* [1].
     """
@@ -86,20 +86,20 @@ def turning_point_windows(
 
 
 def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
-    """Find the ends [1] of the windows of many sweeps at once, nan where there is none.
+    """Find the ends [1] of the windows of many sweeps at once, nan without a window.
 
-    ``ratios`` are the x_a/sigma of the sweeps [1], ``prominence`` [1], shape (ratios, ...), that of
+    ``ratios`` are the x_a/sigma of the sweeps [1], ``prominence`` [1], shape (ratios, ...), is from
     ``film_turning_points``.  A window that reaches an end of the sweep ends there.
     """
     columns = ratios.reshape(-1, *[1] * (prominence.ndim - 1))
-    margins = _above_least(prominence)
+    margins = _margin_over_least(prominence)
     _, _, (low, high) = _ends_of_longest_runs(np.broadcast_to(columns, margins.shape), margins)
     return low, high
 
 
 def _ends_of_longest_runs(ratios, margins):
-    """The longest run of positive ``margins`` along the first axis: the ratios at its two ends, those
-    beside them without, and where between them the margin vanishes; each of shape (2, ...)."""
+    """The longest run of positive ``margins`` along the first axis: the ratios at its two ends, their outer
+    neighbours, and the interpolated zeros of the margin between them; shape (2, ...) each."""
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
     for place, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
@@ -111,39 +111,39 @@ def _ends_of_longest_runs(ratios, margins):
     inner, outer = (np.take_along_axis(ratios, place, 0) for place in (within, beyond))
     at_inner, at_outer = (np.take_along_axis(margins, place, 0) for place in (within, beyond))
     inner = np.where(longest > 0, inner, np.nan)
-    with np.errstate(divide="ignore", invalid="ignore"):  # a run that is not closed
+    with np.errstate(divide="ignore", invalid="ignore"):  # an open run
         fraction = np.where(within == beyond, 0.0, at_inner / (at_inner - at_outer))
     return inner, outer, inner + fraction * (outer - inner)
 
 
 def _margin(search, load_range, diameter, roughness, density, parameters):
-    """By how much a turning point stands out more than it must; negative where there is none."""
+    """Margin of the largest prominence over the least required; negative without a turning point."""
     columns = diameter, roughness, np.full_like(diameter, density)
     names = "particle_diameter", "roughness", "particle_density"
     points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
     points |= dict(zip(names, columns, strict=True))
     first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
     solids = make_contact(*columns, parameters, search.rtol)
-    between = _between(first, last, roughness, search.separations)
+    between = _separations(first, last, roughness, search.separations)
     curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
     greatest = np.full_like(first, np.nan)
     np.fmax.at(greatest, curve, prominence)
-    return _above_least(greatest, search.prominence)
+    return _margin_over_least(greatest, search.prominence)
 
 
-def _above_least(prominence, least=PROMINENCE):
-    """By how much the root of a prominence, with its sign, exceeds that of the least; nan counts as 0.
+def _margin_over_least(prominence, least=PROMINENCE):
+    """Signed square root of the prominence minus the root of the least; nan counts as 0.
 
-    The prominence of a maximum grows with the square of its distance from the end of the loads: its root
-    changes about evenly with x_a/sigma.
+    The prominence of a maximum grows with the square of its distance from the end of the loads: its
+    root is nearly linear in x_a/sigma.
     """
     known = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)
 
 
-def _between(first, last, roughness, count):
-    """``count`` separations [m] from the largest of ``first`` to the least of ``last`` among the
-    curves of each roughness: shape (count, curves)."""
+def _separations(first, last, roughness, count):
+    """``count`` separations [m] from the largest ``first`` to the least ``last`` of the curves of
+    each roughness: shape (count, curves)."""
     _, surface = np.unique(roughness, return_inverse=True)
     ends = np.full((2, surface.max() + 1), np.nan)
     np.fmax.at(ends[0], surface, first)
