@@ -105,12 +105,11 @@ class Contact:
         area_rounding = self.particles.rounding(separation, area, area_slope)
         noise = fraction * rounding + (1.0 - fraction) * area_rounding
         has_load = log_beside > NOTHING
+        steepest = np.where(has_load, np.abs(slope) + bare_area_slope, 0.0)
         return SolidLoad(
             value,
             fraction * (slope + bare_slope) + (1.0 - fraction) * particle_slope,
-            np.maximum(
-                np.where(has_load, np.abs(slope) + bare_area_slope, 0.0), np.abs(particle_slope)
-            ),
+            np.maximum(steepest, np.abs(particle_slope)),
             noise + 4.0 * EPSILON * (1.0 + np.abs(value)),
             np.maximum(np.where(has_load, rounding, 0.0), area_rounding),
             area,
