@@ -1,9 +1,9 @@
-"""Which statements of the paper the model reproduces, and for which inputs.
+"""Which statements of the paper the model reproduces, and with which inputs.
 
-``claims`` holds the paper's statements as data, ``checks`` judges one of them on curves that
-``evidence`` solves.  ``calibration``, ``search`` and ``results`` find the inputs that the paper does
-not print.  ``verdicts`` and ``page`` make tables and pages; ``band``, ``sensitivity``
-and ``sobol`` compute how results depend on the inputs.  Begin with ``claims``, then ``checks.judge``.
+``claims`` has the statements of the paper as data; ``checks`` evaluates them on curves solved by
+``evidence``.  ``calibration``, ``search`` and ``results`` find the unprinted inputs.  ``verdicts``
+and ``page`` make tables and pages; ``band``, ``sensitivity`` and ``sobol`` compute the dependence
+of results on the inputs.  Start with ``claims``, then ``checks.judge``.
 """
 
 from thirdbody.extras import require

@@ -16,9 +16,8 @@ from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve
 
-BAND_RTOL = 1e-4  # asked for each member: an error far below the width of a drawn line
-# Suffix of a variable: the word for it in its long name, and the function that finds it, for which
-# nan gives way to numbers.
+BAND_RTOL = 1e-4  # for each member: an error far below a line width
+# Suffix of a variable: the word in its long name, and the function, which ignores nan.
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
 SUMMARY = (
     "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "
@@ -35,12 +34,12 @@ COMMENT = (
 def band(
     dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
 ) -> PlainDataset:
-    """Lowest and highest value of each quantity over an ensemble of inputs, along given curves.
+    """Lowest and highest value of each quantity over an ensemble of inputs, along the given curves.
 
     ``dataset`` has the points of a figure, solved with ``base``; each member of the ``ensemble`` has the
     inputs that differ from ``base``, SI.  Every member is solved at the conditions and loads F_t* of
-    ``dataset``, whose own values count as well, so that the band encloses its curves.  Returned are
-    variables ``<quantity>_low`` and ``<quantity>_high``, laid out as the quantity is in ``dataset``.
+    ``dataset``, whose values are included, so that the band encloses its curves.  Returns variables
+    ``<quantity>_low`` and ``<quantity>_high``, with the layout of the quantity in ``dataset``.
     """
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
@@ -66,7 +65,8 @@ def band(
 
 
 def _variable(values, attributes, shown, extreme):
-    """A variable: ``values`` [load, curve] where conditions are ``shown``, else the fill value."""
+    """A variable with ``values`` [load, curve] where conditions are ``shown``, and the fill value
+    elsewhere."""
     whole = np.full((len(values), *shown.shape), FILL_FLOAT)
     whole[:, shown] = values
     described = {name: attributes[name] for name in ("units", "symbol", "equation")}

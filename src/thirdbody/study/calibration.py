@@ -1,9 +1,9 @@
-"""Finding the inputs that the paper does not print, as an inverse problem.
+"""Calibration of the unprinted inputs as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The unknowns are
-sought for which the paper's statements hold, as ``config/calibration.yaml`` states it.  A search works on
-*positions*: the value of each unknown as its place between its bounds, from 0 to 1, on a linear or
-logarithmic scale.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The
+search is for unknowns with which the statements of the paper hold, as defined in
+``config/calibration.yaml``.  It works on *positions*: the value of each unknown between its bounds,
+scaled to 0 to 1, linearly or logarithmically.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from thirdbody.study.checks import MISSING_SCORE, Judge
 from thirdbody.study.claims import Claim
 from thirdbody.study.evidence import QUICK_EFFORT
 
-# The loss of a statement that fails badly is nearly flat: this slope keeps it worth improving.
+# The loss of a statement that fails badly is nearly flat: this slope still rewards improvement.
 SLOPE_OF_LOSS = 0.1
 
 
 @dataclass(frozen=True)
 class Unknown:
-    """An input of the model that is to be found, a field of ``Parameters``: values between ``bounds`` are tried,
-    those beyond the ``usual`` range are penalised [unit of the input]."""
+    """An unknown input, a field of ``Parameters``: values are searched between ``bounds`` and
+    penalised outside the ``usual`` range [unit of the input]."""
 
     name: str
     bounds: tuple[float, float]
@@ -51,8 +51,8 @@ class Unknown:
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Square of the distance of a value beyond the usual range, 0 within it: in decades if the scale is
-        logarithmic, else in widths of the range [1]."""
+        """Squared distance of a value from the usual range: in decades if the scale is logarithmic,
+        otherwise in widths of the range [1]."""
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -61,8 +61,8 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """One interpretation of the printed equations, by its name in ``config/calibration.yaml``: inputs that it
-    fixes, SI, and those to be found, in the order of the positions."""
+    """One interpretation of the printed equations, by its name in ``config/calibration.yaml``:
+    fixed inputs, SI, and unknowns, in the order of the positions."""
 
     name: str
     fixed: dict[str, Any]
@@ -70,7 +70,7 @@ class Interpretation:
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
-        """Take an interpretation from the content of ``config/calibration.yaml``."""
+        """Read an interpretation from the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
         unknowns = []
         for each in (*settings["always"], *entry.get("unknowns", ())):
@@ -96,7 +96,7 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """What a calibration minimises: losses of the statements, each with its weight [1], and penalties for
+    """The objective of a calibration: weighted losses of the statements [1], plus penalties for
     unusual inputs."""
 
     judge: Judge
@@ -106,11 +106,11 @@ class Objective:
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """Make the objective over ``claims``, without those that stand aside.
+        """Make the objective over ``claims``, without those set aside.
 
-        The weight of a statement is that of its kind, shared among the statements of its cluster.
-        ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are neither
-        fixed nor searched.
+        The weight of a statement is that of its kind, divided among the statements of its cluster.
+        ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are
+        neither fixed nor searched.
         """
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
@@ -121,7 +121,7 @@ class Objective:
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        """Statements that the inputs are fitted to."""
+        """Statements to which the inputs are fitted."""
         return self.judge.claims
 
     def repeating(self, name: str) -> NDArray[np.bool_]:
@@ -133,7 +133,7 @@ class Objective:
     def scores(
         self, interpretation: Interpretation, inputs: Mapping[str, Any]
     ) -> NDArray[np.float64]:
-        """Score of each of ``claims`` in tolerances [1]; the greatest if no surface has these inputs."""
+        """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
         except ValueError:
@@ -141,33 +141,33 @@ class Objective:
         return np.array([verdict.score for verdict in verdicts.values()])
 
     def value(self, penalty: float, scores: ArrayLike) -> float:
-        """What is minimised [1]: the penalty, and the weighted losses of the scores added up."""
+        """The objective [1]: the penalty plus the weighted losses of the scores."""
         return float(penalty + np.sum(self.weights * loss(np.asarray(scores))))
 
     def __call__(self, interpretation: Interpretation, positions: ArrayLike) -> float:
-        """What is minimised [1], at the ``positions`` of the unknowns."""
+        """The objective [1] at the ``positions`` of the unknowns."""
         inputs = interpretation.values(positions)
         return self.value(interpretation.penalty(inputs), self.scores(interpretation, inputs))
 
 
 def loss(score: ArrayLike) -> ArrayLike:
-    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1]: small where it holds, steepest where
-    it ceases to, and nearly flat far off, so that one that cannot hold does not outweigh the others."""
+    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1]: small where it
+    holds, steepest at the tolerance, and nearly flat far away, so that a statement that cannot hold
+    does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 class Fold(NamedTuple):
-    """One part of the cross-validation: the statements of some figures are left out of the search and
-    ``judged`` by its result; those ``fitted`` neither refer to these figures nor repeat or contradict a judged
-    one."""
+    """One fold of the cross-validation: statements of some figures are left out of the search and
+    ``judged`` with its result; those ``fitted`` neither refer to these figures nor repeat or
+    contradict them."""
 
     judged: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
 
 
 def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> list[Fold]:
-    """Divide the statements into folds: each is judged once, in the fold whose ``figures`` have its first
-    figure, by inputs that never saw it."""
+    """Divide the statements into folds: each is judged once, in the fold of its first figure."""
     folds = []
     for part in map(set, figures):
         judged = tuple(claim for claim in claims if min(claim.all_figures) in part)
@@ -183,11 +183,11 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
 
 
 def write_rows(path: Path, rows: NDArray[np.float64]) -> None:
-    """Write positions and objectives, shape (rows, unknowns + 1), with all their digits."""
+    """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
     with atomic_write(path) as part:
         np.savetxt(part, rows, fmt="%.17g", delimiter=",")
 
 
 def read_rows(path: Path) -> NDArray[np.float64]:
-    """What ``write_rows`` wrote."""
+    """Read a file of ``write_rows``."""
     return np.loadtxt(path, delimiter=",", ndmin=2)

@@ -1,9 +1,9 @@
-"""How far a statement of the paper is from holding: one check for each kind of statement.
+"""Checks of the statements of the paper: one for each kind of statement.
 
-``judge`` takes the curves, turning points and windows that a claim refers to from ``evidence``,
-computes the number or course in question, and expresses its distance from what the paper says in
-tolerances of the claim.  A claim holds if this distance is at most 1.  The kinds of statements are
-explained at the head of ``config/claims.yaml``.  ``Judge`` does so for all claims and any inputs.
+``judge`` takes the curves, turning points and windows of a claim from ``evidence``, computes the
+number or course in question, and expresses its distance from the statement in tolerances of the
+claim.  A claim holds if this distance is at most 1.  The head of ``config/claims.yaml`` explains
+the kinds of statements.  ``Judge`` evaluates all claims for any inputs.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ from thirdbody.study.claims import (
 )
 from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_evidence
 
-MISSING_SCORE = 10.0  # the greatest score, also given where there is nothing to compare
-# Loads may miss the bound that a claim sets by this before its score grows: a line's width.
+MISSING_SCORE = 10.0  # the largest score, also used if there is nothing to compare
+# Loads may miss the bound of a claim by this before its score grows: a line width.
 BOUND_TOLERANCE = 0.02
-BEND = 0.1  # by how much a curve's slope must have fallen for a visible bend [1]
-SATURATED = 1e-12  # closer to 0 or 1, a ratio has lost the digits of its odds
-TINY = 1e-300  # least argument of logarithms, so that vanished quantities can be compared
+BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
+SATURATED = 1e-12  # closer to 0 or 1, the odds of a ratio have lost their digits
+TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can be compared
 
 
 class Measured(NamedTuple):
-    """What a check finds: a text, the distance from what is published in tolerances [1], and numbers, of which
-    ``worst`` is farthest off, by ``deviation``; that is nan where there is none."""
+    """Result of a check: a text, the distance from the published value in tolerances [1], and
+    numbers, of which ``worst`` has the largest deviation, ``deviation``; nan if there is none."""
 
     text: str
     distance: float
@@ -52,12 +52,12 @@ class Measured(NamedTuple):
 class Verdict(NamedTuple):
     """Result of judging a claim.
 
-    ``computed`` is what the model gives, as text; ``numbers`` are those compared with published ones
-    [unit of the quantity], of which ``worst`` is farthest off, by ``deviation``: computed minus published,
-    relative [1] if the tolerance is.  ``score`` is the distance from what is published in tolerances [1],
-    1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one bad miss does not outweigh all
-    else.  A claim is ``tested`` if the model reaches its condition within the loads, and ``holds`` if it is
-    tested and the score is at most 1.
+    ``computed`` is the result of the model as text; ``numbers`` are compared with published ones
+    [unit of the quantity], and ``worst`` has the largest ``deviation``: computed minus published,
+    relative [1] if the tolerance is.  ``score`` is the distance from the published value in
+    tolerances [1], 1 + its logarithm beyond 1, and at most ``MISSING_SCORE``, so that one large
+    miss does not outweigh the rest.  A claim is ``tested`` if the model reaches its condition
+    within the loads, and ``holds`` if it is tested and the score is at most 1.
     """
 
     computed: str
@@ -70,19 +70,19 @@ class Verdict(NamedTuple):
 
     @property
     def value(self) -> float:
-        """The number that is farthest off [unit of the quantity]; nan if there are none."""
+        """The number with the largest deviation [unit of the quantity]; nan if there are none."""
         return self.numbers[self.worst] if self.numbers else np.nan
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim; the argument is by how much, in the unit of the
-    bound, or the logarithm of the ratio of two loads."""
+    """No load of a curve is within the bounds of a claim; the argument is the shortfall, in the
+    unit of the bound, or the logarithm of a ratio of loads."""
 
 
 @dataclass(frozen=True)
 class Judge:
-    """Judges the same statements under any inputs: ``base`` has those that a set of inputs does not give, fields
-    of ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
+    """Evaluates the same statements for any inputs: ``base`` has inputs missing in a set, fields of
+    ``Parameters`` in SI; ``newtons`` are the first and last normal load of every curve [N]."""
 
     claims: Sequence[Claim]
     base: Mapping[str, Any]
@@ -94,11 +94,11 @@ class Judge:
         effort: Effort = FULL_EFFORT,
         claims: Sequence[Claim] | None = None,
     ) -> dict[str, Verdict]:
-        """Judge all statements, or some ``claims``, under ``inputs``, fields of ``Parameters`` in SI: verdicts by
-        the ids of the statements, in their order.  Inputs that are not physical raise ``ValueError``."""
+        """Evaluate all statements, or some ``claims``, for ``inputs``, fields of ``Parameters`` in SI:
+        verdicts by the ids of the statements, in order.  Unphysical inputs raise ``ValueError``."""
         some = self.claims if claims is None else claims
         prominence = effort.window.prominence
-        if prominence != PROMINENCE:  # then it is also the tolerance of what is said of maxima
+        if prominence != PROMINENCE:  # it is also the tolerance of statements on maxima
             some = [
                 replace(claim, tolerance=prominence) if claim.is_about_a_maximum else claim
                 for claim in some
@@ -109,7 +109,7 @@ class Judge:
 
 
 def judge(claim: Claim, evidence: Evidence) -> Verdict:
-    """Compare the model with a statement of the paper; ``evidence`` has at least what it refers to."""
+    """Compare the model with a statement of the paper; ``evidence`` must have its curves."""
     try:
         found = CHECKS[claim.kind](claim, evidence)
         tested = _is_within_the_loads(claim, evidence)
@@ -134,7 +134,7 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
 
 
 def _is_within_the_loads(claim: Claim, evidence) -> bool:
-    """Whether a claim on loads can be decided, as a load beyond the last one is only known to be larger."""
+    """Whether a claim on loads can be decided: a load beyond the last one is only known to be larger."""
     if claim.quantity not in ("load", *BETWEEN_CURVES):
         return True
     last = evidence.curves[claim.curves[0]].load[-1]
@@ -142,7 +142,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
         return bool(np.max([_bend_loads(claim, evidence), _mixed_loads(claim, evidence)]) < last)
     loads = _scalars(claim, evidence)
     beyond = loads >= last
-    if claim.along:  # the order of two neighbours beyond is not known
+    if claim.along:  # the order of two neighbours beyond the last load is unknown
         return not (beyond[1:] & beyond[:-1]).any()
     if claim.kind == "reach":
         return not beyond.all()
@@ -153,7 +153,7 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
 
 
 def _faintness(height: float) -> float:
-    """Distance of a turning point from being visible: 1 at a ``height`` of 1, 0 from 2 on, no bend."""
+    """Distance of a turning point from being visible: 1 at a ``height`` of 1, 0 from 2 on, smooth."""
     return max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)
 
 
@@ -161,7 +161,7 @@ def _faintness(height: float) -> float:
 
 
 def check_value(claim: Claim, evidence) -> Measured:
-    """Check one number, or that it is reached, on all curves, or with ``any_curve`` on one of them."""
+    """Check that one number agrees, or is reached, on all curves, or with ``any_curve`` on one of them."""
     values = compared = _scalars(claim, evidence)
     text = _text_of(claim, evidence, values)
     if claim.kind == "reach":
@@ -174,7 +174,7 @@ def check_value(claim: Claim, evidence) -> Measured:
 
 
 def check_span(claim: Claim, evidence) -> Measured:
-    """Check that both published numbers lie on a curve, and say at which loads."""
+    """Check that both published numbers occur on a curve, and at which loads."""
     (curve,) = (evidence.curves[condition] for condition in claim.curves)
     (course,) = _courses(claim, evidence)
     numbers = np.array([course.min(), course.max()])
@@ -187,14 +187,14 @@ def check_span(claim: Claim, evidence) -> Measured:
 
 
 def check_window(claim: Claim, evidence) -> Measured:
-    """Check the range of x_a/sigma with a turning point; of several surfaces the worst counts."""
+    """Check the range of x_a/sigma with a turning point; the worst of several surfaces is used."""
     windows = np.array([evidence.windows[condition.roughness] for condition in claim.curves])
     text = ", ".join(f"{low:.3f} to {high:.3f}" for low, high in windows)
     return _against_published(claim, windows, text)
 
 
 def check_ordering(claim: Claim, evidence) -> Measured:
-    """Check that neighbours are nowhere in the opposite order, and somewhere apart."""
+    """Check that neighbouring curves are nowhere in the opposite order, and somewhere apart."""
     sign = -1.0 if claim.direction == "decreasing" else 1.0
     gaps = [sign * gap for gap in _gaps(claim, evidence)]
     against, apart = -np.min([gap.min() for gap in gaps]), np.min([gap.max() for gap in gaps])
@@ -223,7 +223,7 @@ def check_course(claim: Claim, evidence) -> Measured:
 
 
 def check_sequence(claim: Claim, evidence) -> Measured:
-    """Check that regimes, modes or both are passed in order on all curves, or with ``any_curve`` on one."""
+    """Check that regimes, modes or both occur in order on all curves, or with ``any_curve`` on one."""
     curves = [evidence.curves[condition] for condition in claim.curves]
     misses = [_sequence_miss(claim, curve) for curve in curves]
     chosen = int(np.argmin(misses) if claim.any_curve else np.argmax(misses))
@@ -245,13 +245,13 @@ CHECKS = {
 
 
 def _against_published(claim, computed, text) -> Measured:
-    """Result of a check whose ``computed`` numbers are to equal the published ones."""
+    """Result of a check of ``computed`` numbers against the published ones."""
     published = np.nan if claim.published is None else np.asarray(claim.published)
     deviation = computed - published
     distance = np.abs(deviation) / claim.tolerance
     if claim.relative:
-        # A ratio of logarithms, 1 at either end of the tolerance: it goes on growing where a
-        # quantity is far too small, so that a calibration can follow its slope.
+        # A ratio of logarithms, 1 at both ends of the tolerance: it keeps growing where a quantity
+        # is far too small, so that a calibration has a slope.
         ratio = np.maximum(computed / published, TINY)
         deviation = ratio - 1.0
         distance = np.log(ratio) / np.log1p(np.copysign(claim.tolerance, deviation))
@@ -260,7 +260,7 @@ def _against_published(claim, computed, text) -> Measured:
 
 
 def _missed(claim, text, miss) -> Measured:
-    """Result of a check that found by how much a course or an order is missed."""
+    """Result of a check that a course or an order is missed by ``miss``."""
     deviation = np.expm1(miss) if claim.relative else miss
     return Measured(text, np.maximum(miss / claim.step, 0.0), deviation)
 
@@ -269,7 +269,7 @@ def _missed(claim, text, miss) -> Measured:
 
 
 def _scalars(claim, evidence):
-    """The claim's quantity as one number for each curve, or its relative change from the reference."""
+    """The quantity of the claim as one number per curve, or its relative change from the reference."""
     if claim.quantity in BETWEEN:
         return np.array(BETWEEN[claim.quantity](claim, evidence))
     if claim.source == "turning_point":
@@ -285,7 +285,7 @@ def _scalars(claim, evidence):
 
 
 def _courses(claim, evidence):
-    """The claim's quantity along each curve, or its relative change from the reference."""
+    """The quantity of the claim along each curve, or its relative change from the reference."""
     if not claim.references:
         return [_table(claim, evidence, [condition])[1][0] for condition in claim.curves]
     pairs = zip(claim.references, claim.curves, strict=True)
@@ -294,7 +294,7 @@ def _courses(claim, evidence):
 
 
 def _gaps(claim, evidence):
-    """By how much each curve is above its reference, or the curve before it, scaled as ``step``."""
+    """Excess of each curve over its reference, or over the curve before it, scaled as ``step``."""
     pairs = zip(claim.references, claim.curves, strict=True)
     for group in pairs if claim.references else [claim.curves]:
         yield from np.diff(_scaled(claim, _table(claim, evidence, group)[1]), axis=0)
@@ -314,7 +314,7 @@ def _reversal_load(claim, evidence):
 
 
 def _bend_loads(claim, evidence):
-    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below the reference's."""
+    """Loads F_t* [1] at which the slope of A_t* has fallen by ``BEND`` below that of the reference."""
     found = []
     for reference, curve in _pairs(claim, evidence):
         drop = reference.total_contact_area_slope - curve.total_contact_area_slope
@@ -330,8 +330,8 @@ def _mixed_loads(claim, evidence):
 
 
 def _departure_sharpness(claim, evidence):
-    """How suddenly H_c leaves that of the reference [1]: the greatest change of the slope of their ratio on
-    logarithmic axes within a tenth of a decade, over the greatest slope; 1 at a kink."""
+    """Sharpness of the departure of H_c from the reference [1]: the largest change of the slope of their
+    ratio on logarithmic axes within a tenth of a decade, over the largest slope; 1 at a kink."""
     found = []
     for dry, wet in _pairs(claim, evidence):
         log_load = np.log(wet.load)
@@ -354,9 +354,9 @@ BETWEEN = {
 
 
 def _table(claim, evidence, group, quantity=""):
-    """Abscissa [points] and quantity [curves, points] of curves, where the claim refers to them."""
+    """Abscissa [points] and quantity [curves, points] of curves, in the range of the claim."""
     curves = [evidence.curves[condition] for condition in group]
-    # Bounds of the load hold on a curve itself, not on the reference that it is compared with.
+    # Bounds of the load apply to a curve, not to its reference.
     x = _loads(claim, curves[-1], curves[bool(claim.references) :])
     if claim.against != "load":
         spans = [getattr(curve, claim.against) for curve in curves]
@@ -367,8 +367,8 @@ def _table(claim, evidence, group, quantity=""):
 
 
 def _loads(claim, grid, bounded):
-    """Loads F_t* [1] of a curve, ``grid``: one if the claim names it or a level, else all within its bounds on
-    ``bounded`` curves."""
+    """Loads F_t* [1] of a curve, ``grid``: one if the claim gives it or a level, otherwise all
+    within its bounds on ``bounded`` curves."""
     limits = claim.limits
     if not limits:
         return grid.load
@@ -399,8 +399,9 @@ def _loads(claim, grid, bounded):
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero: the first one if they start below; if they never do, they are
-    continued by their last slope, for a decade at most, so that nothing jumps when inputs change."""
+    """Load at which ``values`` first fall to zero: the first load if they start below; if they
+    never do, they are extrapolated with their last slope, over a decade at most, so that nothing
+    jumps when inputs change."""
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan
@@ -412,11 +413,12 @@ def _first_fall(loads, values):
 
 
 def _sample(curve, quantity, x, against="load"):
-    """A quantity where the quantity ``against`` is ``x``, between points by logarithms; nan if unsolved."""
+    """A quantity where the quantity ``against`` equals ``x``, interpolated in logarithms; nan if
+    unsolved."""
     if quantity == against:
         return x
     values = getattr(curve, quantity)
-    if x is curve.load:  # nothing lies between
+    if x is curve.load:  # no interpolation needed
         return values
     known = np.log(curve.load) if against == "load" else np.log(getattr(curve, against))
     forward = slice(None, None, 1 if known[0] < known[-1] else -1)
@@ -426,23 +428,23 @@ def _sample(curve, quantity, x, against="load"):
 
 
 def _rise_miss(values, step):
-    """The deepest fall within a course, or what it lacks to rise by two steps in all."""
+    """The deepest fall within a course, or its shortfall from a total rise of two steps."""
     relapse = np.max(np.maximum.accumulate(values) - values)
     return np.max([relapse, 2.0 * step - (values[-1] - values[0])])
 
 
 def _peak_height(values):
-    """Height of the most prominent interior maximum, above the higher of the two sides' least values."""
+    """Height of the most prominent interior maximum over the higher of the minima on both sides."""
     left = values - np.minimum.accumulate(values)
     right = values - np.minimum.accumulate(values[::-1])[::-1]
     return np.max(np.minimum(left, right))
 
 
 def _peak_miss(values, step):
-    """By how much a course of ratios misses an interior maximum of two steps.
+    """Shortfall of a course of ratios from an interior maximum of two steps.
 
-    Where there is none, how far the course is from turning counts too, by the slope of ln(v/(1 - v)), so
-    that a calibration has a slope to follow.
+    Without a maximum, the distance of the course from turning is included, by the slope of ln(v/(1
+    - v)), so that a calibration has a slope.
     """
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
@@ -456,7 +458,7 @@ def _peak_miss(values, step):
     return (2.0 + lack) * step - _peak_height(values)
 
 
-# By how much a course of values misses what its name says, from (values, step).
+# Shortfall of a course of values from the named course, from (values, step).
 COURSES = {
     "increasing": _rise_miss,
     "decreasing": lambda values, step: _rise_miss(-values, step),
@@ -469,10 +471,11 @@ COURSES = {
 
 
 def _sequence_miss(claim, curve):
-    """How far a curve leaves the published states, passed in turn.
+    """Largest excursion of a curve from the published sequence of states.
 
-    The points of the curve are divided among the steps in turn, so that the largest excursion of a point
-    from its step is least: the miss.  Each step must have a point, and be met by one tolerance for a miss of 0.
+    The points of the curve are assigned to the steps in order, so that the largest excursion of a
+    point from its step is minimal: the miss.  Each step must have a point, and be met by one
+    tolerance for a miss of 0.
     """
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():
@@ -480,8 +483,8 @@ def _sequence_miss(claim, curve):
     required = excursions[:-1] if claim.open_end else excursions
     unmet = max(np.max(np.min(required, axis=1)) + claim.tolerance, 0.0)
     enter, reached = -np.inf, [np.inf] * len(excursions)
-    # reached[step]: least miss so far if the point before belongs to this step.  Plain numbers are
-    # quicker here than arrays, as there are few steps.
+    # reached[step]: least miss so far if the previous point belongs to this step.  Plain numbers
+    # are faster than arrays for so few steps.
     for point in np.maximum(excursions, 0.0).T.tolist():
         come = enter
         for step, here in enumerate(point):
@@ -493,7 +496,7 @@ def _sequence_miss(claim, curve):
 
 
 def _excursion(curve, step):
-    """How far each point is outside a step, such as "mixed hybrid or full_film"; negative inside."""
+    """Distance of each point outside a step, such as "mixed hybrid or full_film"; negative inside."""
     excursions = []
     for alternative in step.split(" or "):
         outside = []
@@ -506,7 +509,7 @@ def _excursion(curve, step):
 
 
 def _passed_states(claim, curve):
-    """Text of the states that a curve passes: regimes, modes or both, as the claim names them."""
+    """Text of the states along a curve: regimes, modes or both, as in the claim."""
     names = " ".join(claim.published).replace(" or ", " ").split()
     families = {STATES[name][0] for name in names}
     inside = {
@@ -528,7 +531,7 @@ def _log(values):
 
 
 def _text_of(claim, evidence, values):
-    """Numbers as text; a load beyond those computed is shown as ``> last`` or ``< first``."""
+    """Numbers as text; a load beyond the computed ones is written ``> last`` or ``< first``."""
     texts = [f"{value:.4g}" for value in values]
     if claim.quantity in ("load", "total_contact_area_reversal_load", "bend_load"):
         first, last = evidence.curves[claim.curves[0]].load[[0, -1]]

@@ -1,7 +1,7 @@
 """Statements of the paper as data, each called a *claim*.
 
-A claim has a quantity, conditions, what the paper says of the quantity there, and a tolerance.  The
-kinds of claims and the fields of each are explained at the head of ``config/claims.yaml``.
+A claim has a quantity, conditions, the statement of the paper on it, and a tolerance.  The head of
+``config/claims.yaml`` explains the kinds of claims and their fields.
 """
 
 from __future__ import annotations
@@ -34,17 +34,17 @@ TURNING_POINT_QUANTITIES = {
 WINDOW_QUANTITIES = {"window_low": 0, "window_high": 1}
 # loads where two curves part or cross
 BETWEEN_CURVES = ("total_contact_area_reversal_load", "bend_load", "bend_load_over_mixed_load")
-# Keys of conditions that bound a range of loads: the quantity, and the sign by which a value beyond
-# the bound makes sign * (bound - value) positive.
+# Keys of conditions that bound a range of loads: the quantity, and the sign for which sign * (bound
+# - value) is positive outside the bound.
 BOUNDS = {f"{name}_min": (name, 1.0) for name in CURVE_QUANTITIES} | {
     f"{name}_max": (name, -1.0) for name in CURVE_QUANTITIES
 }
-KEYS = tuple(axis.key for axis in CONDITION_AXES)  # of the conditions that distinguish curves
+KEYS = tuple(axis.key for axis in CONDITION_AXES)  # conditions that distinguish curves
 
 # "Figure 4B", "Figures 4B and 4C", "Figures 4 to 7": first number and, of a range, the last
 FIGURES = re.compile(r"(?:Figures? |and (?=\d))(\d+)[A-D]?(?: to (\d+))?")
 
-# Regimes and modes of sections 3.1 and 3.2: the quantity that decides, and the interval it is in.
+# Regimes and modes of sections 3.1 and 3.2: the decisive quantity and its interval.
 STATES = {
     "boundary": ("solid_load_fraction", BOUNDARY_LIMIT, np.inf),
     "mixed": ("solid_load_fraction", FULL_FILM_LIMIT, BOUNDARY_LIMIT),
@@ -59,8 +59,8 @@ STATES = {
 class Claim:
     """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
 
-    ``tolerance`` is a fraction of the quantity [1] if ``relative``, else in the unit of the quantity, for the
-    ``reason``.  Fields that an entry does not have are empty.
+    ``tolerance`` is a fraction of the quantity [1] if ``relative``, otherwise in the unit of the
+    quantity, with its ``reason``.  Missing fields are empty.
     """
 
     id: str
@@ -89,14 +89,14 @@ class Claim:
 
     @cached_property
     def curves(self) -> tuple[Condition, ...]:
-        """Conditions of the curves that are compared, SI: lists run together."""
+        """Conditions of the compared curves, SI: lists are combined element by element."""
         given = [np.atleast_1d(self.conditions.get(key, np.nan)) for key in KEYS]
         rows = zip(*np.broadcast_arrays(*given), strict=True)
         return tuple(Condition.of(dict(zip(KEYS, row, strict=True))) for row in rows)
 
     @cached_property
     def references(self) -> tuple[Condition, ...]:
-        """Conditions of the curve that each curve is held against, SI; empty without reference."""
+        """Conditions of the reference of each curve, SI; empty without reference."""
         changes = {
             axis.name: axis.to_si(self.reference[axis.key])
             for axis in CONDITION_AXES
@@ -106,22 +106,22 @@ class Claim:
 
     @property
     def all_curves(self) -> tuple[Condition, ...]:
-        """Conditions of all its curves, those held against included."""
+        """Conditions of all its curves, including references."""
         return self.curves + self.references
 
     @cached_property
     def all_figures(self) -> frozenset[int]:
-        """Numbers of the figures that its place names, or that it repeats."""
+        """Numbers of the figures in its place, and of those it repeats."""
         return figures_named(self.place).union(self.figures)
 
     @cached_property
     def limits(self) -> dict[str, float]:
-        """The conditions that bound or name the loads, by their keys."""
+        """The conditions that bound or give the loads, by key."""
         return {key: value for key, value in self.conditions.items() if key not in KEYS}
 
     @property
     def curves_text(self) -> str:
-        """The curves, the bounds of the loads, and what the curves are held against."""
+        """The curves, the bounds of the loads, and the reference as text."""
         loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
         against = ", ".join(_condition_texts(self.reference or {}))
@@ -129,17 +129,17 @@ class Claim:
 
     @property
     def counted_as(self) -> str:
-        """What it counts as: its cluster, or itself if nothing repeats it."""
+        """The name under which it is counted: its cluster, or its id."""
         return self.cluster or self.id
 
     @property
     def is_about_a_maximum(self) -> bool:
-        """Whether it says that A_sa,t* turns, or does not."""
+        """Whether it states that A_sa,t* has, or does not have, a turning point."""
         return self.kind == "absence" or self.direction == "rising_then_falling"
 
     @property
     def source(self) -> str:
-        """What of ``thirdbody.study.evidence.Evidence`` the claim refers to."""
+        """The part of ``thirdbody.study.evidence.Evidence`` that the claim uses."""
         if self.kind == "window" or self.quantity in WINDOW_QUANTITIES:
             return "window"
         return "turning_point" if self.quantity in TURNING_POINT_QUANTITIES else "curve"
@@ -151,14 +151,15 @@ class Claim:
 
 
 def figures_named(place: str) -> frozenset[int]:
-    """Numbers of the figures that the place of a statement names, as "Figures 4B and 5C" or "Figures 4 to 7"."""
+    """Numbers of the figures in the place of a statement, such as "Figures 4B and 5C" or "Figures 4
+    to 7"."""
     ends = FIGURES.findall(place)
     return frozenset().union(*(range(int(one), int(last or one) + 1) for one, last in ends))
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in their order; ``ValueError`` in one line for a file that does not keep
-    to ``config/claims.schema.yaml``."""
+    """Read the statements of the paper, in order; ``ValueError`` in one line for a file that does
+    not satisfy ``config/claims.schema.yaml``."""
     claims = []
     for entry in read_valid(path, "claims"):
         relative = "relative" in entry["tolerance"]
@@ -169,8 +170,8 @@ def load_claims(path: str | Path) -> tuple[Claim, ...]:
 
 
 def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
-    """What must be solved to judge ``claims``, as ``solve_evidence`` takes it: a set of ``Condition`` for ``curve``
-    and ``turning_point``, of sigma [m] for ``window``."""
+    """The conditions needed to evaluate ``claims``, for ``solve_evidence``: a set of ``Condition``
+    for ``curve`` and ``turning_point``, of sigma [m] for ``window``."""
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
         for condition in claim.all_curves:
@@ -179,7 +180,7 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
 
 
 def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
-    """Each of ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
+    """The ``conditions`` that distinguish curves, as text: ``nu = 0, 90 cSt``."""
     return [
         f"{axis.symbol} = {', '.join(f'{value:g}' for value in np.atleast_1d(given))} {axis.unit}"
         for axis in CONDITION_AXES
@@ -188,9 +189,9 @@ def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
-    """Rows of the table ``printed``: a number with its tolerance for each curve it is printed for.
+    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves.
 
-    A change from a reference has none, as it has no place on a figure.
+    A change from a reference has no row, because it is not a point of a figure.
     """
     rows = []
     for claim in claims:

@@ -1,4 +1,4 @@
-"""Curves, turning points and windows of the model, which statements are judged on."""
+"""Curves, turning points and windows of the model for the evaluation of statements."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from thirdbody.model.regimes import has_values
 from thirdbody.solver.solution import VARIABLES
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
 
-WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper names it for that of 300 nm
-# A point is evidence up to this error: statements are judged to per cents, whatever rtol is.
+WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
+# Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
 LARGEST_ERROR = 1e-3
 
 
@@ -26,8 +26,8 @@ LARGEST_ERROR = 1e-3
 class Curve:
     """A solved curve over the load: arrays of shape (loads,), named as in the datasets, SI.
 
-    ``film_thickness`` is d/R_x [1], with or without a film.  What is solved is nan at points without values, or
-    with an error bound above ``LARGEST_ERROR``.
+    ``film_thickness`` is d/R_x [1], with or without a film.  Solved quantities are nan at points
+    without values, or with an error bound above ``LARGEST_ERROR``.
     """
 
     load: NDArray[np.float64]
@@ -40,7 +40,7 @@ class Curve:
 
     @cached_property
     def solid_load(self) -> NDArray[np.float64]:
-        """Dimensionless load that the solids carry, L_s F_t* [1]."""
+        """Dimensionless load carried by the solids, L_s F_t* [1]."""
         return self.solid_load_fraction * self.load
 
     @cached_property
@@ -52,7 +52,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Effort:
-    """How finely curves and windows are solved: number of loads, ``rtol``, search for windows."""
+    """Resolution of curves and windows: number of loads, ``rtol``, search for windows."""
 
     loads: int
     rtol: float
@@ -60,7 +60,7 @@ class Effort:
 
 
 FULL_EFFORT = Effort(240, DEFAULT_RTOL, WindowSearch(np.linspace(0.3, 2.5, 111)))
-# For many sets of inputs; its errors are far below the tolerances of all statements.
+# For many sets of inputs; the errors are far below all tolerances of statements.
 QUICK_EFFORT = Effort(
     60, 1e-4, WindowSearch(np.linspace(0.5, 2.0, 31), 24, tolerance=np.inf, rtol=1e-4)
 )
@@ -69,8 +69,8 @@ SOLVED_FIELDS = tuple(field.name for field in fields(Curve) if field.name in VAR
 
 @dataclass(frozen=True)
 class Evidence:
-    """What the model gives for one set of inputs: curves and turning points, in single numbers, by the condition,
-    and both ends of the windows [1] by sigma [m]."""
+    """Results of the model for one set of inputs: curves and turning points (single numbers) by
+    condition, and both ends of the windows [1] by sigma [m]."""
 
     parameters: Parameters
     effort: Effort
@@ -85,8 +85,8 @@ def solve_evidence(
     newtons: tuple[float, float],
     effort: Effort = FULL_EFFORT,
 ) -> Evidence:
-    """Solve what is ``asked`` for, as ``thirdbody.study.claims.referenced_conditions`` gives it; ``newtons`` are
-    the first and last normal load of every curve [N]."""
+    """Solve the conditions ``asked``, from ``thirdbody.study.claims.referenced_conditions``;
+    ``newtons`` are the first and last normal load of every curve [N]."""
     load_range = tuple(force / parameters.newtons_per_load for force in newtons)
     loads = np.geomspace(*load_range, effort.loads)
     conditions = sorted(asked["curve"] | asked["turning_point"])

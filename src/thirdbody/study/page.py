@@ -24,7 +24,7 @@ from thirdbody.study.verdicts import (
 
 
 def claims_markdown(judged: Judged) -> str:
-    """The page ``claims.md``: first what is understood in two minutes, then every statement."""
+    """The page ``claims.md``: a summary, then every statement."""
     table = judged.table
     numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
@@ -55,10 +55,10 @@ def claims_html(judged: Judged) -> str:
 
 
 def claims_json(judged: Judged) -> str:
-    """The same for programs: a JSON object, with null for numbers that do not exist.
+    """The same data for programs: a JSON object, with null for missing numbers.
 
-    A statement has the columns of the table ``claims``, the last ones as lists and objects, SI, and the range
-    of each of its numbers over the ensemble.
+    A statement has the columns of the table ``claims``, the last ones as lists and objects, SI, and
+    the ensemble range of each of its numbers.
     """
     held, of = count_once(judged.claims, judged.verdicts)
     predicted, tested = count_once(judged.claims, judged.predicted)
@@ -92,7 +92,7 @@ def claims_json(judged: Judged) -> str:
 
 
 def score_sentence(judged: Judged) -> str:
-    """How many statements hold: predicted, fitted, and with fainter turning points."""
+    """Numbers of statements that hold: predicted, fitted, and with fainter turning points."""
     held, of = count_once(judged.claims, judged.verdicts)
     right, tested = count_once(judged.claims, judged.predicted)
     predicted = (
@@ -110,13 +110,14 @@ def score_sentence(judged: Judged) -> str:
 
 
 def _holds_under(judged: Judged, id: str) -> str:
-    """The interpretations under whose inputs a statement holds."""
+    """The interpretations with whose inputs a statement holds."""
     names = [name for name, each in judged.interpretations.items() if each[id].holds]
     return ", ".join(names) or f"none of the {len(judged.interpretations)} interpretations"
 
 
 def _wider_tolerances(judged: Judged) -> str:
-    """Within what a headline number counts as reached, where its statement asks for less."""
+    """Tolerances within which headline numbers count as reached, if wider than those of their
+    statements."""
     wider: dict[str, str] = {}
     for claim in judged.claims:
         size = judged.settings["headline_tolerances"].get(claim.id)
@@ -127,7 +128,7 @@ def _wider_tolerances(judged: Judged) -> str:
 
 
 def _tolerance(row: Mapping[str, Any]) -> str:
-    """What still counts as agreement, as a percentage of the number or in its unit."""
+    """The tolerance as text, as a percentage of the number or in its unit."""
     size = row["tolerance"]
     relative = row["tolerance_kind"] == "relative"
     return f"{100 * size:g} %, relative" if relative else f"{size:g}, absolute"
@@ -153,7 +154,7 @@ ENVIRONMENT.filters |= FILTERS
 
 
 def _without_nan(content):
-    """The same content with null for every number that is nan or infinite."""
+    """The content with null for every number that is nan or infinite."""
     if isinstance(content, Mapping):
         return {name: _without_nan(value) for name, value in content.items()}
     if isinstance(content, (list, tuple)):

@@ -15,13 +15,13 @@ from thirdbody.study.checks import Judge
 from thirdbody.study.evidence import QUICK_EFFORT
 from thirdbody.study.verdicts import count_once
 
-DIGITS = 6  # significant ones of a number in the file
+DIGITS = 6  # significant digits of numbers in the file
 IDENTIFIED = 0.25  # an input is identified if its acceptable values span less of its bounds
 NOTABLE_CORRELATION = 0.6  # smaller coefficients are left out
-QUANTILES = 0.05, 0.5, 0.95  # of what each seed draws
+QUANTILES = 0.05, 0.5, 0.95  # of the sample of each seed
 PROFILE_BINS = 12  # equal parts of an input's bounds
-COMPARED = 100  # acceptable sets, the best ones, among which the inputs are chosen
-PRICED = 100  # sets of a search for a price that are judged anew, the best ones
+COMPARED = 100  # number of best acceptable sets among which the inputs are chosen
+PRICED = 100  # number of best sets of a cost search that are evaluated again
 
 
 def summary(
@@ -32,12 +32,12 @@ def summary(
     folds: Sequence[NDArray[np.float64]],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Sum up the searches of an interpretation, as the content of its calibrated file, SI.
+    """Summarise the searches of an interpretation as the content of its calibrated file, SI.
 
-    ``inputs`` are those of the acceptable sets under which most statements hold, and of these the most
-    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, shape (rows, unknowns + 1):
-    of each seed its search over all statements and what was drawn, and of each fold its search; the last
-    two only of the shortlist.  ``judge_all`` has all statements.
+    ``inputs`` are the acceptable set for which most statements hold, and of several the most
+    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, shape (rows,
+    unknowns + 1): for each seed its search over all statements and its sample, and for each fold
+    its search; the last two only for the shortlist.  ``judge_all`` has all statements.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -73,14 +73,14 @@ def summary(
 
 
 def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
-    """Evaluations with an objective up to ``acceptance`` above the least, best first, each once."""
+    """Unique evaluations with an objective up to ``acceptance`` above the least, best first."""
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
     return ordered[ordered[:, -1] <= ordered[0, -1] + acceptance]
 
 
 def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]:
-    """The interpretations worth a long search, by their least objectives, best first."""
+    """The shortlisted interpretations, by their least objectives, best first."""
     ranking = sorted(least, key=least.__getitem__)
     return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
@@ -91,7 +91,7 @@ def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[
 
 
 def _most_held(interpretation, judge_all: Judge, sets):
-    """The set under which most statements hold; of several the most plausible."""
+    """The set for which most statements hold; of several the most plausible."""
 
     def rank(row):
         inputs = inputs_of(interpretation, row)
@@ -109,11 +109,11 @@ def price_front(
     rows: NDArray[np.float64],
     inputs: Mapping[str, float],
 ) -> list[list[float]]:
-    """What the other statements lose as the one with the id ``name`` comes to hold: a Pareto front.
+    """Pareto front of the statement with the id ``name`` and all other statements.
 
-    ``rows``, shape (evaluations, unknowns + 1), are a search in which the weight of this statement was
-    raised; ``objective`` has the ordinary weights.  The front begins at the published ``inputs``; each of its
-    points is the score of the statement and the objective without it and those that repeat it.
+    ``rows``, shape (evaluations, unknowns + 1), are from a search with a higher weight of this
+    statement; ``objective`` has the ordinary weights.  The front includes the published ``inputs``;
+    each point is the score of the statement and the objective without it and its repetitions.
     """
     place = [claim.id for claim in objective.claims].index(name)
     own = objective.repeating(name)
@@ -136,10 +136,10 @@ def mixed_ensemble(
 ) -> tuple[list[dict[str, Any]], list[str]]:
     """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each.
 
-    An interpretation has a place if its mean fraction is at most one standard deviation of the folds
-    of the default below that of the default, and a number of members in proportion to its fraction.
-    ``contents`` are those of calibrated files, that of the default first; ``fractions`` has for each that
-    was cross-validated the fraction of the statements that is predicted in each fold.
+    An interpretation is included if its mean fraction is at most one standard deviation (of the
+    folds of the default) below that of the default; its number of members is proportional to the
+    fraction.  ``contents`` are those of calibrated files, the default first; ``fractions`` has the
+    predicted fraction of the statements in each fold for each cross-validated interpretation.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]
@@ -161,7 +161,7 @@ def _rounded(value) -> float:
 
 
 def _identification(interpretation, rows, good, samples) -> dict:
-    """For each unknown its acceptable range, what is drawn, and the least objective along it."""
+    """For each unknown its acceptable range, sample, and least objective along it."""
     result = {}
     for index, unknown in enumerate(interpretation.unknowns):
         low, high = good[:, index].min(), good[:, index].max()
@@ -182,7 +182,7 @@ def _identification(interpretation, rows, good, samples) -> dict:
 
 
 def _correlations(interpretation, sample) -> list[dict]:
-    """Pairs of unknowns that are correlated among the sets that are drawn."""
+    """Pairs of unknowns that are correlated in the sample."""
     names = [unknown.name for unknown in interpretation.unknowns]
     coefficients = pd.DataFrame(sample[:, :-1], columns=names).corr()
     return [

@@ -1,5 +1,5 @@
-"""Searching the unknown inputs of an interpretation for those that explain most of the paper, and drawing sets
-that explain about as much."""
+"""Search for the unknown inputs of an interpretation that explain most of the paper, and sampling
+of sets that explain about as much."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from scipy.stats.qmc import LatinHypercube
 from thirdbody.study.calibration import Interpretation
 
 FIRST_STEP = 0.05  # standard deviation of the first steps of a search, in the unit cube
-SAME_HEIGHT = 0.03  # a descent has converged when objectives differ by no more [1]
-START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, for each unknown
-# Steps by the difference of two walkers; those of its whole length lead from one valley to another.
+SAME_HEIGHT = 0.03  # a search has converged when objectives differ by no more [1]
+START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per unknown
+# Steps by the difference of two walkers; full-length steps move between valleys.
 MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
 def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
-    """Places that fill the unit cube of the unknowns, shape (scattered, unknowns).
+    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns).
 
     Every second one, from the first on, has summits of at least ``budget["elastic_radius"]``.
     """
@@ -43,12 +43,12 @@ def search(
     budget: Mapping[str, Any],
     seed: int,
 ) -> NDArray[np.float64]:
-    """Search the unknowns of an interpretation, two at least, for the least objective.
+    """Search the unknowns of an interpretation, at least two, for the least objective.
 
-    A CMA evolution strategy descends from the position ``start``, and saves evaluations by a quadratic
-    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations`` for each
-    unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same result: positions
-    and, in the last column, the objective there [1], in the order of evaluation.
+    A CMA evolution strategy starts from the position ``start``, and saves evaluations with a quadratic
+    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations`` for
+    each unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same result:
+    positions and, in the last column, the objective there [1], in the order of evaluation.
     """
     rows = []
 
@@ -78,11 +78,11 @@ def posterior_sample(
     budget: Mapping[str, int],
     seed: int,
 ) -> NDArray[np.float64]:
-    """Draw sets of inputs with a density of exp(-objective), by an ensemble of walkers.
+    """Sample sets of inputs with the density exp(-objective) by an ensemble of walkers.
 
-    Walkers start from the best of the ``evaluations`` of a search; ``budget`` says how many ``walkers`` make how
-    many ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same result: positions
-    and, in the last column, the objective there [1], shape (rows, unknowns + 1).
+    Walkers start from the best of the ``evaluations`` of a search; ``budget`` has the numbers of
+    ``walkers`` and ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same
+    result: positions and, in the last column, the objective there [1], shape (rows, unknowns + 1).
 
     Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
     doi:10.1007/s11222-008-9104-9.

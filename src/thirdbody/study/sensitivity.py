@@ -1,4 +1,4 @@
-"""Elasticities: how results respond to the inputs that the paper does not print.
+"""Elasticities: the sensitivity of results to the unprinted inputs.
 
 The elasticity of an output in an input is d ln(output)/d ln(input).  Outputs are loads and ratios of
 turning points, ends of the windows of x_a/sigma, and loads at which the regime or mode changes; nan
@@ -20,16 +20,16 @@ from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.parameters import Parameters
 from thirdbody.study.evidence import FULL_EFFORT, WINDOW_DENSITY, Effort, Evidence, solve_evidence
 
-# Relative change of an input to either side, where the errors of the difference and of the solver balance
+# Relative change of an input, at which the errors of the difference and of the solver balance
 STEP = FULL_EFFORT.rtol ** (1.0 / 3.0)
-# Finite differences of second order: steps, and weights of the values there over the step.
+# Finite differences of second order: steps, and weights of the values over the step.
 CENTRAL = (-1.0, 1.0), (-0.5, 0.5)
 INWARD = (-2.0, -1.0, 0.0), (0.5, -2.0, 1.5)
 
 
 @dataclass(frozen=True)
 class Subject:
-    """Which outputs are computed: of which curves and surfaces (sigma [m]), between which loads [N]."""
+    """Outputs to compute: the curves, the surfaces (sigma [m]) and the first and last load [N]."""
 
     turning_points: tuple[Condition, ...]
     transitions: tuple[Condition, ...]
@@ -38,7 +38,7 @@ class Subject:
 
     @classmethod
     def of(cls, settings: Mapping[str, Any]) -> Subject:
-        """The subject that ``settings``, the content of ``config/sensitivity.yaml``, describe."""
+        """The subject from ``settings``, the content of ``config/sensitivity.yaml``."""
         return cls(
             tuple(map(Condition.of, settings["turning_points"])),
             tuple(map(Condition.of, settings["transitions"])),
@@ -48,7 +48,7 @@ class Subject:
 
     @property
     def outputs(self) -> list[dict[str, Any]]:
-        """What each number that ``values`` returns is: columns of the table ``sensitivity``."""
+        """Description of each number from ``values``: columns of the table ``sensitivity``."""
         surfaces = [Condition(0.0, np.nan, each, WINDOW_DENSITY) for each in self.window_roughness]
         names = ("turning_point_load", "turning_point_ratio"), ("window_low", "window_high")
         outputs = [
@@ -80,8 +80,8 @@ class Subject:
 
 
 def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray[np.float64]:
-    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits), nan where
-    it does not."""
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits),
+    nan without a crossing."""
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
@@ -100,7 +100,7 @@ def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArr
 
 
 def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, float]:
-    """Values of the inputs ``names`` by name, SI, without those that are 0."""
+    """Values of the inputs ``names`` by name, SI, except zeros."""
     values = {name: getattr(parameters, name) for name in names}
     return {name: value for name, value in values.items() if value != 0.0}
 
@@ -108,9 +108,9 @@ def varied_inputs(parameters: Parameters, names: Sequence[str]) -> dict[str, flo
 class Found(NamedTuple):
     """Sensitivities of every output to every input, by one measure.
 
-    ``measure`` is ``elasticity`` or ``sobol_total``; ``value`` and its uncertainty ``error`` [1] have
-    the shape (outputs, inputs).  ``occurs`` is the fraction of the solved sets of inputs in which an
-    output occurs, ``unexplained`` that of its variance which the measure misses, nan of elasticities.
+    ``measure`` is ``elasticity`` or ``sobol_total``; ``value`` and its uncertainty ``error`` [1] have the
+    shape (outputs, inputs).  ``occurs`` is the fraction of the solved sets of inputs in which an output
+    occurs, ``unexplained`` the fraction of its variance that the measure misses, nan for elasticities.
     """
 
     measure: str
@@ -127,8 +127,8 @@ def elasticities(
 ) -> Found:
     """Elasticities d ln(output)/d ln(input) by central differences, one-sided at an upper bound.
 
-    ``values`` gives the outputs, shape (outputs,), for a mapping of changed inputs; ``base`` are those
-    for the unchanged ``inputs``.  Their error is by how much they differ with twice the step.
+    ``values`` returns the outputs, shape (outputs,), for a mapping of changed inputs; ``base`` are
+    those for the unchanged ``inputs``.  The error is the difference from twice the step.
     """
     solved = []
 

@@ -1,10 +1,10 @@
-"""Total Sobol indices: how much of a result's variance each unprinted input takes part in.
+"""Total Sobol indices: the part of the variance of a result to which each unprinted input contributes.
 
 A quadratic in the inputs, the response surface, is fitted to the logarithm of each output at evenly
-scattered sets of inputs.  Its terms are products of Legendre polynomials, which are uncorrelated over
-the ranges of the inputs, so that the square of a coefficient is the variance of its term
-(polynomial chaos expansion: Sudret 2008, doi:10.1016/j.ress.2007.04.002).  Inputs are varied by
-*positions* between -1 and 1, the ends of their ranges.
+scattered sets of inputs.  Its terms are products of Legendre polynomials, uncorrelated over the
+ranges of the inputs, so that the square of a coefficient is the variance of its term (polynomial
+chaos expansion: Sudret 2008, doi:10.1016/j.ress.2007.04.002).  Inputs are varied by *positions*
+between -1 and 1, the ends of their ranges.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ LEAST_SETS = 1.2  # solved sets of inputs for each term of a response surface
 def legendre_terms(
     positions: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Terms of a quadratic, each of mean square 1 over the ranges of the inputs.
+    """Terms of a quadratic, each with mean square 1 over the ranges of the inputs.
 
     At ``positions``, shape (sets, inputs): 1, a first and a second degree of each input, and the products
     of two inputs, shape (sets, terms); and whether a term depends on an input, shape (terms, inputs).
@@ -49,9 +49,9 @@ def total_indices(
     """Total Sobol index of each input in the logarithm of a positive output.
 
     ``positions``, shape (sets, inputs), are those of the solved sets of inputs, from -1 to 1, and
-    ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returned are the
-    indices of the response surface, shape (inputs,), and the fraction of the variance that the fit to
-    all other sets misses [1]; nan if the output occurs in too few sets.
+    ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returns the
+    indices of the response surface, shape (inputs,), and the fraction of the variance missed in
+    leave-one-out cross-validation [1]; nan if the output occurs in too few sets.
     """
     terms, involved = legendre_terms(positions)
     known = np.isfinite(values)
@@ -60,7 +60,7 @@ def total_indices(
     terms, logarithms = terms[known], np.log(values[known])
     basis, triangle = np.linalg.qr(terms)
     coefficients = np.linalg.solve(triangle, basis.T @ logarithms)
-    # By how much the fit to all other sets misses each set: residual over (1 - leverage).
+    # Leave-one-out error of each set: residual over (1 - leverage).
     missed = (logarithms - terms @ coefficients) / (1.0 - np.sum(basis**2, axis=1))
     variances = coefficients[1:] ** 2
     indices = variances @ involved[1:] / variances.sum()
@@ -74,11 +74,12 @@ def default_indices(
     base: NDArray[np.float64],
     settings: Mapping[str, Any],
 ) -> Found:
-    """Total Sobol indices of the outputs, which are ``base`` at ``parameters``, in some ``inputs``, SI.
+    """Total Sobol indices of the outputs, ``base`` at ``parameters``, for some ``inputs``, SI.
 
-    Their error is what the response surface misses, as any input may take part in it.  ``settings`` is the entry
-    ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the relative change to either side, as far as the
-    input may have such values, ``solved`` the number of sets of inputs, ``seed`` that of their scatter.
+    The error is the fraction missed by the response surface, because any input may contribute to
+    it.  ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the
+    relative change in both directions, within the bounds of the input, ``solved`` the number of
+    sets of inputs, ``seed`` the seed of their scatter.
     """
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])

@@ -1,7 +1,7 @@
 """The verdict on every statement of the paper, as tables.
 
-All statements are judged under many sets of inputs: the default, its ensemble, the inputs of every
-interpretation, and those of every fold of the cross-validation.  ``judge_everything`` does so; the other
+``judge_everything`` evaluates all statements for many sets of inputs: the default, its ensemble,
+the inputs of every interpretation, and those of every fold of the cross-validation; the other
 functions make tables of the result.
 """
 
@@ -25,7 +25,7 @@ from thirdbody.study.evidence import FULL_EFFORT, QUICK_EFFORT
 
 HOLDS, FAILS, NOT_TESTED = "holds", "fails", "not tested"
 CONTRADICTED = "contradicted by the paper itself"
-FAINT = 0.01  # half of PROMINENCE, under which the counts are reported too
+FAINT = 0.01  # half of PROMINENCE, for which the counts are also reported
 FAINT_EFFORT = replace(FULL_EFFORT, window=replace(FULL_EFFORT.window, prominence=FAINT))
 NO_RANGE = (np.nan, np.nan)
 Verdicts = Mapping[str, Verdict]  # by the id of the statement
@@ -33,13 +33,13 @@ Verdicts = Mapping[str, Verdict]  # by the id of the statement
 
 @dataclass(frozen=True)
 class Judged:
-    """All statements, judged under all sets of inputs.
+    """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file whose
-    inputs are the default.  ``verdicts`` are those under these inputs, ``faint`` those where turning points
-    count from ``FAINT`` on, ``members`` those of its ensemble.  ``interpretations`` has those of the inputs of
-    each interpretation, ``predicted`` those of the default on statements when their figure was left out, and
-    ``comparison`` is the table from ``compare``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated
+    file with the default inputs.  ``verdicts`` are for these inputs, ``faint`` for turning points
+    from ``FAINT`` on, ``members`` for the members of the ensemble.  ``interpretations`` has the
+    verdicts for the inputs of each interpretation, ``predicted`` those of the default on statements
+    whose figure was left out, and ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -92,8 +92,8 @@ def judge_everything(
     contents: Sequence[Mapping[str, Any]],
     settings: Mapping[str, Any],
 ) -> Judged:
-    """Judge all statements under all sets of inputs: ``contents`` are those of the calibrated files of all
-    interpretations, all else is as in ``Judged``."""
+    """Evaluate all statements for all sets of inputs: ``contents`` are those of the calibrated
+    files of all interpretations, the others are as in ``Judged``."""
     inputs = judge_all.base | default["inputs"]
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
@@ -111,8 +111,8 @@ def judge_everything(
 
 
 def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
-    """Judge each statement by the inputs that were found without its figure, by the ``content`` of a
-    calibrated file; without a cross-validation in it nothing is judged."""
+    """Evaluate each statement for the inputs found without its figure, from the ``content`` of a
+    calibrated file; empty without a cross-validation."""
     entries = content.get("folds", ())
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
@@ -130,7 +130,7 @@ def compare(
 ) -> pd.DataFrame:
     """Compare the interpretations, in the order of the rule that chooses the default.
 
-    The rule: most statements predicted when their figure was left out, then the most plausible
+    The rule: most statements predicted when their figure is left out, then the most plausible
     inputs, then the fewest unknowns.  ``predicted_fraction`` is nan without a cross-validation.
     """
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
@@ -164,7 +164,7 @@ def compare(
 
 
 def outcome(claim: Claim, verdict: Verdict) -> str:
-    """The word for a verdict; a claim that stands aside for others neither holds nor fails."""
+    """The word for a verdict; a claim that is set aside neither holds nor fails."""
     if claim.aside:
         return CONTRADICTED
     if not verdict.tested:
@@ -173,7 +173,7 @@ def outcome(claim: Claim, verdict: Verdict) -> str:
 
 
 def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
-    """Statements that hold and those judged; a cluster counts once, as held if all tested in it hold."""
+    """Numbers of statements that hold and are tested; a cluster holds once, if all tested in it do."""
     held: dict[str, bool] = {}
     for claim in claims:
         word = outcome(claim, verdicts[claim.id]) if claim.id in verdicts else NOT_TESTED
@@ -183,7 +183,7 @@ def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
 
 
 def counts_by_figure(judged: Judged) -> pd.DataFrame:
-    """How many statements have each verdict, by part of the paper."""
+    """Number of statements with each verdict, by part of the paper."""
     part = judged.table["place"].map(part_of_paper).rename("figure")
     words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
     counts = pd.crosstab(part, judged.table["verdict"])
@@ -199,7 +199,8 @@ def counts_by_figure(judged: Judged) -> pd.DataFrame:
 def headline_table(judged: Judged) -> pd.DataFrame:
     """The headline numbers in the paper, in the model and in the ensemble.
 
-    A number counts as reached if its statement holds, or within its entry of ``headline_tolerances``.
+    A number counts as reached if its statement holds, or if it is within its entry of
+    ``headline_tolerances``.
     """
     table = judged.table[judged.table["id"].isin(judged.settings["headline"])]
     tolerances = table["id"].map(judged.settings["headline_tolerances"]).fillna(0.0)
@@ -218,7 +219,7 @@ def headline_table(judged: Judged) -> pd.DataFrame:
 
 
 def _range_text(judged: Judged, id: str) -> str:
-    """The range of each number; where there are none, how many members agree with the verdict."""
+    """The range of each number or, without numbers, how many members agree with the verdict."""
     ends = number_ranges(judged, id)
     if not judged.members:
         return "no ensemble"
@@ -229,8 +230,8 @@ def _range_text(judged: Judged, id: str) -> str:
 
 
 def number_ranges(judged: Judged, id: str) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2), nan without a member
-    that has the number."""
+    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2); nan if no
+    member has the number."""
     members = [each[id].numbers for each in judged.members if each[id].numbers]
     places = range(len(judged.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
@@ -238,7 +239,7 @@ def number_ranges(judged: Judged, id: str) -> np.ndarray:
 
 
 def published_text(claim: Claim) -> str:
-    """What the paper says, as text; empty if it is neither numbers nor a sequence of states."""
+    """The published value as text; empty if it is neither numbers nor a sequence of states."""
     if claim.published is None:
         return ""
     separator = " > " if claim.kind.endswith("_sequence") else ", "
@@ -246,12 +247,12 @@ def published_text(claim: Claim) -> str:
 
 
 def once(text: str) -> str:
-    """A list of results, reduced to one if all are the same: ``0.2, 0.2`` to ``0.2``."""
+    """A list of results, reduced to one if all are equal: ``0.2, 0.2`` to ``0.2``."""
     parts = text.split(", ")
     return parts[0] if len(set(parts)) == 1 else text
 
 
 def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
-    """How many sets of verdicts come to the same on a statement as the default."""
+    """Number of sets of verdicts that agree with the default on a statement."""
     same = judged.verdicts[id].tested, judged.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
