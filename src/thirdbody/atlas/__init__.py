@@ -1,7 +1,7 @@
-"""The whole space of conditions, solved for the default inputs and each member of the ensemble.
+"""The full space of conditions, solved for the default inputs and each member of the ensemble.
 
-``surfaces`` finds what is on one surface, ``chunk`` writes some surfaces to a file, ``catalogue`` opens
-all files as one dataset, and ``charts`` reads the design charts off it.  Begin with
+``surfaces`` solves one surface, ``chunk`` writes some surfaces to a file, ``catalogue`` opens all
+files as one dataset, and ``charts`` extracts the design charts.  Start with
 ``catalogue.open_atlas``.
 """
 

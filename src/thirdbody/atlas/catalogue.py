@@ -1,7 +1,7 @@
-"""All files of the atlas as one dataset, of which only what is used is read.
+"""All files of the atlas as one lazily loaded dataset.
 
-The catalogue, a small JSON file beside the folder of the chunks, says which files there are and which
-roughnesses each holds.  Any program that reads NetCDF can put them together along ``roughness``.
+The catalogue, a small JSON file beside the folder of the chunks, lists the files and their
+roughnesses.  Any program that reads NetCDF can concatenate them along ``roughness``.
 """
 
 from __future__ import annotations
@@ -18,9 +18,9 @@ from thirdbody.data.files import unreadable
 
 
 def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> None:
-    """Write the catalogue of the files ``chunks``, with their places relative to its own.
+    """Write the catalogue of the files ``chunks``, with paths relative to it.
 
-    Raises ``OSError`` if a file cannot be read: one line names it.
+    Raises ``OSError`` in one line if a file cannot be read.
     """
     listed = []
     for chunk in chunks:
@@ -42,14 +42,14 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
     Returns
     -------
     xarray.Dataset
-        Over all five axes: variables under the default inputs as in every dataset, and what the
-        ensemble says beside them; ``ensemble`` among its attributes names the members.  Pick with
-        ``sel`` and ``isel`` before values are used: all of them may be larger than memory.
+        Over all five axes: variables for the default inputs as in every dataset, and results of the
+        ensemble; the attribute ``ensemble`` has the members.  Select with ``sel`` and ``isel``
+        before using values: the whole may be larger than memory.
 
     Raises
     ------
     OSError
-        If a file is absent, damaged or something else: one line names it.
+        In one line, if a file is missing, damaged or of another kind.
 
     Examples
     --------
@@ -80,8 +80,8 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         join="override",
     )
     for name in dataset.coords:
-        dataset[name].encoding["_FillValue"] = None  # where it is written: none is missing
-    # lists among the inputs of the model run along the roughness
+        dataset[name].encoding["_FillValue"] = None  # when written: no value is missing
+    # lists in the inputs of the model are along the roughness
     inputs, *others = (json.loads(each["model_parameters"]) for each in attributes)
     for name in (name for name, value in inputs.items() if isinstance(value, list)):
         inputs[name] = sum((other[name] for other in others), inputs[name])
@@ -95,5 +95,5 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
 def _opened(path: str | PathLike) -> xr.Dataset:
     try:
         return xr.open_dataset(path, engine="netcdf4", cache=False)
-    except Exception as error:  # each kind of damage has an exception of its own below
+    except Exception as error:  # netCDF4 raises different exceptions for different damage
         raise unreadable(path, type(error).__name__) from None

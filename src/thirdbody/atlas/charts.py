@@ -1,6 +1,6 @@
-"""Design charts: limits over the load, a curve a roughness, with the range of the ensemble.
+"""Design charts: limits over the load, one curve per roughness, with ensemble ranges.
 
-Nothing is solved for a chart: its limits were found where the points of the atlas were solved.
+Nothing is solved for a chart: its limits were found with the points of the atlas.
 """
 
 from __future__ import annotations
@@ -14,18 +14,18 @@ from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
 from thirdbody.data.quantities import STATUS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
-CHARTS = {  # the variable of the atlas that each shows
+CHARTS = {  # the variable of the atlas in each
     "largest_particle": "largest_particle_diameter",
     "least_viscosity": "least_viscosity",
 }
 
 
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:
-    """What the panels of a chart show, in memory: one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``.
+    """Datasets of the panels of a chart, one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``.
 
-    Each has ``limit`` over ``load`` and ``roughness`` [SI], ``range`` over ``quantile`` besides, and the
-    ``solution_status`` of the point of the atlas that is nearest to the limit; the conditions of the panel are
-    coordinates, and the attribute ``ends`` is what the atlas spans of the limit.
+    Each has ``limit`` over ``load`` and ``roughness`` [SI], ``range`` also over ``quantile``, and
+    the ``solution_status`` of the point of the atlas nearest to the limit; the conditions of the
+    panel are coordinates, and the attribute ``ends`` is the range of the limit in the atlas.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]
@@ -39,7 +39,7 @@ def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Datas
         found = {"limit": variable, "range": f"{variable}_range", STATUS: STATUS}
         shown = xr.Dataset({name: atlas[of] for name, of in found.items()})
         shown = shown.sel(held, method="nearest").sel(roughness=curves, method="nearest").load()
-        # a limit that is not known: of what is missing the last is
+        # an unknown limit is put at the last value
         nearest = shown["limit"].fillna(ends[1]).clip(*ends)
         status = shown[STATUS].sel({along: nearest}, method="nearest").drop_vars(along)
         panels.append(shown.drop_dims(along).assign({STATUS: status}).assign_attrs(ends=ends))

@@ -1,4 +1,4 @@
-"""One file of the atlas: some of its surfaces, in the layout of every dataset, with the ensemble."""
+"""One file of the atlas: some surfaces, in the layout of every dataset, with the ensemble."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
 
-POINTS_TOGETHER = 2**20  # solved at a time for one set of inputs: some 150 MB
-SAFE_DIGITS = 2  # written beyond those that are asked for
+POINTS_TOGETHER = 2**20  # solved at a time for one set of inputs: about 150 MB
+SAFE_DIGITS = 2  # written in addition to the requested ones
 QUANTILE = "quantile"
 COMMENT = (
     "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
@@ -38,7 +38,7 @@ COMMENT = (
 
 
 def atlas_axes(configured: Mapping[str, Mapping]) -> Axes:
-    """The five axes that ``config/atlas.yaml`` describes, increasing, SI; the load is F_t [N]."""
+    """The five axes of ``config/atlas.yaml``, increasing, SI; the load is F_t [N]."""
     others = {axis.name: axis.values(axis_values(configured[axis.key])) for axis in CONDITION_AXES}
     return {"load": np.array(axis_values(configured["load_N"])), **others}
 
@@ -51,13 +51,13 @@ def write_chunk(
     kept: Collection[str],
     rtol: float,
 ) -> None:
-    """Solve some surfaces of the atlas for all inputs and write what is found, little by little.
+    """Solve some surfaces of the atlas for all inputs, and write the results part by part.
 
-    ``path`` is a NetCDF-4 file, which only this process reads before it is complete; ``axes`` are those of
-    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs that differ from the default in each
-    member of the ensemble, SI; of each point under the default the quantities ``kept`` are kept.
+    ``path`` is a NetCDF-4 file, used only by this process until it is complete; ``axes`` are those of
+    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of each member of the ensemble
+    that differ from the default, SI; the quantities ``kept`` are stored at each point for the default.
     """
-    members = members or [{}]  # without an ensemble, the default alone
+    members = members or [{}]  # without an ensemble, only the default
     ensemble = [replace(default, **member) for member in members]
     sets = list(dict.fromkeys([default, *ensemble]))
     weights = [ensemble.count(each) for each in sets]
@@ -72,7 +72,7 @@ def write_chunk(
 
 
 def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
-    """How variables are stored: pieces on one surface, at one density, and as many digits as are known."""
+    """Storage of variables: chunks of one surface and one density, with the known digits."""
     lengths = {**described.sizes, "roughness": 1, "particle_density": 1}
     rounding = {
         "significant_digits": math.ceil(-math.log10(rtol)) + SAFE_DIGITS,
@@ -82,7 +82,7 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
         name: {
             "zlib": True,
             "complevel": 1,
-            "shuffle": name in kept,  # digits that are left out, which are zeros, come together
+            "shuffle": name in kept,  # groups the zeros of omitted digits
             "chunksizes": [lengths[each] for each in variable.dims],
             **(rounding if name in kept else {}),
         }
@@ -91,7 +91,7 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
 
 
 def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:
-    """What is solved at a time, some particle densities on one surface, and where it is in the file."""
+    """Parts solved at a time, some particle densities on one surface, and their place in the file."""
     surfaces, densities = axes["roughness"], axes["particle_density"]
     points = math.prod(axis.size for axis in axes.values())
     step = max(POINTS_TOGETHER // (points // (surfaces.size * densities.size)), 1)
@@ -110,7 +110,7 @@ def _described(axes, default, members, kept, rtol) -> xr.Dataset:
     empty = {name: np.broadcast_to(np.zeros((), type_of(name)), shape) for name in (*kept, *FLAGS)}
     loads = {"load": axes["load"] / default.newtons_per_load}
     described = described_grid({**axes, **loads}, empty, default, rtol).to_xarray()
-    # the normal loads are given: those of the grid have no rounding
+    # the normal loads as given, without rounding
     described["normal_load"].values[:] = axes["load"]
     quantiles = {"units": "1", "long_name": "fraction of the ensemble below"}
     described = described.assign_coords({QUANTILE: (QUANTILE, QUANTILES, quantiles)})
@@ -127,8 +127,8 @@ def _described(axes, default, members, kept, rtol) -> xr.Dataset:
 
 
 def _findings(members: int) -> Iterator[tuple[str, tuple[str, ...], dict[str, Any]]]:
-    """Name, dimensions and attributes of what ``solve_surface`` finds: the rows of ``chunk.csv``, and the range of
-    each that is no fraction; fractions are stored as counts."""
+    """Name, dimensions and attributes of the results of ``solve_surface``: the rows of
+    ``chunk.csv``, and the range of each that is not a fraction; fractions are stored as counts."""
     limits = {"particle_limit": PARTICLE_LIMIT, "boundary_limit": BOUNDARY_LIMIT}
     with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))

@@ -1,7 +1,7 @@
-"""What the atlas finds on one surface: all loads, films and sizes, for each set of inputs at once.
+"""The atlas on one surface: all loads, films and sizes, for each set of inputs at once.
 
-Every set of inputs is solved once.  What charts and tables are made of is taken from its points while
-they are in memory: the regime and mode of each, the limits of design, and the turning points.
+Every set of inputs is solved once.  The data of charts and tables are extracted while its points
+are in memory: regimes and modes, design limits, and turning points.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ from thirdbody.solver.sweep import is_worthwhile, sweep
 STATES = {"lubrication_regime": LUBRICATION_REGIMES, "contact_mode": CONTACT_MODES}
 SOLVED = ("separation", "particle_contact_area_ratio", "solid_load_fraction", *STATES)
 QUANTILES = np.array([ENDS[0], 0.5, ENDS[1]])  # nine in ten lie between the first and the last
-EVEN = 2.0  # step of the logarithm of odds up to which a limit is interpolated
-PLACES = 900  # separations between which the diameter that a limit belongs to is interpolated
+EVEN = 2.0  # largest step of the log odds over which a limit is interpolated
+PLACES = 900  # separations between which the diameter of a limit is interpolated
 
 
 def solve_surface(
@@ -44,12 +44,12 @@ def solve_surface(
     kept: Collection[str],
     rtol: float,
 ) -> dict[str, NDArray]:
-    """All that the atlas holds of a few particle densities on one surface, by the names of variables.
+    """Variables of the atlas by name, for a few particle densities on one surface.
 
-    ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble, and ``weights``
-    how often each is in it; ``kept`` and ``rtol`` are those of ``write_chunk``.  Returned are those kept and the
-    flags, counts of the members in each regime and mode, limits and turning points of the default with their
-    quantiles, and counts of turning points.
+    ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble,
+    and ``weights`` the multiplicity of each; ``kept`` and ``rtol`` are as in ``write_chunk``.
+    Returns the kept variables and the flags, counts of the members in each regime and mode, limits
+    and turning points of the default with their quantiles, and counts of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
@@ -83,9 +83,9 @@ def solve_surface(
 
 
 def quantiles(values: NDArray) -> NDArray[np.float64]:
-    """``QUANTILES`` over the members, the first axis of ``values``, with linear interpolation; nan is no value.
+    """``QUANTILES`` over the members, the first axis of ``values``, interpolated linearly, without nan.
 
-    Infinite values are beyond all bounds: numpy's own quantiles are nan between them.
+    Values may be infinite, between which ``numpy.quantile`` gives nan.
     """
     ordered = np.sort(values, axis=0)  # nan last
     last = np.count_nonzero(~np.isnan(values), axis=0) - 1
@@ -93,15 +93,14 @@ def quantiles(values: NDArray) -> NDArray[np.float64]:
     below = np.floor(place).astype(int)
     above = np.minimum(below + 1, np.maximum(last, 0))
     low, high = (np.take_along_axis(ordered, each, axis=0) for each in (below, above))
-    with np.errstate(invalid="ignore"):  # infinity less infinity
+    with np.errstate(invalid="ignore"):  # infinity minus infinity
         step = np.where((place > below) & (low != high), (place - below) * (high - low), 0.0)
     return low + step
 
 
 @np.errstate(divide="ignore", invalid="ignore")  # fractions of 0 and 1
 def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
-    """Up to which diameter particles stay out of the particle-surface mode, and from which viscosity
-    on lubrication is no longer boundary lubrication."""
+    """Largest diameter out of the p-s mode, and least viscosity out of boundary lubrication."""
     ends = np.nanmin(solution.separation), np.nanmax(solution.separation)
     diameter = passed_diameter(PARTICLE_LIMIT, axes, ends, parameters, rtol)
     particles = logit(solution.particle_contact_area_ratio) - logit(PARTICLE_LIMIT)
@@ -115,12 +114,12 @@ def _passed(axes, solution, parameters, rtol) -> dict[str, NDArray]:
 def first_passed(
     along: str, axes: Axes, excess: NDArray, at_leaps: NDArray | None = None
 ) -> NDArray:
-    """Where ``excess``, the logarithm of odds above a level, first passes 0 along an axis of a grid, SI.
+    """Where ``excess``, the log odds above a level, first crosses 0 along an axis of a grid, SI.
 
-    It is interpolated over the logarithm of the axis, whose value 0 is left out.  Where it leaps, as it
-    does where the first particle touches, it is ``at_leaps``, if that is given.  The result has the shape of
-    the grid without the axis: 0 where the level is passed at the first value already, infinite where it
-    never is, nan where points without solution leave that open.
+    It is interpolated over the logarithm of the axis, without the value 0.  At a jump, as where the
+    first particle touches, ``at_leaps`` is used, if given.  The result has the shape of the grid
+    without the axis: 0 where the level is exceeded at the first value, infinite where it never is,
+    nan where points without solution leave this open.
     """
     nodes = axes[along][axes[along] > 0.0]
     excess = np.moveaxis(excess, list(axes).index(along), 0)[axes[along] > 0.0]
@@ -144,11 +143,10 @@ def first_passed(
 def passed_diameter(
     level: float, axes: Axes, ends: tuple[float, float], parameters: Parameters, rtol: float
 ) -> NDArray:
-    """Mean diameter x_a [m] at which A_sa,t* is ``level``: shape (loads, films, 1, densities).
+    """Mean diameter x_a [m] at which A_sa,t* equals ``level``: shape (loads, films, 1, densities).
 
-    At a separation d the ratio depends on the particles alone: x_a(d) is sought there, between the ends of
-    its axis, and the load that belongs to it is F_s + F_f (Eq. 1).  Of several the largest d counts; ``ends``
-    are those of d [m].
+    At a separation d the ratio depends only on the particles: x_a(d) is found there, between the ends of
+    its axis, and its load is F_s + F_f (Eq. 1).  The largest of several d is used; ``ends`` are in d [m].
     """
     sizes, densities, loads = (
         axes[name] for name in ("particle_diameter", "particle_density", "load")

@@ -1,8 +1,8 @@
-"""What laboratories measure: oils, cleanliness codes, topographies, and data beside the model's curves.
+"""Laboratory data: oils, cleanliness codes, topographies, and measurements compared with the model.
 
-``oil`` and ``cleanliness`` turn the codes of standards into the model's conditions, ``topography`` a measured
-surface into its summits; ``comparison`` puts a file of measurements beside the model, and ``estimates`` has
-the friction and the contact resistance that it computes for that.
+``oil`` and ``cleanliness`` convert standard codes to conditions of the model, ``topography`` a
+measured surface to its summits; ``comparison`` compares a file of measurements with the model, and
+``estimates`` has the friction and contact resistance for it.
 """
 
 from thirdbody.extras import require

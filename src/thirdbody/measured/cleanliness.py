@@ -10,8 +10,8 @@ from thirdbody.conditions.usual import warn_outside
 from thirdbody.messages import shown
 from thirdbody.model.parameters import Parameters
 
-SIZES = 4, 6, 14  # um(c), whose counts the code has
-# ISO 4406:2021, Table 1: most particles per mL of the scale numbers 0 to 9, times 1000 for each 10 more
+SIZES = 4, 6, 14  # um(c), the sizes counted in a code
+# ISO 4406:2021, Table 1: most particles per mL for scale numbers 0 to 9, times 1000 for each 10 more
 MOST_PER_ML = (0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.3, 2.5, 5.0)
 LARGEST = 28
 USUAL_GAP = (1.0, 1e5)  # nm
@@ -20,28 +20,28 @@ USUAL_GAP = (1.0, 1e5)  # nm
 def cleanliness(
     code: str, *, gap_nm: float, parameters: Parameters | None = None, enrichment: float = 1.0
 ) -> Answer:
-    """Particles per area in a film of oil of an ISO 4406 code: the count in the volume of the film.
+    """Particles per area in a film of oil with an ISO 4406 code: the count in the volume of the film.
 
-    The answer has for each size the least and the most particles per m2 of the code's class.  The code
-    counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, as those of the
-    paper (20 to 1000 nm), no such code counts: there are more of them.  That the flow takes particles
-    into the contact, or keeps large ones out of it, is not considered, nor what wear makes there.
+    The answer has for each size the least and the most particles per m2 of the code's class.  The
+    code counts particles of more than 4, 6 and 14 um(c) in one millilitre.  Smaller ones, such as
+    those of the paper (20 to 1000 nm), are not counted; there are more of them.  Entrainment of
+    particles into the contact, exclusion of large ones, and wear debris are not considered.
 
     Parameters
     ----------
     code : str
-        ISO 4406 code, as "18/16/13"; "-" or "*" stands for what was not counted.
+        ISO 4406 code, such as "18/16/13"; "-" or "*" means not counted.
     gap_nm : float
         Thickness of the film, or separation of the surfaces [nm].
     parameters : Parameters, optional
-        Inputs of the model, whose nominal area A_n counts, by default the published ones.
+        Inputs of the model, of which A_n is used, by default the published ones.
     enrichment : float
-        By how many times particles are more in the contact than in the sample.
+        Ratio of the particle concentration in the contact to that in the sample.
 
     Raises
     ------
     ValueError
-        In one line: for what is no code, and numbers that are not positive.
+        For an invalid code, and numbers that are not positive.
 
     Examples
     --------
@@ -68,7 +68,7 @@ def cleanliness(
 
 
 def _scale_numbers(code):
-    """The three numbers of a code, None of what was not counted."""
+    """The three numbers of a code, None for sizes not counted."""
     parts = code.replace(" ", "").removeprefix("ISO").split("/") if isinstance(code, str) else []
     if len(parts) != len(SIZES) or not all(re.fullmatch(r"\d\d?|[-*]", part) for part in parts):
         allowed = "three numbers, as 18/16/13, or - for one"

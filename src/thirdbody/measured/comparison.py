@@ -1,4 +1,4 @@
-"""``compare``: a file of measurements beside the model, with the range of the ensemble and residuals."""
+"""``compare``: measurements compared with the model, with ensemble ranges and residuals."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from thirdbody.tabular import Tabular
 from thirdbody.units import ENGINEERING, UNITS, decimal, registry
 
 SPEED = "speed"
-# a unit of what a column of conditions may be, by its words
+# a unit of the dimension of each condition, by its heading
 CONDITIONS = {name.replace("_", " "): UNITS[key].text for name, key in ENGINEERING.items()}
 CONDITIONS[SPEED] = "m/s"
 UNITS_OF = dict(MEASURED.values())
@@ -37,13 +37,14 @@ HEADING = re.compile(r"^\s*(.*?)\s*(?:\[(.*)\]|\((.*)\))?\s*$")
 
 @dataclass(frozen=True)
 class Comparison(Tabular):
-    """Measurements beside the model.
+    """Measurements compared with the model.
 
-    ``table`` has a row a measurement: its conditions, and of each of the ``variables`` that were measured what
-    was measured, ``_model``, the ensemble's ``_low`` and ``_high`` (if there is one) and ``_residual``, measured
-    less model.  ``curve`` is the model between the measurements, in the same columns, where one condition
-    varies; else empty.  ``along`` is the column that varies most, over which ``plot`` draws; ``notes`` say what
-    the estimates assume, and what was not compared.
+    ``table`` has one row per measurement: its conditions and, for each of the measured
+    ``variables``, the measured value, ``_model``, ``_low`` and ``_high`` of the ensemble (if there
+    is one) and ``_residual``, measured minus model.  ``curve`` is the model between the
+    measurements, in the same columns, if one condition varies; otherwise empty.  ``along`` is the
+    column that varies most, the abscissa of ``plot``; ``notes`` state the assumptions of the
+    estimates, and what was not compared.
     """
 
     table: pd.DataFrame
@@ -54,8 +55,7 @@ class Comparison(Tabular):
 
     @property
     def answer(self) -> Answer:
-        """Of each variable the mean and the root mean square of the residuals, and how many measurements
-        are within the range of the ensemble."""
+        """Mean and root mean square residuals, and numbers of measurements within the ensemble range."""
         rows, notes = [], []
         for name in self.variables:
             residual = self.table[f"{name}_residual"].dropna()
@@ -76,7 +76,7 @@ class Comparison(Tabular):
         return self.table
 
     def plot(self) -> Any:
-        """A figure of matplotlib: measurements, the model and its range, a panel for each variable."""
+        """A matplotlib figure: measurements, the model and its range, a panel for each variable."""
         from thirdbody.figures.plot import plot_comparison
 
         return plot_comparison(self)
@@ -93,31 +93,31 @@ def compare(
     assumed: Assumed | None = None,
     **conditions: ArrayLike,
 ) -> Comparison:
-    """Compare measurements with the model, and with the range of its calibrated ensemble.
+    """Compare measurements with the model and with the range of its calibrated ensemble.
 
     Parameters
     ----------
     measured : path or pandas.DataFrame
-        CSV with a heading, separated by commas, semicolons (with decimal commas, too) or tabs.  Headings
-        have units in brackets, as ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``, ``particle diameter
-        [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``, and what was measured: ``friction
-        coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``, ``separation [nm]``, ``real
-        contact area [mm^2]``, ``real contact area fraction [%]``, ``solid load fraction`` or ``fluid load
-        fraction``.  A cell without a measurement is empty.
+        CSV with a heading, separated by commas, semicolons (also with decimal commas) or tabs.
+        Headings have units in brackets, such as ``load [N]``, ``viscosity [cSt]``, ``speed [m/s]``,
+        ``particle diameter [um]``, ``roughness [nm]``, ``particle density [1/mm^2]``, and measured
+        quantities: ``friction coefficient``, ``contact resistance [ohm]``, ``film thickness [nm]``,
+        ``separation [nm]``, ``real contact area [mm^2]``, ``real contact area fraction [%]``,
+        ``solid load fraction`` or ``fluid load fraction``.  A cell without a measurement is empty.
     parameters : Parameters, optional
         Inputs of the model, by default the published ones; ``thirdbody.bearing`` derives others.
     speed_m_per_s : float, optional
-        The rolling speed of ``parameters`` [m/s]; needed with a column of speeds, and only then.
+        The rolling speed of ``parameters`` [m/s]; required if and only if there is a column of speeds.
     assumed : Assumed, optional
-        What the estimates of friction and contact resistance assume (``thirdbody.measured.estimates``).
+        Assumptions of the estimates of friction and contact resistance (``estimates.Assumed``).
     **conditions : array_like
-        Conditions that are no columns, by any of the names of ``thirdbody.solve``.
+        Conditions that are not columns, by any of the names of ``thirdbody.solve``.
 
     Raises
     ------
     ValueError
-        In one line: for a heading or a unit that is unknown, a cell that is no number, a file without
-        measurements, and a condition that is missing, given twice or refused by ``solve``.
+        For an unknown heading or unit, a cell that is not a number, a file without measurements,
+        and a condition that is missing, given twice or refused by ``solve``.
     OSError
         If the file cannot be read.
 
@@ -165,7 +165,7 @@ def compare(
 
 
 def _read(measured):
-    """The columns of a file or a table by what they are, each a quantity with its unit."""
+    """The columns of a file or table by name, as quantities with units."""
     table = measured if isinstance(measured, pd.DataFrame) else _read_csv(measured)
     if not len(table):
         raise ValueError("measured has no rows; allowed: one or more below the headings")
@@ -184,7 +184,7 @@ def _read(measured):
 
 
 def _read_csv(path):
-    """A CSV as texts; its separator is the first of tab, semicolon and comma in the headings."""
+    """A CSV file as texts; the separator is the first of tab, semicolon and comma found in the headings."""
     try:
         content = Path(path).read_bytes()
     except OSError as error:
@@ -222,13 +222,13 @@ def _numbers(heading, column):
 
 
 def _quantity(heading, name, unit, numbers):
-    """A column with its unit, which only a number without dimension may leave out; of F_t* it is 1."""
+    """A column with its unit, which only dimensionless quantities may omit; for F_t* it is 1."""
     wanted = CONDITIONS.get(name) or MEASURED[name][1]
     unit = unit or ("dimensionless" if name in MEASURED else "")
     try:
         quantity = registry().Quantity(numbers, registry().Unit(unit.replace("%", "percent")))
         known = quantity.is_compatible_with(wanted) or (name == "load" and quantity.unitless)
-    except Exception:  # pint raises many kinds
+    except Exception:  # pint raises many types
         known = False
     if not unit or not known:
         raise ValueError(
@@ -238,7 +238,7 @@ def _quantity(heading, name, unit, numbers):
 
 
 def _conditions(columns, conditions, parameters):
-    """The conditions of each measurement in engineering units, with its speed if there is one."""
+    """The conditions of each measurement in engineering units, with the speed if there is one."""
     given = {}
     for name in columns.keys() & ENGINEERING.keys():
         key = "load" if columns[name].unitless and name == "load" else ENGINEERING[name]
@@ -260,7 +260,7 @@ def _conditions(columns, conditions, parameters):
 
 
 def _curve(table):
-    """The condition that varies most, and conditions along it, none if another one varies."""
+    """The condition that varies most, and conditions along it; none if another one also varies."""
     varying = table.nunique().sort_values(ascending=False, kind="stable")
     along = varying.index[0]
     if len(varying[varying > 1]) != 1:
@@ -271,7 +271,7 @@ def _curve(table):
 
 
 def _with_model(table, columns, inputs, speed_m_per_s, assumed):
-    """Conditions with what the model has there: with the first of the inputs, and the range of others."""
+    """Conditions with the model values for the first of the inputs, and the range of the others."""
     conditions = {name: table[name].to_numpy() for name in ENGINEERING.values()}
     if speed_m_per_s is not None:  # the film depends on the product of speed and viscosity
         speed = table["speed_m_per_s"].to_numpy() / speed_m_per_s

@@ -1,9 +1,9 @@
-"""What laboratories measure, from a solution of the model: variables of it, and two estimates outside of the paper.
+"""Measurable quantities from a solution: its variables, and two estimates that are not in the paper.
 
-The estimates are good for the direction and the order of magnitude of a change.  Friction is that of what
-solids and film carry, each with a constant coefficient (load sharing of Johnson, Greenwood & Poon 1972,
-Wear 19:91).  The contact resistance is that of one round spot of the area A_t* A_n = pi a^2 (Holm 1967,
-"Electric Contacts"): n equal spots far apart have 1/sqrt(n) of it, layers of oxide or oil add to it.
+The estimates are suitable for the direction and order of magnitude of a change.  Friction is the sum for
+solids and film, each with a constant coefficient (load sharing: Johnson, Greenwood & Poon 1972, Wear
+19:91).  The contact resistance is that of one round spot of area A_t* A_n = pi a^2 (Holm 1967, "Electric
+Contacts"): n equal distant spots have 1/sqrt(n) of it, layers of oxide or oil add to it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from thirdbody.conditions.usual import (
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solution import Solution
 
-# by the words of a heading: the column of tables, and its unit as pint reads it
+# by heading: the column of tables, and its unit for pint
 MEASURED = {
     "friction coefficient": ("friction_coefficient", "dimensionless"),
     "contact resistance": ("contact_resistance_ohm", "ohm"),
@@ -34,12 +34,12 @@ MEASURED = {
     "solid load fraction": ("solid_load_fraction", "dimensionless"),
     "fluid load fraction": ("fluid_load_fraction", "dimensionless"),
 }
-# of the columns that are estimates: what is assumed
+# assumptions of the columns that are estimates
 FORMULAS = {
     "friction_coefficient": "{boundary_friction:g} L_s + {film_friction:g} L_f",
     "contact_resistance_ohm": "one round spot of A_t* A_n between bodies of {resistivity_ohm_m:g} ohm m (Holm)",
 }
-USUAL = {  # usual ends and unit of what is assumed
+USUAL = {  # usual range and unit of the assumptions
     "boundary_friction": ((0.01, 1.0), "1"),
     "film_friction": ((1e-4, 0.2), "1"),
     "resistivity_ohm_m": ((1e-8, 1e-4), "ohm m"),
@@ -48,11 +48,11 @@ USUAL = {  # usual ends and unit of what is assumed
 
 @dataclass(frozen=True)
 class Assumed:
-    """What the estimates need besides the model.
+    """Assumptions of the estimates.
 
-    ``boundary_friction`` is the friction coefficient [1] of what the solids carry, 0.08 to 0.15 of steel in oil;
-    ``film_friction`` that of what the film carries, 0.01 to 0.07, by oil and sliding; ``resistivity_ohm_m`` the
-    mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
+    ``boundary_friction`` is the friction coefficient [1] of the solids, 0.08 to 0.15 for steel in oil;
+    ``film_friction`` that of the film, 0.01 to 0.07, depending on oil and sliding; ``resistivity_ohm_m``
+    the mean electrical resistivity [ohm m] of both bodies, by default that of bearing steel.
     """
 
     boundary_friction: float = BOUNDARY_FRICTION
@@ -67,7 +67,7 @@ class Assumed:
 
 @np.errstate(divide="ignore")  # without contact the resistance is infinite
 def measurable(found: Solution, parameters: Parameters, assumed: Assumed) -> dict[str, NDArray]:
-    """All that can be measured of a solution, by the columns of ``MEASURED`` and in their units."""
+    """All measurable quantities of a solution, by the columns of ``MEASURED`` and in their units."""
     area = found.total_contact_area * parameters.apparent_area
     solids = assumed.boundary_friction * found.solid_load_fraction
     return {

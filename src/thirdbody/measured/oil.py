@@ -1,4 +1,4 @@
-"""``oil_viscosity``: the kinematic viscosity of an oil at a temperature, from what its data sheet says."""
+"""``oil_viscosity``: the kinematic viscosity of an oil at a temperature, from its data sheet."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ GRADES |= {grade: float(grade) for grade in (680, 1000, 1500, 2200, 3200)}
 LEAST, MOST = 2.0, 2e7  # cSt, where ASTM D341 is a line with the constant 0.7
 COLDEST, HOTTEST = -70.0, 370.0  # C, of ASTM D341
 ZERO = 273.15  # K
-# ASTM D2270: rows of seven numbers, as the file says
+# ASTM D2270: rows of seven numbers, described in the file
 INDEX = np.loadtxt(Path(__file__).with_suffix(".csv"), delimiter=",")
 
 
@@ -31,27 +31,27 @@ def oil_viscosity(
     viscosity_index: float | None = None,
     points: Mapping[float, float] | None = None,
 ) -> NDArray:
-    """Kinematic viscosity [cSt] of an oil at a temperature, on the line of Walther through two points.
+    """Kinematic viscosity [cSt] of an oil at a temperature, from the Walther line through two points.
 
-    log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is for one oil at
-    ambient pressure: it knows nothing of shear thinning, of ageing or of oil with fuel in it.
+    log10 log10(nu + 0.7) = A - B log10 T, with nu in cSt and T in K (ASTM D341).  It is valid at
+    ambient pressure, without shear thinning, ageing or fuel dilution.
 
     Parameters
     ----------
     temperature_C : array_like
-        Temperatures [C], from -70 to 370, whose shape the result has.
+        Temperatures [C], from -70 to 370; the result has the same shape.
     grade : int, optional
-        ISO viscosity grade (ISO 3448): the middle of its range at 40 C, which is 10 % on both sides.
+        ISO viscosity grade (ISO 3448): the middle of its range at 40 C, which is +-10 %.
     viscosity_index : float, optional
-        Goes with the grade, and gives the second point, at 100 C (ASTM D2270, ISO 2909).
+        Required with the grade; gives the second point, at 100 C (ASTM D2270, ISO 2909).
     points : mapping, optional
-        In place of these, two temperatures [C] and the viscosities [cSt] that were measured there.
+        Instead of these, two temperatures [C] with measured viscosities [cSt].
 
     Raises
     ------
     ValueError
-        In one line: for a grade or an index that there is not, other than two points, and viscosities
-        below 2 or above 2e7 cSt, for which the line does not hold.
+        For an unknown grade or impossible index, a number of points other than two, and viscosities
+        below 2 or above 2e7 cSt, where the line is not valid.
 
     Examples
     --------
@@ -123,6 +123,6 @@ def _at_100(at_40, index):
     check_number("viscosity_index", index, positive=False)
     try:
         return brentq(lambda at_100: viscosity_index_of(at_40, at_100) - index, LEAST, 0.9 * at_40)
-    except ValueError:  # the ends enclose no such oil
+    except ValueError:  # no root between the ends
         allowed = f"one that gives an oil of {at_40:g} cSt at 40 C 2 cSt or more at 100 C"
         raise ValueError(f"viscosity_index is {shown(index)}; allowed: {allowed}") from None

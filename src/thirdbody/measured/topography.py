@@ -20,10 +20,10 @@ from thirdbody.tabular import Tabular
 class MeasuredSurface(Tabular):
     """The equivalent rough surface of one or several measured topographies, SI.
 
-    ``roughness`` is sigma [m], the root mean square height; ``summit_density`` eta_s [m-2] and ``summit_radius``
-    R [m] of the summits; ``slope`` [1] and ``curvature`` [m-1] are root mean squares of profiles, taken over the
-    distance ``scale`` [m].  eta_s and R depend on it: from the tenfold distance, a usual surface has far fewer
-    and blunter summits.
+    ``roughness`` is sigma [m], the root mean square height; ``summit_density`` eta_s [m-2] and
+    ``summit_radius`` R [m] of the summits; ``slope`` [1] and ``curvature`` [m-1] are root mean
+    squares of profiles over the distance ``scale`` [m]. eta_s and R depend on it: at ten times the
+    distance, a typical surface has far fewer and blunter summits.
     """
 
     roughness: float
@@ -36,7 +36,7 @@ class MeasuredSurface(Tabular):
     def parameters(self, parameters: Parameters | None = None) -> Parameters:
         """Inputs of the model, by default the published ones, with the summits of this surface.
 
-        They are those at ``roughness``; at another one they follow the power laws of the inputs.
+        At another roughness than this one, summits follow the power laws of the inputs.
         """
         return replace(
             checked_parameters(parameters),
@@ -49,36 +49,34 @@ class MeasuredSurface(Tabular):
 def surface(
     *paths: str | PathLike, scale_nm: float | None = None, curved: bool = False, **options: Any
 ) -> MeasuredSurface:
-    """Roughness and summits of a measured topography, or of two in contact, whose moments add.
+    """Roughness and summits of a measured topography, or of two in contact (their moments add).
 
-    SurfaceTopography reads the files and takes slopes and curvatures as finite differences over one
-    distance in both directions.  From the moments m_0 (heights), m_2 (slopes) and m_4 (curvatures) of
-    profiles, McCool (1987, J. Tribol. 109:264) has eta_s = m_4/(6 sqrt(3) pi m_2) and
-    R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.
+    SurfaceTopography reads the files and computes slopes and curvatures as finite differences over
+    one distance in both directions.  From the moments m_0 (heights), m_2 (slopes) and m_4
+    (curvatures) of profiles, McCool (1987, J. Tribol. 109:264) has eta_s = m_4/(6 sqrt(3) pi m_2)
+    and R = 3 sqrt(pi)/(8 sqrt(m_4)), for isotropic surfaces with Gaussian heights.
 
     Parameters
     ----------
     *paths : path
         Files of an instrument, or x, y and z in columns: all formats that SurfaceTopography reads.
     scale_nm : float, optional
-        The distance over which slopes and curvatures are taken [nm]; by default that of the points,
-        of several files the largest.  Instruments see less than they have points for: take what
-        they resolve.
+        The distance for slopes and curvatures [nm]; by default the largest point spacing of the files.  The
+        lateral resolution of instruments is often coarser than the spacing: use the resolution.
     curved : bool
-        Whether to take out a parabola, as of a ball; a tilt is always taken out.
+        Whether to subtract a parabola, as for a ball; a tilt is always subtracted.
     **options
-        What a file does not say, as SurfaceTopography's ``read_topography`` takes it: ``unit="um"``,
-        ``physical_sizes``, ``height_scale_factor``.
+        Information missing in a file, as arguments of ``SurfaceTopography.read_topography``:
+        ``unit="um"``, ``physical_sizes``, ``height_scale_factor``.
 
     Raises
     ------
     ValueError
-        In one line: for a file that cannot be read, has no unit or is flat, and for a scale below the
-        distance of the points.
+        For a file that cannot be read, has no unit or is flat, and for a scale below the point spacing.
     OSError
         If there is no such file.
     ModuleNotFoundError
-        In one line, without SurfaceTopography: the extra ``topography`` brings it.
+        If SurfaceTopography is not installed: the extra ``topography`` installs it.
 
     Examples
     --------
@@ -117,7 +115,7 @@ def surface(
 
 
 def _read(path, curved, options):
-    """A topography in metres, without tilt; points that were not measured are interpolated."""
+    """A topography in metres, without tilt; missing points are interpolated."""
     from SurfaceTopography import read_topography
 
     with open(path, "rb"):
@@ -132,7 +130,7 @@ def _read(path, curved, options):
         if topography.has_undefined_data:
             topography = topography.interpolate_undefined_data_with_harmonic_function()
         return topography.detrend("curvature" if curved else "height")
-    except Exception as error:  # each of some thirty readers has kinds of its own
+    except Exception as error:  # about thirty readers raise different types
         message = " ".join(str(error).split())[:200] or type(error).__name__
         raise ValueError(f"{name} cannot be used as a topography: {message}") from None
 

@@ -1,7 +1,7 @@
-"""BagIt 1.0 (RFC 8493): a folder with the sums of all its files, and the zip file of it.
+"""BagIt 1.0 (RFC 8493): a folder with checksums of all its files, and its zip file.
 
-The package ``bagit`` is not used to write: it declares version 0.97 and lists tag files in the order
-of the disk, so that two bags of the same files differ.  Tests validate bags with it.
+The package ``bagit`` is not used for writing: it declares version 0.97 and lists tag files in disk
+order, so that two bags of the same files differ.  Tests validate bags with it.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from thirdbody.release.texts import render
 
 ALGORITHMS = ("sha256", "sha512")
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
-FILE_MODE = 0o100644 << 16  # a plain file that its owner may write
-UNIX = 3  # code of the system that has such modes
+FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
+UNIX = 3  # code of the system with these modes
 
 
 def seal(folder: Path, release: Release) -> None:
@@ -46,8 +46,9 @@ def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
 def pack(folder: Path, archive: str | PathLike, day: str) -> None:
     """Write a sealed folder as a zip file; the same files give the same bytes.
 
-    Members are sorted and have the same mode and the date ``day`` (ISO 8601); they are not compressed, as that
-    depends on the version.  Raises ``ValueError``, and writes nothing, if the folder is not what its sums say.
+    Members are sorted and have the same mode and the date ``day`` (ISO 8601); they are not
+    compressed, because compression depends on the version.  Raises ``ValueError``, and writes
+    nothing, if the folder does not match its checksums.
     """
     command = [sys.executable, "verification/verify.py", folder, "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

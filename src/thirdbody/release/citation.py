@@ -1,7 +1,7 @@
 """Name, version, date and citation of a release.
 
-The last tag gives the version, as it is installed, ``pyproject.toml`` the name, and ``CITATION.cff`` all
-else, also the date: the same sources give the same archive on any day.
+The version is the installed one, from the last tag; the name is from ``pyproject.toml``, and everything
+else from ``CITATION.cff``, including the date, so that the same sources always give the same archive.
 """
 
 from __future__ import annotations
@@ -30,8 +30,9 @@ class Release:
     def of(
         cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True
     ) -> Release:
-        """The release that ``pyproject.toml`` and ``CITATION.cff`` describe; unless the configuration ``is_paper``,
-        its version and title say so.  ``ValueError`` if ``CITATION.cff`` has another version than is installed."""
+        """The release described by ``pyproject.toml`` and ``CITATION.cff``; unless the
+        configuration ``is_paper``, its version and title say so.  ``ValueError`` if
+        ``CITATION.cff`` does not have the installed version."""
         name = _read_project(pyproject)["name"]
         cited = yaml.safe_load(Path(citation).read_text(encoding="utf-8"))
         if cited["version"] != version(name):
@@ -55,17 +56,17 @@ class Release:
 
     @property
     def paper(self) -> dict[str, Any]:
-        """The paper that is reproduced: the first reference of ``CITATION.cff``."""
+        """The reproduced paper: the first reference of ``CITATION.cff``."""
         return self.citation["references"][0]
 
     @property
     def paper_url(self) -> str:
-        """Address of the paper, by its DOI."""
+        """DOI link of the paper."""
         return f"https://doi.org/{self.paper['doi']}"
 
     @property
     def paper_text(self) -> str:
-        """The paper as it stands in a list of references."""
+        """The paper as an entry of a reference list."""
         paper = self.paper
         names = " and ".join(f"{a['family-names']} {a['given-names']}" for a in paper["authors"])
         return (
@@ -75,7 +76,7 @@ class Release:
 
 
 def software_versions(pyproject: str | PathLike) -> dict[str, str]:
-    """Installed versions of the packages that the workflow asks for, by name."""
+    """Installed versions of the packages that the workflow requires, by name."""
     project = _read_project(pyproject)
     wanted, names = [*project["dependencies"], f"{project['name']}[workflow]"], set()
     while wanted:

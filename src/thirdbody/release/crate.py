@@ -1,4 +1,4 @@
-"""ro-crate-metadata.json: what each file of an archive is, and which was made from which.
+"""ro-crate-metadata.json: description and provenance of each file of an archive.
 
 RO-Crate 1.1 with the profile Workflow Run Crate 0.5: the run of the workflow is one
 ``CreateAction``, and each of its jobs is another.
@@ -24,7 +24,7 @@ COMPLETED = {  # of each action
     "actionStatus": "http://schema.org/CompletedActionStatus",
     "agent": {"@id": "#developers"},
 }
-# folders of products, called as in results/, and their titles
+# folders of products, named as in results/, and their titles
 KINDS = {
     "datasets": "solved points, one file a figure",
     "bands": "lowest and highest value (_low, _high) of each quantity over calibrated inputs",
@@ -48,11 +48,11 @@ def crate(
 ) -> dict[str, Any]:
     """Content of ``ro-crate-metadata.json`` for the folder ``data`` of an archive.
 
-    ``kinds`` has the titles of its folders of products; ``jobs`` and ``software`` are as of ``stage``.
-    See https://w3id.org/ro/crate/1.1 and https://w3id.org/ro/wfrun/workflow/0.5.
+    ``kinds`` has the titles of its folders of products; ``jobs`` and ``software`` are as in
+    ``stage``.  See https://w3id.org/ro/crate/1.1 and https://w3id.org/ro/wfrun/workflow/0.5.
     """
     known = render_json("crate.json", kinds=kinds, software=software, release=release)
-    described = ROCrate(version="1.1")  # which Workflow Run Crate 0.5 extends
+    described = ROCrate(version="1.1")  # extended by Workflow Run Crate 0.5
     for entity in known["entities"]:
         described.add_jsonld(entity)
     workflow = described.add_workflow(
@@ -81,7 +81,7 @@ def crate(
 
 
 def _file_properties(path: str, release: Release) -> dict[str, Any]:
-    """Properties of a file, with its licence if that is not the one of the archive."""
+    """Properties of a file, with its licence if it differs from that of the archive."""
     properties = {"name": PurePosixPath(path).name, "encodingFormat": media_type(path)}
     if path.startswith(SCRIPTS):
         properties["@type"] = ["File", "SoftwareSourceCode"]
@@ -94,7 +94,7 @@ def _file_properties(path: str, release: Release) -> dict[str, Any]:
 
 
 def _add_actions(described, jobs, files: dict[str, Entity], kinds, release: Release) -> None:
-    """Add the run of the whole workflow and its jobs, with the files that are not in the archive."""
+    """Add the run of the workflow and its jobs, including files that are not in the archive."""
     products = {path: file for path, file in files.items() if path.partition("/")[0] in kinds}
     described.add_action(
         files[WORKFLOW],

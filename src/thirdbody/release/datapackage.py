@@ -1,7 +1,7 @@
-"""datapackage.json (Frictionless): products with sizes and sums, tables with their columns.
+"""datapackage.json (Frictionless): products with sizes and checksums, tables with their columns.
 
-The package ``frictionless`` is not used to write: it brings 38 more packages and infers types of
-columns, which are known here.  Tests validate the result with it.
+The package ``frictionless`` is not used for writing: it installs 38 more packages and infers column
+types, which are known here.  Tests validate the result with it.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ def _resource(data: Path, path: str) -> dict:
 
 
 def table_schema(file: Path) -> dict[str, Any]:
-    """Table Schema of a CSV file by the names of its columns, which say all in a wide table of a figure;
-    ``ValueError`` if nothing describes them."""
+    """Table Schema of a CSV file by its column names, which are self-explanatory in wide tables of
+    figures; ``ValueError`` if nothing describes them."""
     with open(file, encoding="utf-8", newline="") as stream:
         header = next(csv.reader(stream), [])
     for columns in (DRAWN_POINTS, *TABLES.values()):

@@ -1,4 +1,4 @@
-"""Files of a release: which sources it has, and names and media types."""
+"""Files of a release: its sources, file names and media types."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without the files of the system
+KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
 
 
 def media_type(name: str) -> str:
@@ -18,11 +18,11 @@ def media_type(name: str) -> str:
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources, relative to the current folder, the root of the project: what git tracks, or
-    would track.
+    """Sorted paths of the sources, relative to the current folder, the root of the project: all
+    files that git tracks or would track.
 
-    In a folder without a repository, such as an unpacked archive, ``.gitignore`` alone counts.  Raises
-    ``OSError`` if git is not installed, or cannot read the folder.
+    In a folder without a repository, such as an unpacked archive, only ``.gitignore`` is used.
+    Raises ``OSError`` if git is not installed, or cannot read the folder.
     """
     listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     with tempfile.TemporaryDirectory() as empty:
@@ -53,6 +53,6 @@ def files_in(folder: Path, root: Path) -> list[str]:
 
 
 def write_json(path: Path, content: Any) -> None:
-    """Write ``content`` to the file ``path``, whose folder is made if it is missing."""
+    """Write ``content`` to the file ``path``; its folder is created if missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What ``README.md`` of an archive says of the files in it."""
+"""Values for ``README.md`` of an archive."""
 
 from __future__ import annotations
 

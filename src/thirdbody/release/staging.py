@@ -32,15 +32,15 @@ def stage(
     software: dict[str, str],
     release: Release,
 ) -> None:
-    """Fill the folder of a release: copy the files, describe them, and seal all with sums.
+    """Fill the folder of a release: copy the files, describe them, and add checksums.
 
-    The current folder must be the root of the repository.  What was in ``folder`` is removed, and
-    ``tagmanifest-sha512.txt`` is the last file that is written there.  ``products`` are files in ``results/``, whose
-    folder there is one of ``KINDS``, at least one dataset among them; ``sources`` the source code, with the
-    programs in ``verification/``; ``settings`` what goes to ``configuration/``, by the name of the file there.
-    ``jobs`` of the workflow have the name of their ``rule``, and ``inputs`` and ``outputs``, paths relative to the
-    root; ``software`` are the versions of the packages that it ran on.  Raises ``ValueError`` if nothing describes
-    the columns of a table.
+    The current folder must be the root of the repository.  The previous content of ``folder`` is
+    removed, and ``tagmanifest-sha512.txt`` is written last.  ``products`` are files in
+    ``results/``, whose folder there is one of ``KINDS``, at least one dataset among them;
+    ``sources`` the source code, with the programs in ``verification/``; ``settings`` the content of
+    ``configuration/``, by file name.  ``jobs`` of the workflow have the name of their ``rule``, and
+    ``inputs`` and ``outputs``, paths relative to the root; ``software`` are the versions of the
+    packages used.  Raises ``ValueError`` if nothing describes the columns of a table.
     """
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
@@ -71,6 +71,6 @@ def stage(
 
 
 def _copy(path: str | os.PathLike, place: Path) -> None:
-    """Copy the bytes of a file, but not its mode, owner or time."""
+    """Copy the content of a file, but not its mode, owner or time."""
     place.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(path, place)

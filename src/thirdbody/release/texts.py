@@ -12,7 +12,7 @@ DATA_LICENCE = "CC-BY-4.0"
 
 
 def render(template: str, **values: Any) -> str:
-    """Text of a template, which can use ``values`` and the filter ``text`` (``markdown_text``)."""
+    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
     environment = Environment(
         loader=PackageLoader("thirdbody.release"),
         undefined=StrictUndefined,
@@ -31,7 +31,7 @@ def render_json(template: str, **values: Any) -> dict[str, Any]:
 
 
 def markdown_text(text: str) -> str:
-    """``text`` as one line of Markdown in which nothing is markup or HTML."""
+    """``text`` as one line of Markdown, with markup and HTML escaped."""
     line = " ".join(str(text).split())
     line = line.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
     return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)
