@@ -109,5 +109,5 @@ def test_what_cannot_be_drawn_is_refused_by_name(grid, tmp_path):
     ):
         with pytest.raises(ValueError, match=message):
             tb.plot(given, **options)
-    with pytest.raises(FileNotFoundError, match="data is '.*no.nc', which is no file"):
+    with pytest.raises(FileNotFoundError, match="data is '.*no.nc', which is not a file"):
         tb.plot(tmp_path / "no.nc")

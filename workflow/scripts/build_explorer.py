@@ -1,4 +1,4 @@
-"""Build the explorer: one page for a browser, from figures, statements and inputs of the run."""
+"""Build the explorer, a web page, from figures, statements and inputs of the run."""
 
 import json
 from pathlib import Path

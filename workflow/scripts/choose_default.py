@@ -1,4 +1,4 @@
-"""Choose the default by the rule, and search what each headline number that it misses would cost."""
+"""Choose the default by the rule, and search for the cost of each headline number that it misses."""
 
 import json
 from dataclasses import replace
@@ -17,7 +17,7 @@ from thirdbody.study.verdicts import compare, count_once, predict
 
 
 def _fractions(judge_all, verdicts, folds):
-    """The fraction of the statements that is predicted in each fold."""
+    """The predicted fraction of the statements in each fold."""
     fractions = []
     for fold in make_folds(judge_all.claims, [each["figures"] for each in folds]):
         held, of = count_once(fold.judged, verdicts)

@@ -1,4 +1,4 @@
-"""The library against the oracle in extended precision, in all interpretations."""
+"""Compare the library with the oracle in extended precision, for all interpretations."""
 
 from benchmarks.oracle import oracle_rows
 from thirdbody.data.files import atomic_write

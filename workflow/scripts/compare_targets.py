@@ -1,4 +1,4 @@
-"""Compare what was measured with the targets; nothing is measured here."""
+"""Compare the measurements with the targets; nothing is measured here."""
 
 from benchmarks.targets import target_rows
 from thirdbody.data.files import atomic_write

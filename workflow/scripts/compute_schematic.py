@@ -1,4 +1,4 @@
-"""Solve the interfaces of one schematic and draw lots for the sections through them."""
+"""Solve the interfaces of one schematic and generate random sections through them."""
 
 from thirdbody.data.conditions import Condition
 from thirdbody.data.files import atomic_write
@@ -10,7 +10,7 @@ from thirdbody.solver.solve import solve
 
 
 def solved_state(conditions, parameters):
-    """The state of the interface at ``conditions`` of the configuration."""
+    """The state of the interface at the configured ``conditions``."""
     condition = Condition.of(conditions)
     load = conditions["load_N"] / parameters.newtons_per_load
     solution = solve(load=load, **condition._asdict(), parameters=parameters)

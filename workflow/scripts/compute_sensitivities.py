@@ -1,4 +1,4 @@
-"""Elasticities and total Sobol indices of results in the inputs that the paper does not print."""
+"""Elasticities and total Sobol indices of results with respect to the unprinted inputs."""
 
 from dataclasses import replace
 

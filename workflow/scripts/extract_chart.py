@@ -1,4 +1,4 @@
-"""Read the rows of a design chart's table off the atlas; nothing is solved here."""
+"""Extract the table of a design chart from the atlas; nothing is solved here."""
 
 from thirdbody.atlas.catalogue import open_atlas
 from thirdbody.atlas.charts import chart_panels, chart_rows

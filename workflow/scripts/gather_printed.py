@@ -1,4 +1,4 @@
-"""The numbers that the paper prints, with their tolerances, as a table."""
+"""The printed numbers of the paper, with their tolerances, as a table."""
 
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv

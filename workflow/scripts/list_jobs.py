@@ -1,4 +1,4 @@
-"""Which job made which product from what, as Snakemake's own summary says."""
+"""The job and inputs of each product, from Snakemake's own summary."""
 
 import csv
 import json
@@ -28,7 +28,7 @@ def summary(config, run):
 
 
 def jobs_of(rows, run):
-    """One entry a job, each after those that it depends on; files are called as in a run without a name."""
+    """One entry per job, after those it depends on; files have the names of a run without a name."""
     jobs = {}
     for row in rows:
         log = row["log-file(s)"]

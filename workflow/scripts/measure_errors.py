@@ -1,4 +1,4 @@
-"""Errors at points known in multiple precision, and the verdict on every extreme."""
+"""Errors at points known in multiple precision, and checks of all extremes."""
 
 from collections import Counter
 

@@ -1,4 +1,4 @@
-"""Pack the folder of a release into one archive file, and record beside it when and where it was made."""
+"""Pack the folder of a release into one archive file, and record its provenance beside it."""
 
 import getpass
 import json
@@ -16,7 +16,7 @@ from thirdbody.release.bag import pack
 
 
 def provenance(archive, name):
-    """When, where, by whom and with what the file ``archive``, called ``name``, was made: now."""
+    """The provenance of the file ``archive``, named ``name``: time, place, user and software."""
     try:
         user = getpass.getuser()
     except (OSError, KeyError):  # in a container a user may have no name

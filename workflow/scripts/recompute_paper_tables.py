@@ -1,4 +1,4 @@
-"""The paper's own tables with each derived entry recomputed."""
+"""The tables of the paper with derived entries recomputed."""
 
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write

@@ -1,4 +1,4 @@
-"""Draw one schematic, true to scale, from its sections; nothing is solved here."""
+"""Draw one schematic, to scale, from its sections; nothing is solved here."""
 
 import matplotlib.style
 

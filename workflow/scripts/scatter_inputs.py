@@ -1,4 +1,4 @@
-"""Judge scattered inputs of one interpretation, from the best of which its searches start."""
+"""Evaluate scattered inputs of one interpretation; its searches start from the best."""
 
 import numpy as np
 

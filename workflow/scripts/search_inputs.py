@@ -9,7 +9,7 @@ from thirdbody.study.search import search
 
 
 def _with_objective(interpretation, objective, every, rows):
-    """Scattered positions, with the ``objective`` in place of the scores of ``every`` statement."""
+    """Scattered positions, with the ``objective`` instead of the scores of ``every`` statement."""
     count = len(interpretation.unknowns)
     ids = {claim.id for claim in objective.claims}
     fitted = [place for place, claim in enumerate(every.claims) if claim.id in ids]
@@ -27,7 +27,7 @@ with logged(snakemake.log[0]):
     settings = snakemake.params.settings
     statements = load_claims(snakemake.input.claims)
     base = snakemake.params.parameters
-    # a number says which fold's statements are left out
+    # a number is the fold whose statements are left out
     fitted = statements if fold is None else make_folds(statements, settings["folds"])[fold].fitted
     objective = Objective.of(fitted, settings, base)
     interpretation = Interpretation.of(snakemake.wildcards.interpretation, settings)
@@ -35,7 +35,7 @@ with logged(snakemake.log[0]):
     places = _with_objective(interpretation, objective, every, read_rows(snakemake.input.scattered))
     ranking = np.argsort(places[:, -1], kind="stable")
     found = [places]
-    # from the first seed the search starts at the best of the scattered inputs, then at the second best
+    # the first seed starts at the best of the scattered inputs, the second at the second best
     for seed in snakemake.params.seeds:
         start = places[ranking[seed - 1], :-1]
         found.append(search(interpretation, objective, start, settings["budget"], seed))

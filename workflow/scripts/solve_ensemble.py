@@ -1,4 +1,4 @@
-"""Solve the points of a dataset for each member of the ensemble: the band around its curves."""
+"""Solve the points of a dataset for each member of the ensemble, for the band around its curves."""
 
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import read_plain, write_dataset

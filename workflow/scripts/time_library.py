@@ -1,4 +1,4 @@
-"""Times of points and grids beside the baselines, and of typical uses."""
+"""Times of points and grids, of the baselines, and of typical uses."""
 
 from pathlib import Path
 

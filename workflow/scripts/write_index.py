@@ -1,4 +1,4 @@
-"""The page that leads to all products, and the captions with what of the paper fails in each figure."""
+"""The index page of all products, and the captions with the failing statements of each figure."""
 
 import json
 from pathlib import Path
@@ -11,7 +11,7 @@ from thirdbody.study.claims import figures_named
 
 
 def figure_entry(caption, statements, scenes):
-    """What the page says of one figure: title, text, and the statements that fail there."""
+    """Content of the page for one figure: title, text, and the statements that fail."""
     stem = Path(caption).stem
     first, _, _ = Path(caption).read_text(encoding="utf-8").partition("\n\n")
     title, _, text = first.removeprefix("**").partition(".**")

@@ -1,4 +1,4 @@
-"""The sums of all products."""
+"""Checksums of all products."""
 
 from thirdbody.data.files import atomic_write, sums_text
 from thirdbody.job_log import logged

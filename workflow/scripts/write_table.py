@@ -1,4 +1,4 @@
-"""Gather the parts of a table and write it as CSV with its Table Schema, Markdown, HTML and LaTeX."""
+"""Combine the parts of a table and write it as CSV with Table Schema, Markdown, HTML and LaTeX."""
 
 from thirdbody.data.files import atomic_write
 from thirdbody.data.readable import markdown, page, readable

@@ -186,7 +186,7 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     """A dataset over the five axes in their order; missing ones have length one."""
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
-            raise FileNotFoundError(f"{name} is {str(data)!r}, which is no file")
+            raise FileNotFoundError(f"{name} is {str(data)!r}, which is not a file")
         data = read_dataset(data)
     if not isinstance(data, xr.Dataset):
         raise ValueError(f"{name} is of type {type(data).__name__}; allowed: {ALLOWED}")
