@@ -170,7 +170,9 @@ def _allowed(error: ValidationError) -> str:
     else:
         allowed = error.message
     if error.validator == "type" and isinstance(value, str) and NUMBER.fullmatch(value):
-        allowed += "; in YAML write 1.0e+11, not 1e11, and neither quotes nor braces after --config"
+        allowed += (
+            "; in YAML write 1.0e+11, not 1e11, without quotes, and not in braces after --config"
+        )
     return allowed
 
 

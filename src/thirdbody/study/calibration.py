@@ -160,7 +160,7 @@ def loss(score: ArrayLike) -> ArrayLike:
 class Fold(NamedTuple):
     """One fold of the cross-validation: statements of some figures are left out of the search and
     ``judged`` with its result; those ``fitted`` neither refer to these figures nor repeat or
-    contradict them."""
+    contradict a judged one."""
 
     judged: tuple[Claim, ...]
     fitted: tuple[Claim, ...]
