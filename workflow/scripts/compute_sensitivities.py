@@ -20,9 +20,10 @@ with logged(snakemake.log[0]):
     subject, defaults = Subject.of(settings), Parameters(**snakemake.params.parameters)
     inputs = varied_inputs(defaults, snakemake.params.unpublished)
     base = subject.values(defaults, FULL_EFFORT)
+    effort = subject.effort_near(base)
 
     def values(changes):
-        return subject.values(replace(defaults, **changes), FULL_EFFORT)
+        return subject.values(replace(defaults, **changes), effort)
 
     found = (
         elasticities(values, base, inputs),
