@@ -202,9 +202,8 @@ def printed_rows(claims: Iterable[Claim]) -> list[dict]:
         levels = [(name, value) for name, value in claim.limits.items() if name in CURVE_QUANTITIES]
         at_quantity, at_level = levels[0] if levels else ("", None)
         curves = claim.curves
-        if (
-            claim.quantity == "total_contact_area_reversal_load"
-        ):  # one number: that of the middle curve
+        # one number: that of the middle curve
+        if claim.quantity == "total_contact_area_reversal_load":
             curves = curves[len(curves) // 2 :][:1]
         for condition, (extreme, quantity, value) in product(curves, _numbers(claim)):
             margin = abs(value) * claim.tolerance if claim.relative else claim.tolerance
