@@ -20,6 +20,8 @@ MAX_ITERATIONS = 200
 FILM_MARGIN = 1e-3  # a film thinner by this fraction certainly carries more than the load
 STEP_LEFT = 0.05  # of the tolerance: error allowed after the next Newton step
 NARROW = 4.0 * EPSILON  # relative width of the narrowest bracket
+# added to ln F_t*, so that the first separation lies below the root at nearly all points
+SUMMIT_EXCESS, PARTICLE_EXCESS = 0.2, 0.002
 GROWTH = 4.0  # growth of an interval without a change of sign
 
 
@@ -55,7 +57,8 @@ def bracket(points: Points) -> Brackets:
     """Bracket the largest separation d >= 0 at which solids and film carry the load.
 
     If the film depends on F_f, it carries the load alone at d = R_x H_c(F_t), so the root is there
-    or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one.
+    or beyond.  If it depends on F_t, it keeps this separation unless the solids need a larger one,
+    which the forces at the first separation show at most points.
     Points that ``may_have_several`` roots must not use tables, whose errors may hide a root.
     """
     guess = first_separation(points)
@@ -64,25 +67,32 @@ def bracket(points: Points) -> Brackets:
         alone, rounded = points.film_separation()
         guess = np.maximum(guess, alone)
     high = _upper_bounds(points, guess)
-    if points.shares_load:
-        low = alone * (1.0 - FILM_MARGIN)
-        exists, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
-        sure = exists.copy()
-    else:
-        low = alone * (1.0 + rounded)
-        forces = points.forces(low)
-        sure, exists = forces.excess > forces.noise, forces.excess >= -forces.noise
-        held = (forces.excess < 0.0) & (points.film is not None)
+    sure, held = np.ones(guess.shape, bool), np.zeros(guess.shape, bool)
+    low = start = alone * (1.0 - FILM_MARGIN)
+    if not points.shares_load:
+        start = alone * (1.0 + rounded)
+        guess = np.maximum(guess, start)
+        forces = points.forces(guess)
+        sure = forces.excess > forces.noise
+        low = np.where(sure, guess, start)
+        newton = guess - forces.excess / forces.slope
+        guess = np.where(sure & (newton < high), newton, guess)
+    exists, several = sure.copy(), may_have_several(points)
+    left = np.flatnonzero(~sure | several & ~points.shares_load)
+    if left.size:
+        forces = points.take(left).forces(start[left])
+        sure[left], exists[left] = forces.excess > forces.noise, forces.excess >= -forces.noise
+        held[left] = (forces.excess < 0.0) & (points.film is not None)
         exists &= ~held
     count, certain = (exists | held).astype(int), np.ones(guess.shape, bool)
-    several = np.flatnonzero(may_have_several(points))
+    several = np.flatnonzero(several)
     if several.size:
         some = points.take(several)
-        near, far, number, undecided = bracket_largest(some, low[several], guess[several])
+        near, far, number, undecided = bracket_largest(some, start[several], guess[several])
         beyond = number > 0
         # no root where particles cover everything at the film thickness
         particles = some.contact.particles
-        covered = particles.cover_all(particles.contact(low[several])[2])
+        covered = particles.cover_all(particles.contact(start[several])[2])
         count[several] = (held[several] & ~covered) + number
         if points.film is not None and not points.shares_load:
             # on a plateau at the load, no root may be found beyond the film
@@ -102,12 +112,14 @@ def first_separation(points: Points) -> NDArray:
     """Approximate separation d [m] at which the solids alone carry the load.
 
     It is the larger of the separations for summits alone and for particles alone, at which the
-    solids carry one to two times the load.
+    solids carry one to three times the load.
     """
     surfaces, particles = points.contact.summits, points.contact.particles
-    guess = surfaces.offset + surfaces.deviation * surfaces.first_separation(points.log_load)
+    t = surfaces.first_separation(points.log_load + SUMMIT_EXCESS)
+    guess = surfaces.offset + surfaces.deviation * t
     if particles is not None:
-        area = np.exp(points.log_load) / points.parameters.particle_pressure
+        load = np.exp(points.log_load + PARTICLE_EXCESS)
+        area = load / points.parameters.particle_pressure
         guess = np.maximum(guess, separation_carrying(area, particles))
     return np.maximum(guess, 0.0)
 
@@ -137,7 +149,7 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
     active = np.flatnonzero(~held & ~np.isnan(low))
     points = points.take(active)
     d, low, high, sure = guess[active], low[active], high[active], sure[active]
-    last, doubt = high - low, np.ones(d.shape)
+    last, doubt = np.full(d.shape, np.inf), np.ones(d.shape)
     for iteration in range(MAX_ITERATIONS):
         if not active.size:
             break
@@ -147,13 +159,15 @@ def enclose(points: Points, brackets: Brackets, tolerance: float) -> Balance:
         low, high, sure = np.where(more, d, low), np.where(less, d, high), sure | more
         step = size / steepness
         new = d - forces.excess / forces.slope
-        newton = (new >= low) & (new <= high) & (step <= np.maximum(0.5 * last, 1e-3 * d))
+        # Newton's step is taken while steps halve the excess; otherwise the bracket is halved
+        halved = size <= np.maximum(0.5 * last, 2.0 * forces.noise)
+        newton = (new >= low) & (new <= high) & halved
         change = step * forces.steepest
         left = change * change * (1.0 + forces.steepest / steepness)
         close = newton & ((left <= STEP_LEFT * tolerance) | (size <= 2.0 * forces.noise))
         final = (high - low <= NARROW * d) | (iteration == MAX_ITERATIONS - 1)
         d = np.where(newton, new, 0.5 * (low + high))
-        last = np.where(newton, step, 0.5 * (high - low))
+        last = np.where(newton, size, np.inf)
         (close,) = np.nonzero(close | final)
         if not close.size:
             continue

@@ -70,16 +70,21 @@ class RoughSurfaces:
         errors = self.table.error.reshape(-1, 2).max(axis=1)
         return errors[self.which] + QUADRATURE_ERROR
 
+    @cached_property
+    def here(self) -> SummitPopulation:
+        """The population at each point."""
+        return self.population.take(self.which)
+
     def log_load(self, t: NDArray) -> tuple[NDArray, NDArray]:
         """ln F_ss* and its slope d/dt at summit separations ``t`` [1]."""
         if self.table is None:
-            return self.population.take(self.which).log_load(t)
+            return self.here.log_load(t)
         return self._read(t, 0)
 
     def log_load_and_area(self, t: NDArray) -> tuple:
         """ln F_ss* and ln(A_ss/A_n), each with its slope d/dt, at summit separations ``t`` [1]."""
         if self.table is None:
-            return tuple(self.population.take(self.which).log_load_and_area(t)[:, :2])
+            return tuple(self.here.log_load_and_area(t)[:, :2])
         return self._read(t, 0), self._read(t, 1)
 
     def _read(self, t, function):
@@ -94,7 +99,7 @@ class RoughSurfaces:
 
     def first_separation(self, log_load: NDArray) -> NDArray:
         """Approximate t [1] at which the summits carry ``log_load`` ln F_t*."""
-        summits = self.population.take(self.which)
+        summits = self.here
         wanted = log_load - np.log(summits.hardness_ratio * summits.summit_parameter)
         t, loads = _plastic_summits()
         found = np.interp(wanted, loads, t)
