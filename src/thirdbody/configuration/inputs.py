@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -109,7 +109,7 @@ def read_entries(directory: Path | None = None) -> Entries:
     """Entries of the file ``inputs.yaml`` in a folder, by default ``config/``."""
     path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
-    schema.validate(entries, _overlay_schema(entries), str(path))
+    schema.validate(entries, values_schema(entries), str(path))
     return entries
 
 
@@ -130,44 +130,33 @@ def choose_inputs(
 
     ``given``, values or a file of them, overrides the inputs of the file ``calibrated``, or is a
     calibrated file that replaces it.  Raises ``ValueError`` in one line.  Returns ``parameters``,
-    the value of each input, SI; ``calibrated``, the path of the calibrated file, and its
-    ``interpretation``; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
+    the value of each input, SI; ``calibrated``, the path of the calibrated file; ``ensemble``, its
+    members with the overrides; and ``inputs``, the overrides.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
         content, place = read_yaml(given), shown_file(given)
         if "inputs" in content:
             calibrated, content = given, {}
-    schema.validate(content, _overlay_schema(entries), place)
+    schema.validate(content, values_schema(entries), place)
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    check_complete(values, entries, f"{shown_file(calibrated)}: inputs")
+    schema.validate(values, {"required": [*entries]}, f"{shown_file(calibrated)}: inputs")
     check_ball(values, place)
     return {
         "parameters": values,
         "calibrated": str(calibrated),
-        "interpretation": found["interpretation"],
         "ensemble": ensemble_of(found, laid_over),
         "inputs": laid_over,
     }
 
 
 def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
-    """The ensemble members of a calibrated file, all with the same overrides.
-
-    Empty if the members do not differ.
-    """
+    """The ensemble members of a calibrated file, all with the same overrides; none if they do not
+    differ."""
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
-
-
-def check_complete(given: Collection[str], entries: Entries, place: str) -> None:
-    """Raise ``ValueError`` unless every input without a value of its own is ``given``."""
-    for name, entry in entries.items():
-        if "value" not in entry and name not in given:
-            allowed = "a value of each calibrated input"
-            raise ValueError(f"{place}: {name} is missing; allowed: {allowed}")
 
 
 def check_ball(values: Values, place: str) -> None:
@@ -187,30 +176,20 @@ def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
 
 
 def values_schema(entries: Entries) -> dict:
-    """JSON Schema of plain values of some inputs; its ``$defs/name`` is the schema of their names."""
-    values = _closed({name: _value_schema(name, entry) for name, entry in entries.items()})
-    return values | {"$defs": {"name": {"enum": list(entries)}}}
-
-
-def _value_schema(name: str, entry: Mapping) -> dict:
-    """JSON Schema of the value of one input: a number within bounds, or an allowed word."""
-    if "allowed" in entry:
-        return {"enum": entry["allowed"]}
-    bounds = BOUNDS[name]
-    allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
-    limits = {"minimum": bounds.least, "maximum": bounds.most}
-    return {"type": "number", **limits, "allowed": allowed}
-
-
-def _overlay_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: values, or entries as in ``config/inputs.yaml`` in the same unit."""
+    """JSON Schema of some inputs: plain values, or entries as in ``config/inputs.yaml`` in the same
+    unit; its ``$defs/name`` is the schema of their names."""
     given = {}
     for name, entry in entries.items():
-        value = _value_schema(name, entry)
-        unit = {"unit": {"const": entry["unit"]}} if "unit" in entry else {}
+        if "allowed" in entry:
+            value, unit = {"enum": entry["allowed"]}, {}
+        else:
+            bounds, unit = BOUNDS[name], {"unit": {"const": entry["unit"]}}
+            allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
+            limits = {"minimum": bounds.least, "maximum": bounds.most, "allowed": allowed}
+            value = {"type": "number", **limits}
         whole = _closed(dict.fromkeys(entry, True) | unit | {"value": value})
         given[name] = {"if": {"type": "object"}, "then": whole, "else": value}
-    return _closed(given)
+    return _closed(given) | {"$defs": {"name": {"enum": list(entries)}}}
 
 
 def _closed(properties: dict) -> dict:

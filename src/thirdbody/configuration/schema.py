@@ -4,7 +4,7 @@ A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two addition
 
 ``rules``
     Names of functions of ``thirdbody.configuration.rules``, for rules that JSON Schema cannot
-    express.  They are called if the rest of the document is valid.
+    express.  They are called if the whole document is otherwise valid.
 ``allowed``
     Text for messages about what is allowed, where a number or pattern is not clear enough.
 
@@ -15,10 +15,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache, reduce
-from itertools import chain
 from operator import getitem
 from pathlib import Path
 from typing import Any
@@ -30,11 +29,11 @@ from referencing.jsonschema import DRAFT202012
 
 from thirdbody.configuration import rules
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.rules import Fault
 from thirdbody.messages import LONGEST, shown, shown_file
 
 MOST_NAMED = 16  # keys in a message
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
+NOT_A_NUMBER = "; in YAML write 1.0e+11, not 1e11, without quotes, and not in braces after --config"
 TYPES = {
     **{"object": "keys with values", "array": "a list", "string": "a string", "number": "a number"},
     **{"integer": "an integer", "boolean": "true or false", "null": "null"},
@@ -51,6 +50,7 @@ ALLOWED = {
     "minProperties": "at least {} keys",
     "minLength": "at least one character",
     "maxLength": "at most {} characters",
+    "required": "it must be given",
 }
 
 
@@ -75,6 +75,21 @@ def read_schema(kind: str) -> dict:
     return read_yaml(config_directory() / f"{kind}.schema.yaml")
 
 
+def _is_finite_number(checker, value) -> bool:
+    return math.isfinite(value) if isinstance(value, float) else checker.is_type(value, "integer")
+
+
+def _call_rules(_validator, names, value, _schema):
+    for name in names:
+        yield from getattr(rules, name)(value)
+
+
+# in draft 4 the number 5.0 is not an integer
+NUMBERS = Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number)
+WITHOUT_RULES = extend(Draft202012Validator, type_checker=NUMBERS)
+WITH_RULES = extend(WITHOUT_RULES, {"rules": _call_rules})
+
+
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
     """Raise ``ValueError`` if plain data do not satisfy a schema.
 
@@ -84,46 +99,28 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
     """
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
-    validator = _Validator(schema, registry=Registry().with_resources(resources))
-    errors = sorted(
-        validator.iter_errors(content),
-        key=lambda each: (each.validator == "rules", len(each.path), each.json_path),
-    )
-    for fault in chain.from_iterable(map(_faults, errors)):
-        raise ValueError(f"{name}: {_line(content, fault)}")
-
-
-def _is_finite_number(checker, value) -> bool:
-    return math.isfinite(value) if isinstance(value, float) else checker.is_type(value, "integer")
-
-
-def _mark(validator, names, instance, schema):
-    """Mark where rules apply; they are called if all else is valid."""
-    yield ValidationError("rules are to be called")
-
-
-_Validator = extend(
-    Draft202012Validator,
-    {"rules": _mark},
-    # in draft 4 the number 5.0 is not an integer
-    type_checker=Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number),
-)
+    for kind in (WITHOUT_RULES, WITH_RULES):
+        validator = kind(schema, registry=Registry().with_resources(resources))
+        errors = sorted(validator.iter_errors(content), key=lambda e: (len(e.path), e.json_path))
+        for error in errors:
+            raise ValueError(f"{name}: {_line(content, error)}")
 
 
 # ---- messages
 
 
-def _line(content: Any, fault: Fault) -> str:
-    """The place of a fault, and the problem or, without one, the value."""
-    keys = list(fault.path)
+def _line(content: Any, error: ValidationError) -> str:
+    """The place of an error, the problem or, without one, the value, and what is allowed."""
+    keys = list(error.path)
     entry = content[keys[0]] if isinstance(content, list) and keys else None
     name = entry.get("id") if isinstance(entry, dict) else None
     is_named = isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name)
     places = [name, _dotted(keys[1:])] if is_named else [_dotted(keys)]
-    place = ": ".join(filter(None, places))
-    if fault.problem:
-        return f"{place}: {fault.problem}; allowed: {fault.allowed}".removeprefix(": ")
-    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {fault.allowed}"
+    place, allowed = ": ".join(filter(None, places)), _allowed(error)
+    problem = _problem(error)
+    if problem:
+        return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
+    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
 
 
 def _dotted(keys: Sequence[str | int]) -> str:
@@ -132,29 +129,28 @@ def _dotted(keys: Sequence[str | int]) -> str:
     return "".join(parts).removeprefix(".")
 
 
-def _faults(error: ValidationError) -> Iterator[Fault]:
-    """The fault of a validation error, or the faults that the rules find there."""
+def _unknown(error: ValidationError) -> str:
+    """The first key that is not known."""
+    return next(name for name in error.instance if name not in error.schema["properties"])
+
+
+def _problem(error: ValidationError) -> str:
+    """What is wrong, if the value alone does not show it."""
     if error.validator == "rules":
-        for rule in error.validator_value:
-            for fault in getattr(rules, rule)(error.instance):
-                yield fault._replace(path=(*error.path, *fault.path))
-        return
-    allowed, problem = _allowed(error), ""
+        return error.message
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
-        allowed, problem = "it must be given", f"key {missing!r} is missing"
-    elif error.validator == "additionalProperties":
-        known = sorted(error.schema["properties"])
-        unknown = next(name for name in error.instance if name not in known)
-        allowed, problem = _nearest(unknown, known), f"unknown key {shown(unknown)}"
-    elif "propertyNames" in error.schema_path:
-        problem = f"unknown key {shown(error.instance)}"
-    yield Fault(allowed, tuple(error.path), problem)
+        return f"key {missing!r} is missing"
+    if error.validator == "additionalProperties":
+        return f"unknown key {shown(_unknown(error))}"
+    return f"unknown key {shown(error.instance)}" if "propertyNames" in error.schema_path else ""
 
 
 def _allowed(error: ValidationError) -> str:
     """What is allowed instead of the wrong value."""
     value, bound = error.instance, error.validator_value
+    if error.validator == "additionalProperties":
+        return _nearest(_unknown(error), sorted(error.schema["properties"]))
     if "allowed" in error.schema:
         allowed = error.schema["allowed"]
     elif isinstance(value, float) and not math.isfinite(value):
@@ -162,17 +158,14 @@ def _allowed(error: ValidationError) -> str:
     elif error.validator == "enum":
         allowed = _nearest(str(value), [*map(str, bound)])
     elif error.validator == "type":
-        allowed = " or ".join(
-            TYPES[kind] for kind in ([bound] if isinstance(bound, str) else bound)
-        )
+        kinds = [bound] if isinstance(bound, str) else bound
+        allowed = " or ".join(TYPES[kind] for kind in kinds)
     elif error.validator in ALLOWED:
         allowed = ALLOWED[error.validator].format(bound)
     else:
         allowed = error.message
     if error.validator == "type" and isinstance(value, str) and NUMBER.fullmatch(value):
-        allowed += (
-            "; in YAML write 1.0e+11, not 1e11, without quotes, and not in braces after --config"
-        )
+        allowed += NOT_A_NUMBER
     return allowed
 
 

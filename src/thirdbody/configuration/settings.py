@@ -7,13 +7,7 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from thirdbody.configuration.inputs import (
-    check_complete,
-    choose_inputs,
-    plain_values,
-    read_entries,
-    values_schema,
-)
+from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import shown
@@ -78,24 +72,12 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
-    chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
-    calibration = read_valid(folder / "calibration.yaml", "calibration", input_values=values)
-    interpretation = chosen.pop("interpretation")
-    if interpretation not in calibration["interpretations"]:
-        allowed = ", ".join(calibration["interpretations"])
-        raise ValueError(
-            f"{chosen['calibrated']}: interpretation is {shown(interpretation)}; allowed: {allowed}"
-        )
-    for name, each in calibration["interpretations"].items():
-        known = {*each["fixed"], *calibration["always"], *each.get("unknowns", ())}
-        place = f"{folder}/calibration.yaml: interpretations: {name}"
-        check_complete(known, entries, place)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
-        **chosen,
+        **choose_inputs(entries, found(config["calibrated"]), laid_over),
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": calibration,
+        "calibration": read_valid(folder / "calibration.yaml", "calibration", input_values=values),
         "sensitivity": read_valid(folder / "sensitivity.yaml", "sensitivity"),
         "uncalibrated": plain_values(entries),
         "accuracy": read_valid(found(config["accuracy"]), "accuracy"),
@@ -116,12 +98,10 @@ def _require_surfaces(settings: Mapping) -> None:
     panels = [panel for panels in settings["schematics"].values() for panel in panels]
     given = [each["roughness_nm"] for each in (settings["windows"], *groups, *panels)]
     roughness = 1e-9 * np.unique(np.hstack(given))
-    best = settings["parameters"]
-    sets = {"inputs": best}
-    for number, member in enumerate(settings["ensemble"], 1):
-        sets[f"inputs in member {number} of {settings['calibrated']}"] = best | member
-    for name, values in sets.items():
+    members = [settings["parameters"] | member for member in settings["ensemble"]]
+    for number, values in enumerate([settings["parameters"], *members]):
         try:
             Parameters(**values).surface(roughness)
         except ValueError as error:
-            raise ValueError(f"configuration: {name}: {error}") from None
+            place = f"inputs in member {number} of {settings['calibrated']}" if number else "inputs"
+            raise ValueError(f"configuration: {place}: {error}") from None
