@@ -128,28 +128,3 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
         model[key] = [getattr(surface, name) for surface in surfaces]
     model |= {key: getattr(parameters, name) for name, key in PARTICLE_KEYS.items()}
     return json.dumps(model)
-
-
-def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
-    """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
-
-    ``model`` has the keys of ``model_parameters`` with numbers or their texts, not lists.  Older
-    datasets have no ``particle_plane``; it was ``surface``.
-    """
-    model = {"particle_plane": "surface", **model}
-    kinds = Parameters.__annotations__
-    given = {
-        name: float(model[key]) if kinds[name] == "float" else model[key]
-        for name, key in (BODY_KEYS | PARTICLE_KEYS).items()
-    }
-    density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
-    raised = "as_rough" if deviation == roughness else True
-    return Parameters(
-        **given,
-        reference_roughness=roughness,
-        summit_parameter=density * radius * roughness,
-        summit_parameter_exponent=0.0,
-        summit_radius=radius,
-        summit_radius_exponent=0.0,
-        summit_offset=raised if offset != 0.0 else False,
-    )
