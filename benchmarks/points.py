@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
-from thirdbody.data.attributes import BODY_KEYS, PARTICLE_KEYS, SURFACE_KEYS
+from thirdbody.data.attributes import KEYS
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
@@ -66,9 +66,9 @@ def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters
     kinds = tb.Parameters.__annotations__
     given = {
         name: float(model[key]) if kinds[name] == "float" else model[key]
-        for name, key in (BODY_KEYS | PARTICLE_KEYS).items()
+        for name, key in (KEYS["body"] | KEYS["particles"]).items()
     }
-    density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
+    density, radius, deviation, offset = (float(model[key]) for key in KEYS["surface"].values())
     raised = "as_rough" if deviation == roughness else True
     return tb.Parameters(
         **given,

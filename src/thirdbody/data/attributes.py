@@ -6,11 +6,10 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Axis
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
@@ -19,49 +18,9 @@ from thirdbody.model.regimes import NO_FLAG
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those
 # of the software version, so that the same inputs give the same bytes.
-EVERYWHERE = json.loads(Path(__file__).with_name("attributes.json").read_text(encoding="utf-8"))
-# keys of inputs and of fields of a surface, in the order of the attribute
-BODY_KEYS = {
-    "elastic_modulus_surfaces": "E_ss",
-    "elastic_modulus_particle": "E_sa",
-    "hardness_surface_1": "H_s1",
-    "hardness_surface_2": "H_s2",
-    "yield_pressure_ratio": "k",
-    "plastic_interference_ratio": "omega_ratio",
-    "ball_radius": "R_x",
-    "material_parameter": "G",
-    "hardness_parameter": "V",
-    "ellipticity": "kappa",
-    "speed_per_viscosity": "U_per_viscosity",
-    "apparent_area": "A_n",
-}
-SURFACE_KEYS = {
-    "summit_density": "eta_s",
-    "summit_radius": "R",
-    "summit_deviation": "sigma_s",
-    "summit_offset": "y_s",
-}
-PARTICLE_KEYS = {
-    "size_distribution": "phi_a",
-    "mean_ratio": "mean_ratio",
-    "spread_ratio": "sigma_a_ratio",
-    "gap_ratio": "gap_ratio",
-    "truncation": "truncation",
-    "participation": "participation",
-    "elastic_depth_ratio": "h_e_ratio",
-    "particle_plane": "particle_plane",
-    "elastic_limits": "elastic_limits",
-    "coverage_limits": "coverage_limits",
-    "film_load": "film_load",
-}
-
-
-def software_version() -> str:
-    """Installed version of this package."""
-    try:
-        return version("thirdbody")
-    except PackageNotFoundError:
-        return "not installed"
+EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
+# Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
+KEYS = EVERYWHERE["model_parameters"]
 
 
 def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
@@ -96,15 +55,11 @@ def identity(origin: str) -> dict[str, str]:
 
 
 def global_attributes(
-    title: str,
-    parameters: Parameters,
-    roughness: NDArray[np.float64],
-    rtol: float,
-    request: Mapping,
+    title: str, parameters: Parameters, roughness: Iterable[float], rtol: float, request: Mapping
 ) -> dict:
     """Attributes of a whole dataset.
 
-    ``model_parameters`` lists the summits of ``parameters`` along ``roughness`` [m], shape (n,);
+    ``model_parameters`` has the summits of ``parameters`` along ``roughness`` [m];
     ``configuration_sha256`` depends on the parameters, ``rtol`` and the ``request``.
     """
     configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
@@ -112,8 +67,8 @@ def global_attributes(
         **EVERYWHERE,
         **identity(json.dumps(configuration, sort_keys=True)),
         "title": title,
-        "software_version": software_version(),
-        "product_version": software_version(),
+        "software_version": version("thirdbody"),
+        "product_version": version("thirdbody"),
         "rtol": rtol,
         "model_parameters": model_attribute(parameters, roughness),
     }
@@ -123,8 +78,8 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
     flat JSON object, in SI, with lists for values that depend on the roughness."""
     surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
-    model = {key: getattr(parameters, name) for name, key in BODY_KEYS.items()}
-    for name, key in SURFACE_KEYS.items():
+    model = {key: getattr(parameters, name) for name, key in KEYS["body"].items()}
+    for name, key in KEYS["surface"].items():
         model[key] = [getattr(surface, name) for surface in surfaces]
-    model |= {key: getattr(parameters, name) for name, key in PARTICLE_KEYS.items()}
+    model |= {key: getattr(parameters, name) for name, key in KEYS["particles"].items()}
     return json.dumps(model)
