@@ -16,8 +16,7 @@ from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
-from thirdbody.data.quantities import FLAGS
-from thirdbody.data.spread import ENDS
+from thirdbody.data.quantities import ENDS, FLAGS
 from thirdbody.model.film import film_load
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (

@@ -13,7 +13,7 @@ from thirdbody.conditions.checks import check_names, check_rtol, checked_paramet
 from thirdbody.conditions.in_si import in_si
 from thirdbody.data.attributes import coordinate_attributes, global_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
-from thirdbody.data.plain import PlainDataset, Variable
+from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,

@@ -7,6 +7,7 @@ which are given and not computed, are in ``thirdbody.data.conditions``.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -16,7 +17,7 @@ from thirdbody.data.conditions import Condition
 from thirdbody.model.regimes import FLAG_MEANINGS
 
 if TYPE_CHECKING:
-    from thirdbody.data.plain import PlainDataset
+    from thirdbody.data.netcdf import PlainDataset
 
 # meaning of each status
 STATUS_MEANINGS = {
@@ -43,6 +44,7 @@ STATUS = "solution_status"  # the flag that qualifies all other variables
 # with a meaning, not_shown, because xarray converts integers with missing values to floats.
 FILL_FLOAT = 9.969209968386869e36
 FILL_FLAG = np.int8(-127)
+ENDS = (0.05, 0.95)  # quantiles at the ends of the range over an ensemble
 
 
 class Quantity(NamedTuple):
@@ -124,3 +126,12 @@ def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bo
     axes = [dataset[name].values for name in Condition._fields]
     conditions = np.stack([grid[shown] for grid in np.meshgrid(*axes, indexing="ij")])
     return conditions, shown
+
+
+def spread(values: Iterable[float]) -> tuple[float, float] | None:
+    """The range of nine in ten of ``values``, those of an ensemble; None if there are none."""
+    known = [value for value in values if np.isfinite(value)]
+    if not known:
+        return None
+    low, high = np.quantile(known, ENDS)
+    return float(low), float(high)

@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from thirdbody.data.netcdf import read_plain
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import PlainDataset, read_plain
 from thirdbody.data.quantities import STATUS, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS
 from thirdbody.model.regimes import WITHOUT_VALUES
