@@ -22,7 +22,7 @@ from thirdbody.data.files import digest
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.release.bag import pack, seal
 from thirdbody.release.crate import crate
-from thirdbody.release.datapackage import data_package
+from thirdbody.release.descriptions import data_package
 from thirdbody.release.files import files_in, write_json
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from thirdbody.data.files import unreadable
 
@@ -28,16 +28,10 @@ class Column(NamedTuple):
             return None
         return float(text) if self.kind == "number" else text
 
-    def format(self, value: float | str | None, digits: int) -> str:
-        """Text of ``value``, a number with ``digits`` significant digits; empty for None."""
-        if value is None:
-            return ""
-        return f"{value:.{digits}g}" if self.kind == "number" else str(value)
-
 
 def _described_tables() -> dict[str, list[Column]]:
     tables: dict[str, list[Column]] = {}
-    with open(Path(__file__).with_name("tables.csv"), encoding="utf-8", newline="") as stream:
+    with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as stream:
         for row in csv.DictReader(stream):
             tables.setdefault(row.pop("table"), []).append(Column(**row))
     return tables
@@ -53,8 +47,15 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
-        for row in rows:
-            writer.writerow([column.format(row[column.name], 10) for column in columns])
+        writer.writerows(_texts(rows, columns, 10))
+
+
+def _texts(rows, columns, digits) -> Iterator[list[str]]:
+    """The cells of each row, numbers with ``digits`` significant digits; None is an empty cell."""
+    formats = {column.name: f".{digits}g" if column.kind == "number" else "" for column in columns}
+    for row in rows:
+        cells = ((row[name], form) for name, form in formats.items())
+        yield ["" if value is None else format(value, form) for value, form in cells]
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
@@ -83,8 +84,8 @@ def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str
     return rows
 
 
-def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
-    """Write the Table Schema (Frictionless) of ``columns``, as JSON."""
+def table_schema(columns: Sequence[Column]) -> dict[str, Any]:
+    """The Table Schema (Frictionless) of ``columns``."""
     fields = [
         {
             "name": column.name,
@@ -93,15 +94,19 @@ def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
         }
         for column in columns
     ]
-    text = json.dumps({"fields": fields, "missingValues": [""]}, indent=2)
-    Path(path).write_text(f"{text}\n", encoding="utf-8")
+    return {"fields": fields, "missingValues": [""]}
+
+
+def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
+    """Write the Table Schema of ``columns`` as JSON."""
+    Path(path).write_text(json.dumps(table_schema(columns), indent=2) + "\n", encoding="utf-8")
 
 
 def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
     """Write a table for LaTeX with the package booktabs, numbers with six significant digits."""
     from tabulate import tabulate
 
-    cells = [[column.format(row[column.name], 6) for column in columns] for row in rows]
     headings = [column.name for column in columns]
+    cells = [*_texts(rows, columns, 6)]
     text = tabulate(cells, headings, tablefmt="latex_booktabs", disable_numparse=True)
     Path(path).write_text(f"{text}\n", encoding="utf-8")

@@ -15,8 +15,7 @@ from pathlib import Path
 
 from thirdbody.data.files import digest
 from thirdbody.release.citation import Release
-from thirdbody.release.files import files_in
-from thirdbody.release.texts import render
+from thirdbody.release.files import files_in, render
 
 ALGORITHMS = ("sha256", "sha512")
 DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"

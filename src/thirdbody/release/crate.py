@@ -13,8 +13,7 @@ from rocrate.model.entity import Entity
 from rocrate.rocrate import ROCrate
 
 from thirdbody.release.citation import Release
-from thirdbody.release.files import files_in, media_type
-from thirdbody.release.texts import render_json
+from thirdbody.release.files import files_in, media_type, render_json
 
 METADATA = "ro-crate-metadata.json"
 SCRIPTS = "source/workflow/scripts/"

@@ -1,14 +1,19 @@
-"""Files of a release: its sources, file names and media types."""
+"""Files of a release: its sources, their names and types, and texts from the templates in
+``templates/``."""
 
 from __future__ import annotations
 
 import json
 import mimetypes
+import re
 import subprocess
 import tempfile
 from pathlib import Path
 from typing import Any
 
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+DATA_LICENCE = "CC-BY-4.0"
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
 
 
@@ -56,3 +61,29 @@ def write_json(path: Path, content: Any) -> None:
     """Write ``content`` to the file ``path``; its folder is created if missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def render(template: str, **values: Any) -> str:
+    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
+    environment = Environment(
+        loader=PackageLoader("thirdbody.release"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["text"] = markdown_text
+    environment.policies["json.dumps_kwargs"] = {}  # keys in their order
+    return environment.get_template(template).render(data_licence=DATA_LICENCE, **values)
+
+
+def render_json(template: str, **values: Any) -> dict[str, Any]:
+    """Content of a template that is JSON."""
+    return json.loads(render(template, **values))
+
+
+def markdown_text(text: str) -> str:
+    """``text`` as one line of Markdown, with markup and HTML escaped."""
+    line = " ".join(str(text).split())
+    line = line.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)

@@ -14,10 +14,8 @@ import yaml
 from thirdbody.release.bag import seal
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import KINDS, METADATA, crate
-from thirdbody.release.datapackage import data_package
-from thirdbody.release.files import write_json
-from thirdbody.release.guide import describe_content
-from thirdbody.release.texts import render, render_json
+from thirdbody.release.descriptions import data_package, describe_content
+from thirdbody.release.files import render, render_json, write_json
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
