@@ -65,35 +65,31 @@ def open_atlas(path: str | PathLike = "results/atlas/catalogue.json") -> xr.Data
         files = [path.parent / each["file"] for each in listed]
     except (ValueError, TypeError, KeyError) as error:
         raise unreadable(path, type(error).__name__) from None
-    attributes = []
-    for file in files:
-        with _opened(file) as part:
-            attributes.append(part.attrs)
-    dataset = xr.open_mfdataset(
-        files,
-        engine="netcdf4",
-        combine="nested",
-        concat_dim="roughness",
+    parts = [_opened(file) for file in files]
+    dataset = xr.concat(
+        parts,
+        "roughness",
         data_vars="minimal",
         coords="minimal",
         compat="override",
         join="override",
+        combine_attrs="override",
     )
     for name in dataset.coords:
         dataset[name].encoding["_FillValue"] = None  # when written: no value is missing
     # lists in the inputs of the model are along the roughness
-    inputs, *others = (json.loads(each["model_parameters"]) for each in attributes)
+    inputs, *others = (json.loads(part.attrs["model_parameters"]) for part in parts)
     for name in (name for name, value in inputs.items() if isinstance(value, list)):
         inputs[name] = sum((other[name] for other in others), inputs[name])
     return dataset.assign_attrs(
         title="Atlas of three-body contact",
         model_parameters=json.dumps(inputs),
-        **identity(" ".join(each["configuration_sha256"] for each in attributes)),
+        **identity(" ".join(part.attrs["configuration_sha256"] for part in parts)),
     )
 
 
 def _opened(path: str | PathLike) -> xr.Dataset:
     try:
-        return xr.open_dataset(path, engine="netcdf4", cache=False)
+        return xr.open_dataset(path, engine="netcdf4", chunks={})
     except Exception as error:  # netCDF4 raises different exceptions for different damage
         raise unreadable(path, type(error).__name__) from None

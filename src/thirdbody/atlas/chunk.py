@@ -25,7 +25,6 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
 
-POINTS_TOGETHER = 2**20  # solved at a time for one set of inputs: about 150 MB
 SAFE_DIGITS = 2  # written in addition to the requested ones
 QUANTILE = "quantile"
 COMMENT = (
@@ -91,17 +90,11 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
 
 
 def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:
-    """Parts solved at a time, some particle densities on one surface, and their place in the file."""
-    surfaces, densities = axes["roughness"], axes["particle_density"]
-    points = math.prod(axis.size for axis in axes.values())
-    step = max(POINTS_TOGETHER // (points // (surfaces.size * densities.size)), 1)
-    for row in range(surfaces.size):
-        for first in range(0, densities.size, step):
-            place = {
-                "roughness": slice(row, row + 1),
-                "particle_density": slice(first, min(first + step, densities.size)),
-            }
-            yield place, {**axes, **{name: axes[name][some] for name, some in place.items()}}
+    """Each surface with each particle density, solved at a time: their place in the file, and axes."""
+    apart = "roughness", "particle_density"
+    for indices in np.ndindex(*(axes[name].size for name in apart)):
+        place = {name: slice(index, index + 1) for name, index in zip(apart, indices)}
+        yield place, {**axes, **{name: axes[name][side] for name, side in place.items()}}
 
 
 def _described(axes, default, members, kept, rtol) -> xr.Dataset:
