@@ -26,6 +26,7 @@ from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
 
 SAFE_DIGITS = 2  # written in addition to the requested ones
+APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
 QUANTILE = "quantile"
 COMMENT = (
     "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
@@ -52,9 +53,9 @@ def write_chunk(
 ) -> None:
     """Solve some surfaces of the atlas for all inputs, and write the results part by part.
 
-    ``path`` is a NetCDF-4 file, used only by this process until it is complete; ``axes`` are those of
-    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of each member of the ensemble
-    that differ from the default, SI; the quantities ``kept`` are stored at each point for the default.
+    ``axes`` are those of ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of
+    each member of the ensemble that differ from the default, SI; the quantities ``kept`` are stored
+    at each point for the default.
     """
     members = members or [{}]  # without an ensemble, only the default
     ensemble = [replace(default, **member) for member in members]
@@ -63,16 +64,17 @@ def write_chunk(
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
         described = _described(axes, default, members, kept, rtol)
         variables = declare(file, described, _storage(described, kept, rtol))
-        for place, part in _parts(axes):
-            found = solve_surface(part, sets, weights, kept, rtol)
-            for name, values in found.items():
+        for indices in np.ndindex(*(axes[name].size for name in APART)):
+            place = {name: slice(index, index + 1) for name, index in zip(APART, indices)}
+            part = {name: axis[place.get(name, slice(None))] for name, axis in axes.items()}
+            for name, values in solve_surface(part, sets, weights, kept, rtol).items():
                 index = (place.get(each, slice(None)) for each in variables[name].dimensions)
                 variables[name][tuple(index)] = values
 
 
 def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
-    """Storage of variables: chunks of one surface and one density, with the known digits."""
-    lengths = {**described.sizes, "roughness": 1, "particle_density": 1}
+    """Storage of variables: a chunk for each part, with the known digits."""
+    lengths = {**described.sizes, **dict.fromkeys(APART, 1)}
     rounding = {
         "significant_digits": math.ceil(-math.log10(rtol)) + SAFE_DIGITS,
         "quantize_mode": "GranularBitRound",
@@ -87,14 +89,6 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
         }
         for name, variable in described.data_vars.items()
     }
-
-
-def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:
-    """Each surface with each particle density, solved at a time: their place in the file, and axes."""
-    apart = "roughness", "particle_density"
-    for indices in np.ndindex(*(axes[name].size for name in apart)):
-        place = {name: slice(index, index + 1) for name, index in zip(apart, indices)}
-        yield place, {**axes, **{name: axes[name][side] for name, side in place.items()}}
 
 
 def _described(axes, default, members, kept, rtol) -> xr.Dataset:

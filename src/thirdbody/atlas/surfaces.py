@@ -43,12 +43,12 @@ def solve_surface(
     kept: Collection[str],
     rtol: float,
 ) -> dict[str, NDArray]:
-    """Variables of the atlas by name, for a few particle densities on one surface.
+    """Variables of the atlas by name, on ``axes`` with one roughness.
 
-    ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble,
-    and ``weights`` the multiplicity of each; ``kept`` and ``rtol`` are as in ``write_chunk``.
-    Returns the kept variables and the flags, counts of the members in each regime and mode, limits
-    and turning points of the default with their quantiles, and counts of turning points.
+    ``sets`` are the default inputs, then the others of the ensemble, and ``weights`` the
+    multiplicity of each.  Returns the variables ``kept`` and the flags, counts of the members in
+    each regime and mode, limits and turning points of the default with their quantiles, and counts
+    of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
@@ -144,8 +144,9 @@ def passed_diameter(
 ) -> NDArray:
     """Mean diameter x_a [m] at which A_sa,t* equals ``level``: shape (loads, films, 1, densities).
 
-    At a separation d the ratio depends only on the particles: x_a(d) is found there, between the ends of
-    its axis, and its load is F_s + F_f (Eq. 1).  The largest of several d is used; ``ends`` are in d [m].
+    At a separation d, from the first to the last of ``ends`` [m], the ratio depends only on the
+    particles: x_a(d) is found between the ends of its axis, and its load is F_s + F_f (Eq. 1).  The
+    largest of several d is used.
     """
     sizes, densities, loads = (
         axes[name] for name in ("particle_diameter", "particle_density", "load")
