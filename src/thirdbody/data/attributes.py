@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Mapping
-from importlib.metadata import version
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -52,26 +51,6 @@ def identity(origin: str) -> dict[str, str]:
     """The SHA-256 of an ``origin`` text, and the dataset id derived from it."""
     digest = hashlib.sha256(origin.encode()).hexdigest()
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
-
-
-def global_attributes(
-    title: str, parameters: Parameters, roughness: Iterable[float], rtol: float, request: Mapping
-) -> dict:
-    """Attributes of a whole dataset.
-
-    ``model_parameters`` has the summits of ``parameters`` along ``roughness`` [m];
-    ``configuration_sha256`` depends on the parameters, ``rtol`` and the ``request``.
-    """
-    configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
-    return {
-        **EVERYWHERE,
-        **identity(json.dumps(configuration, sort_keys=True)),
-        "title": title,
-        "software_version": version("thirdbody"),
-        "product_version": version("thirdbody"),
-        "rtol": rtol,
-        "model_parameters": model_attribute(parameters, roughness),
-    }
 
 
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:

@@ -3,7 +3,9 @@ block in a file, or a scene (the curves of one figure)."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from importlib.metadata import version
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -18,7 +20,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
 from thirdbody.conditions.in_si import in_si
-from thirdbody.data.attributes import coordinate_attributes, global_attributes, variable_attributes
+from thirdbody.data.attributes import (
+    EVERYWHERE,
+    coordinate_attributes,
+    identity,
+    model_attribute,
+    variable_attributes,
+)
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write
 from thirdbody.data.netcdf import PlainDataset, Variable, declare
@@ -262,7 +270,7 @@ def described_grid(
     request: Mapping | None = None,
 ) -> PlainDataset:
     """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes.  Its SHA-256 depends on the ``request``, by default the axes."""
+    attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
     variables = {
         name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
         for name, quantity in VARIABLES.items()
@@ -274,8 +282,17 @@ def described_grid(
     }
     newtons = axes["load"] * parameters.newtons_per_load
     coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
-    request = request or _listed(axes)
-    attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
+    configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
+    configuration["request"] = request or _listed(axes)
+    attributes = {
+        **EVERYWHERE,
+        **identity(json.dumps(configuration, sort_keys=True)),
+        "title": title,
+        "software_version": version("thirdbody"),
+        "product_version": version("thirdbody"),
+        "rtol": rtol,
+        "model_parameters": model_attribute(parameters, axes["roughness"]),
+    }
     return PlainDataset(variables, coordinates, attributes)
 
 
