@@ -67,23 +67,17 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    import numpy as np  # the workflow is parsed without it
-
-    from thirdbody.model.parameters import Parameters
+    from thirdbody.model.parameters import Parameters  # the workflow is parsed without numpy
 
     directory = schema.config_directory()
     settings = read_yaml(directory / "config.yaml")
     entries = read_entries()
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
-    given = {
-        name: value.item() if isinstance(value, np.generic) else value
-        for name, value in inputs.items()
-    }
-    schema.validate(given, values_schema(entries), "load_parameters")
-    values = chosen["parameters"] | plain_values(given)
+    schema.validate(inputs, values_schema(entries), "load_parameters")
+    values = chosen["parameters"] | plain_values(inputs)
     check_ball(values, "load_parameters")
-    _warn_of_what_stays(chosen["inputs"] | given)
+    _warn_of_what_stays(chosen["inputs"] | inputs)
     return Parameters(**values)
 
 
@@ -129,9 +123,9 @@ def choose_inputs(
     """Values of all inputs, by the precedence in the docstring of this module.
 
     ``given``, values or a file of them, overrides the inputs of the file ``calibrated``, or is a
-    calibrated file that replaces it.  Raises ``ValueError`` in one line.  Returns ``parameters``,
-    the value of each input, SI; ``calibrated``, the path of the calibrated file; ``ensemble``, its
-    members with the overrides; and ``inputs``, the overrides.
+    calibrated file that replaces it.  Returns ``parameters``, the value of each input, SI;
+    ``calibrated``, the path of the calibrated file; ``ensemble``, its members with the overrides;
+    and ``inputs``, the overrides.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):

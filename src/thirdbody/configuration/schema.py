@@ -18,6 +18,7 @@ import re
 from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache, reduce
+from numbers import Integral, Real
 from operator import getitem
 from pathlib import Path
 from typing import Any
@@ -75,8 +76,9 @@ def read_schema(kind: str) -> dict:
     return read_yaml(config_directory() / f"{kind}.schema.yaml")
 
 
-def _is_finite_number(checker, value) -> bool:
-    return math.isfinite(value) if isinstance(value, float) else checker.is_type(value, "integer")
+def _is_finite_number(_checker, value) -> bool:
+    is_number = isinstance(value, Real) and not isinstance(value, bool)
+    return is_number and (isinstance(value, Integral) or math.isfinite(value))
 
 
 def _call_rules(_validator, names, value, _schema):
@@ -91,11 +93,10 @@ WITH_RULES = extend(WITHOUT_RULES, {"rules": _call_rules})
 
 
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
-    """Raise ``ValueError`` if plain data do not satisfy a schema.
+    """Raise ``ValueError`` if plain data do not satisfy a schema: one line about the fault nearest
+    to the top, ``name: key is VALUE; allowed: ...``.
 
-    The message is one line about the fault nearest to the top: ``name: key is VALUE; allowed: ...``, where
-    ``name`` is the file of the content.  ``schema`` is a JSON Schema with the keywords ``rules`` and
-    ``allowed``; it refers by name to the ``definitions``, schemas that are not in files.
+    ``schema`` refers by name to the ``definitions``, schemas that are not in files.
     """
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]

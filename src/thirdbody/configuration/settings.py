@@ -18,12 +18,11 @@ SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions ca
 def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict[str, Any]:
     """All settings of a run of the workflow, checked before anything is computed.
 
-    ``config`` is the configuration read by Snakemake: missing keys have the values of the paper, and
-    ``changes`` is the path of a file that overrides all of them.  ``folder`` is the folder of the
-    configuration; ``given`` are configuration files of the command line, which Snakemake has merged into
-    ``config``.  Returns the result of ``workflow_settings``, with ``run``, the name of the run or None;
-    ``config``, the merged configuration; and ``is_paper``, whether it is that of the paper.  Raises
-    ``ValueError`` in one line: the file, the wrong key, its value and what is allowed.
+    ``config`` is the configuration read by Snakemake from, among others, the files ``given`` on the
+    command line: missing keys have the values of the paper, the files in ``folder``, and ``changes``
+    is the path of a file that overrides all of them.  Returns the result of ``workflow_settings``,
+    with ``run``, the name of the run or None; ``config``, the merged configuration; and
+    ``is_paper``, whether it is that of the paper.  ``ValueError`` in one line for any fault.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in given:
@@ -52,13 +51,9 @@ def _merged(base: Mapping, changes: Mapping) -> dict:
 def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     """The settings of the rules, from ``config`` and the files in ``folder``.
 
-    Returns ``config`` with
-
-    - ``scenes``, each with its load axis and ``rtol``, so that it depends on nothing else;
-    - ``parameters``, ``calibrated``, ``ensemble`` and ``inputs``, as ``choose_inputs`` returns them,
-      and ``uncalibrated``, the values of the inputs that no search finds, SI;
-    - ``calibration``, ``sensitivity``, ``accuracy`` and ``atlas``, the settings of these runs;
-    - ``software``, the versions of what computes.
+    Each scene has its load axis and ``rtol``, so that it depends on nothing else; ``uncalibrated``
+    are the values of the inputs that no search finds, SI, ``software`` the versions of what
+    computes; see ``choose_inputs`` for the other inputs.
     """
     folder = Path(folder)
     entries = read_entries(folder)
