@@ -12,13 +12,11 @@ from thirdbody.units import ENGINEERING, UNITS
 
 
 class Axis(NamedTuple):
-    """One condition.
+    """One condition: ``name`` in ``thirdbody.solve`` and datasets, ``column`` in tables, ``symbol``
+    in ASCII and ``sign`` as printed in figures.
 
-    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset, ``column``
-    the column of tables; ``symbol`` and ``sign`` are the symbol of the paper in ASCII and as
-    printed in figures; ``long_name`` describes it in datasets.  ``units`` are SI in UDUNITS
-    spelling; ``key`` is the key of configuration and claims, in the engineering unit ``unit``,
-    which is ``scale`` in SI.
+    ``units`` are SI in UDUNITS spelling; ``key`` is the key of configuration and claims, in the
+    engineering unit ``unit``, which is ``scale`` in SI.
     """
 
     name: str

@@ -298,10 +298,8 @@ def described_grid(
 
 def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
-    of five axes, with the same loads; curves in several groups are shown once.
-
-    Loads are logarithmically spaced, plus those named in the text between the ends.  Diameters
-    relative to the roughness make a group for each roughness.
+    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
+    the ends.  Diameters relative to the roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
@@ -325,10 +323,8 @@ def scene_dataset(
     scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
 ) -> PlainDataset:
     """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
-    over the five axes, and ``separation_count`` if a point has several separations.
-
-    Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
-    ``rtol`` or a value on an axis is out of bounds.
+    over the five axes, and ``separation_count`` if a point has several separations.  Combinations
+    not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {

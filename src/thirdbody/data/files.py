@@ -15,11 +15,11 @@ from thirdbody.messages import shown, shown_file
 
 @contextmanager
 def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
-    """Write files atomically: they are moved into place together, once all are written.
+    """Write files under temporary names beside the ``paths``, which are yielded, and move them into
+    place together once all are written.
 
-    Yields a temporary name beside each of the ``paths``, to be written to.  Raises ``ValueError``
-    for an invalid file name, and ``OSError`` with the paths if a file was not or cannot be written,
-    if possible before the block runs.  If the block raises, no file is changed.
+    If the block raises, no file is changed.  ``ValueError`` for an invalid file name, ``OSError``
+    with the paths if a file was not or cannot be written, if possible before the block runs.
     """
     places = [_place(path) for path in paths]
     # temporary names that no other process uses

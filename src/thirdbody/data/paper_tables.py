@@ -46,26 +46,29 @@ RECOMPUTED = {  # how an entry follows from the others, and a remark
 }
 
 
+NOT_RECOMPUTED = (lambda inputs: [], "")
+
+
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
     """Rows of the table ``paper_table``: the ``rows`` of ``config/paper_tables.yaml``, in the same
     order, with derived entries recomputed from ``inputs``."""
     judged = []
     for row in rows:
-        printed, recomputed = row["printed"], []
-        verdict, remark = "input", ""
-        if "recompute" in row:
-            function, origin = RECOMPUTED[row["recompute"]]
-            recomputed = function(inputs)
-            disagreements = [
-                f"printed {a:g} against {b:.{row['digits'] + 1}g}"
-                for a, b in zip(printed, recomputed, strict=True)
-                if float(f"{b:.{row['digits']}g}") != a
-            ]
-            verdict = "differs" if disagreements else "agrees"
-            remark = "; ".join([*disagreements, origin])
-        known = {name: row[name] for name in ("property", "symbol", "unit")}
-        known |= _ends("printed", printed) | _ends("recomputed", recomputed)
-        judged.append(known | {"verdict": verdict, "remark": remark})
+        function, origin = RECOMPUTED.get(row.get("recompute"), NOT_RECOMPUTED)
+        recomputed = function(inputs)
+        differing = [
+            f"printed {a:g} against {b:.{row['digits'] + 1}g}"
+            for a, b in zip(row["printed"], recomputed)
+            if float(f"{b:.{row['digits']}g}") != a
+        ]
+        verdict = "differs" if differing else "agrees"
+        judged.append(
+            {name: row[name] for name in ("property", "symbol", "unit")}
+            | _ends("printed", row["printed"])
+            | _ends("recomputed", recomputed)
+            | {"verdict": verdict if recomputed else "input"}
+            | {"remark": "; ".join(filter(None, [*differing, origin]))}
+        )
     return judged
 
 

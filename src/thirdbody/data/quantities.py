@@ -1,8 +1,4 @@
-"""The variables of the datasets: name, symbol, unit, equation and meaning.
-
-Datasets, tables, figures, answers and the nomenclature page use these definitions; the conditions,
-which are given and not computed, are in ``thirdbody.data.conditions``.
-"""
+"""The variables of the datasets: name, symbol, unit, equation and meaning."""
 
 from __future__ import annotations
 
@@ -48,12 +44,9 @@ ENDS = (0.05, 0.95)  # quantiles at the ends of the range over an ensemble
 
 
 class Quantity(NamedTuple):
-    """One variable of datasets and of ``thirdbody.Solution``, as described in data files.
-
-    ``symbol`` is the symbol of the paper in ASCII, ``equation`` the equation or section that
-    defines it (``none`` if there is none); ``units`` are SI in UDUNITS spelling.  Values are
-    between 0 and ``largest``.
-    """
+    """One variable of datasets and of ``thirdbody.Solution``: ``symbol`` of the paper in ASCII,
+    ``equation`` or section that defines it, ``units`` SI in UDUNITS spelling.  Values are between 0
+    and ``largest``."""
 
     name: str
     long_name: str
