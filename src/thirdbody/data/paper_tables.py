@@ -18,35 +18,16 @@ def _force_unit(inputs: Parameters) -> float:
     return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
-RECOMPUTED = {  # how an entry follows from the others, and a remark
-    "hertz_modulus": (
-        lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
-        "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)",
-    ),
-    "normal_load": (
-        lambda inputs: [parameter * _force_unit(inputs) for parameter in LOAD_PARAMETERS],
-        "W E_ss R_x^2 from the printed W; the row is called dimensionless but is in newtons",
-    ),
-    "load_parameter": (
-        lambda inputs: [load / _force_unit(inputs) * 1e5 for load in LOADS],
-        "F_t/(E_ss R_x^2)",
-    ),
-    "speed_parameter": (
-        lambda inputs: [inputs.speed_per_viscosity * each * 1e10 for each in VISCOSITIES],
-        "proportional to the viscosity; 7.3e-10 at 150 cSt fixes mu_0 u/nu alone",
-    ),
-    "roughness_parameter": (
-        lambda inputs: [roughness / inputs.ball_radius * 1e5 for roughness in ROUGHNESSES],
-        "sigma/R_x",
-    ),
-    "hardness_parameter": (
-        lambda inputs: [inputs.softer_hardness / inputs.elastic_modulus_surfaces],
-        "H/E_ss of Table 1",
-    ),
+RECOMPUTED = {  # in the unit of the entry, from the inputs and other printed values
+    "hertz_modulus": lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
+    "normal_load": lambda inputs: [each * _force_unit(inputs) for each in LOAD_PARAMETERS],
+    "load_parameter": lambda inputs: [load / _force_unit(inputs) * 1e5 for load in LOADS],
+    "speed_parameter": lambda inputs: [
+        inputs.speed_per_viscosity * each * 1e10 for each in VISCOSITIES
+    ],
+    "roughness_parameter": lambda inputs: [each / inputs.ball_radius * 1e5 for each in ROUGHNESSES],
+    "hardness_parameter": lambda inputs: [inputs.softer_hardness / inputs.elastic_modulus_surfaces],
 }
-
-
-NOT_RECOMPUTED = (lambda inputs: [], "")
 
 
 def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
@@ -54,8 +35,7 @@ def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
     order, with derived entries recomputed from ``inputs``."""
     judged = []
     for row in rows:
-        function, origin = RECOMPUTED.get(row.get("recompute"), NOT_RECOMPUTED)
-        recomputed = function(inputs)
+        recomputed = RECOMPUTED[row["recompute"]](inputs) if "recompute" in row else []
         differing = [
             f"printed {a:g} against {b:.{row['digits'] + 1}g}"
             for a, b in zip(row["printed"], recomputed)
@@ -67,7 +47,7 @@ def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
             | _ends("printed", row["printed"])
             | _ends("recomputed", recomputed)
             | {"verdict": verdict if recomputed else "input"}
-            | {"remark": "; ".join(filter(None, [*differing, origin]))}
+            | {"remark": "; ".join(filter(None, [*differing, row.get("remark")]))}
         )
     return judged
 
