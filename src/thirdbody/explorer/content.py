@@ -19,6 +19,7 @@ from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
 from thirdbody.data.tables import DRAWN_POINTS, read_texts
 from thirdbody.model.bounds import BOUNDS
+from thirdbody.units import ENGINEERING
 
 NODES = 48  # of the integrals computed in the page
 DIGITS = 5  # of coordinates in panels
@@ -43,13 +44,12 @@ def page_content(
 ) -> dict[str, Any]:
     """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
 
-    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves;
-    ``claims`` those of ``thirdbody.study.claims``, ``verdicts`` the content of ``claims.json``.
-    ``inputs`` has for each input its ``symbol``, ``unit``, ``source``, ``value`` in the run, and
-    either ``allowed`` words or, for an unprinted number, ``bounds`` and ``scale`` of the search if
-    there are any.  ``interpretations`` are inputs by the name of each calibrated interpretation,
-    ``ensemble`` the inputs of each member that differ from the default, ``ranges`` the first and
-    last value of each condition in the paper, by symbol, in engineering units.
+    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves,
+    ``verdicts`` the content of ``claims.json``.  ``inputs`` are entries of ``config/inputs.yaml``
+    with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
+    ``interpretations`` are inputs by the name of each calibrated interpretation, ``ensemble`` the
+    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    condition in the paper, by symbol, in engineering units.
     """
     found = {row["id"]: row for row in verdicts["statements"]}
     nodes, weights = np.polynomial.legendre.leggauss(NODES)
@@ -57,7 +57,7 @@ def page_content(
         "axes": [
             {
                 "name": axis.name,
-                "key": "load_N" if axis.name == "load" else axis.key,
+                "key": ENGINEERING[axis.name],
                 "scale": axis.scale,
                 "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
             }
@@ -67,17 +67,16 @@ def page_content(
         "statuses": dict(STATUS_MEANINGS),
         # Gauss-Legendre nodes and weights on the interval from 0 to 1
         "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
-        "inputs": {name: {**entry, **_bounds(name)} for name, entry in inputs.items()},
+        "inputs": {
+            name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
+            for name, entry in inputs.items()
+        },
         "interpretation": verdicts["interpretation"],
         "interpretations": dict(interpretations),
         "ensemble": list(ensemble),
         "figures": [figure_content(*paths) for paths in figures],
         "claims": [_claim(claim, found[claim.id]) for claim in claims],
     }
-
-
-def _bounds(name):
-    return {"least": BOUNDS[name].least, "most": BOUNDS[name].most} if name in BOUNDS else {}
 
 
 def _claim(claim, verdict):
