@@ -4,7 +4,7 @@ block in a file, or a scene (the curves of one figure)."""
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from importlib.metadata import version
 from itertools import product
 from math import prod
@@ -203,7 +203,9 @@ def stream(
             storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
             storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
             stored = declare(file, described, dict.fromkeys(names, storage))
-            for block in _blocks(shape, lengths):
+            starts = [range(0, size, length) for size, length in zip(shape, lengths)]
+            for corner in product(*starts):
+                block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
                 sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
                 solution = solve_arrays(crossed(sides), parameters, rtol, names)
                 for name, variable in stored.items():
@@ -219,13 +221,6 @@ def _block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
         lengths.append(min(size, max(points, 1)))
         points //= size
     return tuple(reversed(lengths))
-
-
-def _blocks(shape: Sequence[int], lengths: Sequence[int]) -> Iterator[tuple[slice, ...]]:
-    """Index of each block of ``lengths`` in an array of ``shape``, in memory order."""
-    starts = [range(0, size, length) for size, length in zip(shape, lengths)]
-    for corner in product(*starts):
-        yield tuple(slice(start, start + length) for start, length in zip(corner, lengths))
 
 
 def _checked_grid(
@@ -246,13 +241,8 @@ def _checked_grid(
 
 def _checked_increasing(key: str, values: NDArray) -> NDArray:
     axis = np.atleast_1d(values)
-    if axis.ndim != 1 or axis.size == 0:
-        raise ValueError(f"{key} has shape {axis.shape}; allowed: one increasing dimension")
-    back = np.flatnonzero(np.diff(axis) <= 0.0)
-    if back.size:
-        first, second = axis[back[0] :][:2]
-        message = f"{second:g} after {first:g}; allowed: one increasing dimension"
-        raise ValueError(f"{key} has {message}")
+    if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+        raise ValueError(f"{key} is {shown(axis.tolist())}; allowed: one increasing dimension")
     return axis
 
 
