@@ -7,7 +7,7 @@ import xarray as xr
 
 import thirdbody as tb
 from thirdbody.data import dataset
-from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.netcdf import read_plain
 from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -27,7 +27,7 @@ def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, 
     given = AXES | {"parameters": parameters}
     tb.stream(tmp_path / "grid.nc", **given)
     assert capsys.readouterr() == ("", "")
-    streamed, grid = read_dataset(tmp_path / "grid.nc"), tb.grid(**given)
+    streamed, grid = read_plain(tmp_path / "grid.nc").to_xarray(), tb.grid(**given)
     assert streamed.attrs == grid.attrs
     assert dict(streamed.sizes) == dict(grid.sizes)
     for name, expected in grid.variables.items():

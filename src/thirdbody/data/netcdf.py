@@ -121,11 +121,6 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
     return added
 
 
-def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """A dataset of the five axes as ``xarray.Dataset``; raises as ``read_plain``."""
-    return read_plain(path).to_xarray()
-
-
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
     """Read a NetCDF file, with nan for the fill values of numbers.
 

@@ -61,27 +61,18 @@ def _texts(rows, columns, digits) -> Iterator[list[str]]:
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
     """Rows of a table of ``write_csv``; raises ``OSError`` in one line for a file that is damaged
     or has other columns."""
-    rows = read_texts(path, columns)
-    try:
-        return [
-            {column.name: column.parse(text) for column, text in zip(columns, row)} for row in rows
-        ]
-    except ValueError as error:
-        raise unreadable(path, error) from None
-
-
-def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str]]:
-    """The fields of each row as texts; raises ``OSError`` as ``read_csv``."""
     try:
         with open(path, encoding="utf-8", newline="") as stream:
             header, *rows = csv.reader(stream)
+        found = [
+            {column.name: column.parse(text) for column, text in zip(columns, row, strict=True)}
+            for row in rows
+        ]
     except (ValueError, csv.Error) as error:
         raise unreadable(path, error) from None
     if header != [column.name for column in columns]:
         raise unreadable(path, f"its columns are {header}")
-    if any(len(row) != len(columns) for row in rows):
-        raise unreadable(path, "a row has other columns")
-    return rows
+    return found
 
 
 def table_schema(columns: Sequence[Column]) -> dict[str, Any]:

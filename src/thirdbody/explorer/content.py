@@ -17,7 +17,7 @@ import numpy as np
 from thirdbody.data.conditions import AXES, CONDITION_AXES
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
-from thirdbody.data.tables import DRAWN_POINTS, read_texts
+from thirdbody.data.tables import DRAWN_POINTS, read_csv
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.units import ENGINEERING
 
@@ -105,9 +105,10 @@ def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str,
     curves, their ensemble ranges and the printed numbers.
     """
     panels: dict[str, dict] = {}
-    for letter, label, x_name, x, y_name, y in read_texts(points, DRAWN_POINTS):
-        panel = panels.setdefault(letter, {"x": x_name, "y": y_name, "drawn": {}})
-        panel["drawn"].setdefault(label, []).append((x, y))
+    for row in read_csv(points, DRAWN_POINTS):
+        names = {"x": row["x_name"], "y": row["y_name"]}
+        panel = panels.setdefault(row["panel"], {**names, "drawn": {}})
+        panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
     drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
     curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
     first, _, _ = Path(caption).read_text(encoding="utf-8").strip().partition("\n\n")
@@ -152,4 +153,4 @@ def _marks(name, drawn):
 
 
 def _rounded(points):
-    return [[float(f"{float(text):.{DIGITS}g}") for text in point] for point in points]
+    return [[float(f"{number:.{DIGITS}g}") for number in point] for point in points]
