@@ -1,14 +1,9 @@
 """Validation of configuration files by the JSON Schema of each kind in ``config/``.
 
 A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two additional keywords:
-
-``rules``
-    Names of functions of ``thirdbody.configuration.rules``, for rules that JSON Schema cannot
-    express.  They are called if the whole document is otherwise valid.
-``allowed``
-    Text for messages about what is allowed, where a number or pattern is not clear enough.
-
-A schema refers to the definitions of ``conditions.schema.yaml`` as ``conditions.schema.yaml#/$defs/rtol``.
+``rules``, names of functions of ``thirdbody.configuration.rules``, which are called if the document
+is otherwise valid; and ``allowed``, words for messages where a number or pattern is not clear
+enough.  Definitions in ``conditions.schema.yaml`` serve all files.
 """
 
 from __future__ import annotations

@@ -43,11 +43,10 @@ def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
 
 
 def pack(folder: Path, archive: str | PathLike, day: str) -> None:
-    """Write a sealed folder as a zip file; the same files give the same bytes.
+    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give the
+    same bytes, which are not compressed, because compression depends on the version.
 
-    Members are sorted and have the same mode and the date ``day`` (ISO 8601); they are not
-    compressed, because compression depends on the version.  Raises ``ValueError``, and writes
-    nothing, if the folder does not match its checksums.
+    Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """
     command = [sys.executable, "verification/verify.py", folder, "--sums"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)

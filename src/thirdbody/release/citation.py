@@ -1,8 +1,4 @@
-"""Name, version, date and citation of a release.
-
-The version is the installed one, from the last tag; the name is from ``pyproject.toml``, and everything
-else from ``CITATION.cff``, including the date, so that the same sources always give the same archive.
-"""
+"""Name, version, date and citation of a release, the same for the same sources."""
 
 from __future__ import annotations
 

@@ -23,10 +23,9 @@ def media_type(name: str) -> str:
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources, relative to the current folder, the root of the project: all
-    files that git tracks or would track.
+    """Sorted paths of the sources in the current folder, the root of the project: all files that
+    git tracks or would track; in an unpacked archive, those that ``.gitignore`` does not name.
 
-    In a folder without a repository, such as an unpacked archive, only ``.gitignore`` is used.
     Raises ``OSError`` if git is not installed, or cannot read the folder.
     """
     listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]

@@ -30,15 +30,13 @@ def stage(
     software: dict[str, str],
     release: Release,
 ) -> None:
-    """Fill the folder of a release: copy the files, describe them, and add checksums.
+    """Fill the folder of a release, from the root of the repository: copy the files, describe them,
+    and add checksums, ``tagmanifest-sha512.txt`` last.
 
-    The current folder must be the root of the repository.  The previous content of ``folder`` is
-    removed, and ``tagmanifest-sha512.txt`` is written last.  ``products`` are files in
-    ``results/``, whose folder there is one of ``KINDS``, at least one dataset among them;
-    ``sources`` the source code, with the programs in ``verification/``; ``settings`` the content of
+    ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
     ``configuration/``, by file name.  ``jobs`` of the workflow have the name of their ``rule``, and
     ``inputs`` and ``outputs``, paths relative to the root; ``software`` are the versions of the
-    packages used.  Raises ``ValueError`` if nothing describes the columns of a table.
+    packages used.
     """
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
