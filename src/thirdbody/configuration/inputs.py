@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
+CLOSED = {"type": "object", "additionalProperties": False}  # in a JSON Schema
 
 
 def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
@@ -181,10 +182,6 @@ def values_schema(entries: Entries) -> dict:
             allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
             limits = {"minimum": bounds.least, "maximum": bounds.most, "allowed": allowed}
             value = {"type": "number", **limits}
-        whole = _closed(dict.fromkeys(entry, True) | unit | {"value": value})
+        whole = CLOSED | {"properties": dict.fromkeys(entry, True) | unit | {"value": value}}
         given[name] = {"if": {"type": "object"}, "then": whole, "else": value}
-    return _closed(given) | {"$defs": {"name": {"enum": list(entries)}}}
-
-
-def _closed(properties: dict) -> dict:
-    return {"type": "object", "additionalProperties": False, "properties": properties}
+    return CLOSED | {"properties": given, "$defs": {"name": {"enum": list(entries)}}}

@@ -108,21 +108,15 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
 def _line(content: Any, error: ValidationError) -> str:
     """The place of an error, the problem or, without one, the value, and what is allowed."""
     keys = list(error.path)
+    place = error.json_path.removeprefix("$").removeprefix(".")
     entry = content[keys[0]] if isinstance(content, list) and keys else None
     name = entry.get("id") if isinstance(entry, dict) else None
-    is_named = isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name)
-    places = [name, _dotted(keys[1:])] if is_named else [_dotted(keys)]
-    place, allowed = ": ".join(filter(None, places)), _allowed(error)
-    problem = _problem(error)
+    if isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name):
+        place = re.sub(r"^\[\d+\]\.?", f"{name}: ", place).removesuffix(": ")
+    problem, allowed = _problem(error), _allowed(error)
     if problem:
         return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
     return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
-
-
-def _dotted(keys: Sequence[str | int]) -> str:
-    """Keys and positions in the form ``scenes.fig03.curves[0]``."""
-    parts = (f"[{key}]" if isinstance(key, int) else f".{key}" for key in keys)
-    return "".join(parts).removeprefix(".")
 
 
 def _unknown(error: ValidationError) -> str:

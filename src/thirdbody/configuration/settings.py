@@ -85,18 +85,15 @@ def _require_surfaces(settings: Mapping) -> None:
     """Raise ``ValueError`` unless every surface is valid with the overridden inputs."""
     if not settings["inputs"]:
         return
-    import numpy as np  # the workflow is parsed without it, unless inputs are changed
+    from thirdbody.model.parameters import Parameters  # otherwise parsed without numpy
 
-    from thirdbody.model.parameters import Parameters
-
-    groups = [group for scene in settings["scenes"].values() for group in scene["curves"]]
-    panels = [panel for panels in settings["schematics"].values() for panel in panels]
-    given = [each["roughness_nm"] for each in (settings["windows"], *groups, *panels)]
-    roughness = 1e-9 * np.unique(np.hstack(given))
+    groups = (group for scene in settings["scenes"].values() for group in scene["curves"])
+    surfaces = {1e-9 * sigma for group in groups for sigma in group["roughness_nm"]}
     members = [settings["parameters"] | member for member in settings["ensemble"]]
     for number, values in enumerate([settings["parameters"], *members]):
         try:
-            Parameters(**values).surface(roughness)
+            for roughness in sorted(surfaces):
+                Parameters(**values).surface(roughness)
         except ValueError as error:
             place = f"inputs in member {number} of {settings['calibrated']}" if number else "inputs"
             raise ValueError(f"configuration: {place}: {error}") from None
