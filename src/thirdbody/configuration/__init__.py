@@ -2,5 +2,5 @@
 
 ``plain_yaml`` reads the files, ``schema`` checks them against the schema beside each file and by
 ``rules``, ``inputs`` returns the inputs of the model, and ``settings`` the settings of the
-workflow, which is parsed without numpy.  Start with ``schema`` and ``config/config.schema.yaml``.
+workflow.  Start with ``schema`` and ``config/config.schema.yaml``.
 """

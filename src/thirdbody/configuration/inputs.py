@@ -17,15 +17,13 @@ import math
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.messages import shown_file
 from thirdbody.model.bounds import BOUNDS
-
-if TYPE_CHECKING:
-    from thirdbody.model.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
@@ -68,8 +66,6 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    from thirdbody.model.parameters import Parameters  # the workflow is parsed without numpy
-
     directory = schema.config_directory()
     settings = read_yaml(directory / "config.yaml")
     entries = read_entries()

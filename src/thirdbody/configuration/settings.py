@@ -7,10 +7,13 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import shown
+from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
@@ -82,18 +85,13 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
 
 def _require_surfaces(settings: Mapping) -> None:
-    """Raise ``ValueError`` unless every surface is valid with the overridden inputs."""
-    if not settings["inputs"]:
-        return
-    from thirdbody.model.parameters import Parameters  # otherwise parsed without numpy
-
+    """Raise ``ValueError`` unless every surface is valid with the inputs and those of each member."""
     groups = (group for scene in settings["scenes"].values() for group in scene["curves"])
-    surfaces = {1e-9 * sigma for group in groups for sigma in group["roughness_nm"]}
+    roughness = 1e-9 * np.unique(np.hstack([group["roughness_nm"] for group in groups]))
     members = [settings["parameters"] | member for member in settings["ensemble"]]
     for number, values in enumerate([settings["parameters"], *members]):
         try:
-            for roughness in sorted(surfaces):
-                Parameters(**values).surface(roughness)
+            Parameters(**values).surface(roughness)
         except ValueError as error:
             place = f"inputs in member {number} of {settings['calibrated']}" if number else "inputs"
             raise ValueError(f"configuration: {place}: {error}") from None
