@@ -28,10 +28,8 @@ CHARTS = {  # the variable of the atlas in each
 
 
 def write_catalogue(path: str | PathLike, chunks: Sequence[str | PathLike]) -> None:
-    """Write the catalogue of the files ``chunks``, with paths relative to it.
-
-    Raises ``OSError`` in one line if a file cannot be read.
-    """
+    """Write the catalogue of the files ``chunks``, with paths relative to it; ``OSError`` in one line
+    if a file cannot be read."""
     listed = []
     for chunk in chunks:
         place = Path(chunk).relative_to(Path(path).parent).as_posix()
@@ -106,11 +104,9 @@ def _opened(path: str | PathLike) -> xr.Dataset:
 
 
 def chart_panels(atlas: xr.Dataset, name: str, charts: Mapping) -> list[xr.Dataset]:
-    """Datasets of the panels of a chart, one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``.
-
-    Each has ``limit`` over ``load`` and ``roughness`` [SI], ``range`` also over ``quantile``, and
-    the ``solution_status`` of the point of the atlas nearest to the limit; the conditions of the
-    panel are coordinates, and the attribute ``ends`` is the range of the limit in the atlas.
+    """The panels of a chart, one of ``CHARTS``, by ``charts`` of ``config/atlas.yaml``: ``limit`` over
+    ``load`` and ``roughness`` [SI], ``range`` also over ``quantile``, ``solution_status`` of the
+    nearest point, the conditions as coordinates, and as attribute ``ends`` of the limit in the atlas.
     """
     variable = CHARTS[name]
     curves = [AXES["roughness"].to_si(value) for value in charts["roughness_nm"]]

@@ -1,8 +1,5 @@
-"""The atlas on one surface: all loads, films and sizes, for each set of inputs at once.
-
-Every set of inputs is solved once.  The data of charts and tables are extracted while its points
-are in memory: regimes and modes, design limits, and turning points.
-"""
+"""The atlas on one surface: each set of inputs is solved once, and regimes, modes, design limits and
+turning points are extracted while its points are in memory."""
 
 from __future__ import annotations
 
@@ -82,10 +79,8 @@ def solve_surface(
 
 
 def quantiles(values: NDArray) -> NDArray[np.float64]:
-    """``QUANTILES`` over the members, the first axis of ``values``, interpolated linearly, without nan.
-
-    Values may be infinite, between which ``numpy.quantile`` gives nan.
-    """
+    """``QUANTILES`` over the members, the first axis of ``values``, interpolated linearly, without nan;
+    also between infinite values, where ``numpy.quantile`` gives nan."""
     ordered = np.sort(values, axis=0)  # nan last
     last = np.count_nonzero(~np.isnan(values), axis=0) - 1
     place = np.multiply.outer(QUANTILES, np.maximum(last, 0))

@@ -40,9 +40,7 @@ def first_below_last(ends: list) -> Iterator[ValidationError]:
 
 def particles_fit(conditions: dict) -> Iterator[ValidationError]:
     """Particles lie side by side: the area fraction pi/4 x_a^2 eta_a cannot exceed 1."""
-    largest = {
-        key: max(each) if isinstance(each, list) else each for key, each in conditions.items()
-    }
+    largest = {key: np.max(each) for key, each in conditions.items()}
     if "particle_diameter_nm" in largest:
         diameter = largest["particle_diameter_nm"]
     else:

@@ -88,11 +88,8 @@ WITH_RULES = extend(WITHOUT_RULES, {"rules": _call_rules})
 
 
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
-    """Raise ``ValueError`` if plain data do not satisfy a schema: one line about the fault nearest
-    to the top, ``name: key is VALUE; allowed: ...``.
-
-    ``schema`` refers by name to the ``definitions``, schemas that are not in files.
-    """
+    """Raise ``ValueError`` if plain data do not satisfy a ``schema`` that refers by name to the
+    ``definitions``: one line about the fault nearest to the top, ``name: key is VALUE; allowed: ...``."""
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
     resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
     for kind in (WITHOUT_RULES, WITH_RULES):

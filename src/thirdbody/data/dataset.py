@@ -158,14 +158,9 @@ def stream(
     Raises
     ------
     ValueError
-        As in ``grid``, but without a limit on the number of points.
+        As in ``grid``, which also warns, but without a limit on the number of points.
     OSError
         If the path is not writable or the disk is full; without compression, before anything is solved.
-
-    Warns
-    -----
-    OutOfRangeWarning
-        As in ``solve``.
 
     Examples
     --------

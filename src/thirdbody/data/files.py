@@ -16,11 +16,8 @@ from thirdbody.messages import shown, shown_file
 @contextmanager
 def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
     """Write files under temporary names beside the ``paths``, which are yielded, and move them into
-    place together once all are written.
-
-    If the block raises, no file is changed.  ``ValueError`` for an invalid file name, ``OSError``
-    with the paths if a file was not or cannot be written, if possible before the block runs.
-    """
+    place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
+    an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
     places = [_place(path) for path in paths]
     # temporary names that no other process uses
     parts = [

@@ -20,10 +20,8 @@ def labelled_dataset(
     variables: Mapping[str, Any], conditions: Mapping[str, Any], newtons_per_load: float
 ) -> xr.Dataset:
     """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a
-    dataset, with the load also in newtons.
-
-    A dimension is named after the condition if only one varies along it.
-    """
+    dataset, with the load also in newtons.  A dimension has the name of the only condition that
+    varies along it."""
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)
     plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]

@@ -1,8 +1,4 @@
-"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper.
-
-Programs use the CSV files of the same names, with all digits in SI.  Here a number has three
-digits, or fewer if its error is larger.
-"""
+"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper."""
 
 from __future__ import annotations
 
@@ -56,10 +52,8 @@ class Sheet(NamedTuple):
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger.
-
-    None (missing) gives an empty text, and nan (does not exist) gives "none".
-    """
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None (missing)
+    gives an empty text, and nan (does not exist) gives "none"."""
     if value is None:
         return ""
     if math.isnan(value):
@@ -195,11 +189,8 @@ def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
 
 
 def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
-    """A design chart: one column per load, with the ensemble range in brackets.
-
-    ``limited`` is the axis of the limit; ``below`` and ``beyond`` are the texts for limits outside
-    its ends.
-    """
+    """A design chart: one column per load, with the ensemble range in brackets; ``below`` and
+    ``beyond`` are the texts for limits outside the ends of the axis ``limited``."""
     outside = {0.0: below, math.inf: beyond}
     held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
     cells = []

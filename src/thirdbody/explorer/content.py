@@ -1,7 +1,4 @@
-"""Data of the page, collected from products of the workflow: figures, statements, inputs.
-
-The page computes the curves itself.
-"""
+"""Data of the page, collected from products of the workflow; it computes the curves itself."""
 
 from __future__ import annotations
 
@@ -99,11 +96,8 @@ def _claim(claim, verdict):
 
 
 def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
-    """Data of a figure of curves: its ``points`` drawn (.csv), and its ``caption`` (.md).
-
-    ``curves`` are the conditions [SI] of all curves; each of the ``panels`` has the indices of its
-    curves, their ensemble ranges and the printed numbers.
-    """
+    """Data of a figure from its ``points`` drawn (.csv) and its ``caption`` (.md): the conditions [SI]
+    of all ``curves``; for each of the ``panels`` their indices, ensemble ranges and printed numbers."""
     panels: dict[str, dict] = {}
     for row in read_csv(points, DRAWN_POINTS):
         names = {"x": row["x_name"], "y": row["y_name"]}

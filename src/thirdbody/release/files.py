@@ -25,9 +25,7 @@ def media_type(name: str) -> str:
 def source_files() -> list[str]:
     """Sorted paths of the sources in the current folder, the root of the project: all files that
     git tracks or would track; in an unpacked archive, those that ``.gitignore`` does not name.
-
-    Raises ``OSError`` if git is not installed, or cannot read the folder.
-    """
+    ``OSError`` if git is not installed, or cannot read the folder."""
     listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     with tempfile.TemporaryDirectory() as empty:
         if not Path(".git").exists():
