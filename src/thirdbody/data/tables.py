@@ -5,6 +5,8 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from operator import attrgetter
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,12 +17,13 @@ from thirdbody.data.files import unreadable
 class Column(NamedTuple):
     """A column of a table: its heading, which ends with the SI unit if there is one; the type of
     the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
-    text; and its description."""
+    text; its description; and the table in ``tables.csv``."""
 
     name: str
     kind: str
     unit: str
     description: str
+    table: str = ""
 
     def parse(self, text: str) -> float | str | None:
         """The value of a field of a CSV file; None if it is empty."""
@@ -29,15 +32,9 @@ class Column(NamedTuple):
         return float(text) if self.kind == "number" else text
 
 
-def _described_tables() -> dict[str, list[Column]]:
-    tables: dict[str, list[Column]] = {}
-    with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as stream:
-        for row in csv.DictReader(stream):
-            tables.setdefault(row.pop("table"), []).append(Column(**row))
-    return tables
-
-
-TABLES = _described_tables()
+with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as file:
+    COLUMNS = [Column(**row) for row in csv.DictReader(file)]
+TABLES = {table: list(columns) for table, columns in groupby(COLUMNS, attrgetter("table"))}
 DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 
 

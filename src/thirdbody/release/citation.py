@@ -46,24 +46,14 @@ class Release:
         return f"{self.name}-{self.version}"
 
     @property
-    def authors(self) -> list[str]:
-        """Names of the authors of the release."""
-        return [author["name"] for author in self.citation["authors"]]
-
-    @property
-    def paper(self) -> dict[str, Any]:
-        """The reproduced paper: the first reference of ``CITATION.cff``."""
-        return self.citation["references"][0]
-
-    @property
     def paper_url(self) -> str:
-        """DOI link of the paper."""
-        return f"https://doi.org/{self.paper['doi']}"
+        """DOI link of the paper, the first reference of ``CITATION.cff``."""
+        return f"https://doi.org/{self.citation['references'][0]['doi']}"
 
     @property
     def paper_text(self) -> str:
         """The paper as an entry of a reference list."""
-        paper = self.paper
+        paper = self.citation["references"][0]
         names = " and ".join(f"{a['family-names']} {a['given-names']}" for a in paper["authors"])
         return (
             f"{names} ({paper['year']}), {paper['title']}. {paper['journal']} {paper['volume']}:"
