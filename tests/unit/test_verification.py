@@ -20,10 +20,10 @@ import small_release
 import thirdbody as tb
 from thirdbody.data.files import digest
 from thirdbody.data.netcdf import write_dataset
-from thirdbody.release.bag import seal
 from thirdbody.release.crate import crate
 from thirdbody.release.descriptions import data_package
 from thirdbody.release.files import files_in, write_json
+from thirdbody.release.staging import seal
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
