@@ -46,7 +46,6 @@ ALLOWED = {
     "minProperties": "at least {} keys",
     "minLength": "at least one character",
     "maxLength": "at most {} characters",
-    "required": "it must be given",
 }
 
 
@@ -91,12 +90,12 @@ def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -
     """Raise ``ValueError`` if plain data do not satisfy a ``schema`` that refers by name to the
     ``definitions``: one line about the fault nearest to the top, ``name: key is VALUE; allowed: ...``."""
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
-    resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
+    registry = Registry().with_contents(known.items(), default_specification=DRAFT202012)
     for kind in (WITHOUT_RULES, WITH_RULES):
-        validator = kind(schema, registry=Registry().with_resources(resources))
-        errors = sorted(validator.iter_errors(content), key=lambda e: (len(e.path), e.json_path))
-        for error in errors:
-            raise ValueError(f"{name}: {_line(content, error)}")
+        errors = kind(schema, registry=registry).iter_errors(content)
+        nearest = min(errors, key=lambda each: (len(each.path), each.json_path), default=None)
+        if nearest is not None:
+            raise ValueError(f"{name}: {_line(content, nearest)}")
 
 
 # ---- messages
@@ -110,34 +109,30 @@ def _line(content: Any, error: ValidationError) -> str:
     name = entry.get("id") if isinstance(entry, dict) else None
     if isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name):
         place = re.sub(r"^\[\d+\]\.?", f"{name}: ", place).removesuffix(": ")
-    problem, allowed = _problem(error), _allowed(error)
+    problem, allowed = _fault(error)
     if problem:
         return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
     return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
 
 
-def _unknown(error: ValidationError) -> str:
-    """The first key that is not known."""
-    return next(name for name in error.instance if name not in error.schema["properties"])
-
-
-def _problem(error: ValidationError) -> str:
-    """What is wrong, if the value alone does not show it."""
+def _fault(error: ValidationError) -> tuple[str, str]:
+    """The problem, if the value alone does not show it, and what is allowed."""
     if error.validator == "rules":
-        return error.message
+        return error.message, error.schema["allowed"]
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
-        return f"key {missing!r} is missing"
+        return f"key {missing!r} is missing", "it must be given"
     if error.validator == "additionalProperties":
-        return f"unknown key {shown(_unknown(error))}"
-    return f"unknown key {shown(error.instance)}" if "propertyNames" in error.schema_path else ""
+        known = sorted(error.schema["properties"])
+        unknown = next(name for name in error.instance if name not in known)
+        return f"unknown key {shown(unknown)}", _nearest(unknown, known)
+    is_key = "propertyNames" in error.schema_path
+    return f"unknown key {shown(error.instance)}" if is_key else "", _allowed(error)
 
 
 def _allowed(error: ValidationError) -> str:
     """What is allowed instead of the wrong value."""
     value, bound = error.instance, error.validator_value
-    if error.validator == "additionalProperties":
-        return _nearest(_unknown(error), sorted(error.schema["properties"]))
     if "allowed" in error.schema:
         allowed = error.schema["allowed"]
     elif isinstance(value, float) and not math.isfinite(value):

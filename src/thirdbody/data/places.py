@@ -13,6 +13,4 @@ def part_of_paper(place: str) -> str:
     figure = FIGURE.match(place)
     if figure:
         return f"Figure {figure[1]}"
-    if place.startswith("Conclusion"):
-        return "Conclusions"
-    return place.split(",")[0]
+    return "Conclusions" if place.startswith("Conclusion") else place.split(",")[0]
