@@ -17,8 +17,9 @@ import xarray as xr
 
 from thirdbody.atlas.surfaces import QUANTILES, solve_surface
 from thirdbody.configuration.rules import axis_values
+from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
-from thirdbody.data.dataset import Axes, described_grid
+from thirdbody.data.dataset import Axes
 from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import FLAGS
 from thirdbody.model.parameters import Parameters

@@ -1,17 +1,27 @@
-"""Attributes of datasets and variables required by CF-1.11 and ACDD-1.3, and the inputs of the
-model as text."""
+"""Datasets of solved values with the attributes required by CF-1.11 and ACDD-1.3."""
 
 from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Axis
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
+from thirdbody.data.conditions import AXES, DIMENSIONS, Axis
+from thirdbody.data.netcdf import PlainDataset, Variable
+from thirdbody.data.quantities import (
+    FILL_FLAG,
+    FILL_FLOAT,
+    NORMAL_LOAD,
+    NUMBERS,
+    STATUS,
+    VARIABLES,
+    Quantity,
+)
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
@@ -62,3 +72,38 @@ def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
         model[key] = [getattr(surface, name) for surface in surfaces]
     model |= {key: getattr(parameters, name) for name, key in KEYS["particles"].items()}
     return json.dumps(model)
+
+
+def described_grid(
+    axes: Mapping[str, NDArray],
+    values: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    title: str = "Three-body contact on a grid",
+    request: Mapping | None = None,
+) -> PlainDataset:
+    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
+    attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
+    variables = {
+        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
+        for name, quantity in VARIABLES.items()
+        if name in values
+    }
+    coordinates = {
+        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
+        for name, axis in axes.items()
+    }
+    newtons = axes["load"] * parameters.newtons_per_load
+    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
+    configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
+    configuration["request"] = request or {name: axis.tolist() for name, axis in axes.items()}
+    attributes = {
+        **EVERYWHERE,
+        **identity(json.dumps(configuration, sort_keys=True)),
+        "title": title,
+        "software_version": version("thirdbody"),
+        "product_version": version("thirdbody"),
+        "rtol": rtol,
+        "model_parameters": model_attribute(parameters, axes["roughness"]),
+    }
+    return PlainDataset(variables, coordinates, attributes)

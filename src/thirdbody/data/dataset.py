@@ -3,9 +3,7 @@ block in a file, or a scene (the curves of one figure)."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Collection, Mapping, Sequence
-from importlib.metadata import version
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -20,22 +18,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
 from thirdbody.conditions.in_si import in_si
-from thirdbody.data.attributes import (
-    EVERYWHERE,
-    coordinate_attributes,
-    identity,
-    model_attribute,
-    variable_attributes,
-)
+from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
 from thirdbody.data.files import atomic_write
-from thirdbody.data.netcdf import PlainDataset, Variable, declare
+from thirdbody.data.netcdf import PlainDataset, declare
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
     FILL_FLOAT,
     FLAGS,
-    NORMAL_LOAD,
     NUMBERS,
     SEPARATION_COUNT,
     STATUS,
@@ -246,41 +237,6 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
     return dict(zip(sides, np.ix_(*sides.values()), strict=True))
 
 
-def described_grid(
-    axes: Axes,
-    values: Mapping[str, NDArray],
-    parameters: Parameters,
-    rtol: float,
-    title: str = "Three-body contact on a grid",
-    request: Mapping | None = None,
-) -> PlainDataset:
-    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
-    variables = {
-        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
-        for name, quantity in VARIABLES.items()
-        if name in values
-    }
-    coordinates = {
-        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
-        for name, axis in axes.items()
-    }
-    newtons = axes["load"] * parameters.newtons_per_load
-    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
-    configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
-    configuration["request"] = request or _listed(axes)
-    attributes = {
-        **EVERYWHERE,
-        **identity(json.dumps(configuration, sort_keys=True)),
-        "title": title,
-        "software_version": version("thirdbody"),
-        "product_version": version("thirdbody"),
-        "rtol": rtol,
-        "model_parameters": model_attribute(parameters, axes["roughness"]),
-    }
-    return PlainDataset(variables, coordinates, attributes)
-
-
 def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
     of five axes, with the same loads: logarithmically spaced, plus those named in the text between
@@ -324,16 +280,11 @@ def scene_dataset(
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)
-    listed = [_listed(group) for group in groups]
     request = {
-        "load": listed[0]["load"],
-        "groups": [{n: g[n] for n in Condition._fields} for g in listed],
+        "load": axes["load"].tolist(),
+        "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
     }
     return described_grid(axes, values, parameters, rtol, scene["title"], request)
-
-
-def _listed(axes: Axes) -> dict[str, list[float]]:
-    return {name: values.tolist() for name, values in axes.items()}
 
 
 def _keep_counts_of_several(values):
