@@ -84,7 +84,6 @@ class Condition(NamedTuple):
 
     @property
     def columns(self) -> dict[str, float]:
-        """The four numbers by column name."""
         return {AXES[name].column: value for name, value in self._asdict().items()}
 
     @property
@@ -94,12 +93,10 @@ class Condition(NamedTuple):
 
     @property
     def is_dry(self) -> bool:
-        """Whether there is no lubricant."""
         return self.viscosity == 0.0
 
     @property
     def is_two_body(self) -> bool:
-        """Whether there are no particles."""
         return self.particle_diameter == 0.0 or self.particle_density == 0.0
 
 

@@ -3,7 +3,7 @@ block in a file, or a scene (the curves of one figure)."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from itertools import product
 from math import prod
 from numbers import Integral
@@ -170,7 +170,10 @@ def stream(
         raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
     parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
     shape = tuple(axis.size for axis in axes.values())
-    lengths = _block_lengths(shape, POINTS_PER_BLOCK)
+    lengths = [*shape]
+    while prod(lengths) > POINTS_PER_BLOCK:
+        longest = max(lengths)
+        lengths[lengths.index(longest)] = -(-longest // 2)
     types = {name: np.dtype(type_of(name)) for name in names}
     empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
     described = described_grid(axes, empty, parameters, rtol)
@@ -197,16 +200,6 @@ def stream(
                 for name, variable in stored.items():
                     variable[block] = getattr(solution, name)
                 progressing.add(solution.solution_status.size)
-
-
-def _block_lengths(shape: Sequence[int], points: int) -> tuple[int, ...]:
-    """Lengths of contiguous blocks of at most ``points`` each: for an array of shape (10, 20, 30),
-    at most 100 points make blocks of shape (1, 3, 30)."""
-    lengths = []
-    for size in reversed(shape):
-        lengths.append(min(size, max(points, 1)))
-        points //= size
-    return tuple(reversed(lengths))
 
 
 def _checked_grid(

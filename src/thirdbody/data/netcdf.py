@@ -47,7 +47,6 @@ class PlainDataset:
 
     @property
     def sizes(self) -> dict[str, int]:
-        """The length of each dimension."""
         each = self.variables.values()
         return {name: size for one in each for name, size in zip(one.dims, one.values.shape)}
 
@@ -58,7 +57,6 @@ class PlainDataset:
         return self.variables[name]
 
     def to_xarray(self) -> xr.Dataset:
-        """The same data as an ``xarray.Dataset``."""
         import xarray as xr
 
         return xr.Dataset(self.data_vars, self.coords, self.attrs)

@@ -92,19 +92,16 @@ def readable(
 
 def markdown(sheets: Sequence[Sheet]) -> str:
     """Text of ``sheets``, one below the other, each under its caption."""
-    return "\n".join(
-        f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n{sheet.table('github')}\n"
-        for sheet in sheets
-    )
+    texts = (f"**{each.title}.** {each.note}\n\n{each.table('github')}\n" for each in sheets)
+    return "\n".join(texts)
 
 
 def page(sheets: Sequence[Sheet]) -> str:
     """A self-contained HTML page of ``sheets``, one below the other."""
-    parts = [
-        f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
-        f"{sheet.table('html')}"
-        for sheet in sheets
-    ]
+    parts = (
+        f"<p><strong>{escape(each.title)}.</strong> {escape(each.note)}</p>\n{each.table('html')}"
+        for each in sheets
+    )
     template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 

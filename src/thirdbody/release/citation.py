@@ -47,7 +47,6 @@ class Release:
 
     @property
     def paper_url(self) -> str:
-        """DOI link of the paper, the first reference of ``CITATION.cff``."""
         return f"https://doi.org/{self.citation['references'][0]['doi']}"
 
     @property
