@@ -135,14 +135,10 @@ def chart_rows(panels: Sequence[xr.Dataset], newtons: Sequence[float]) -> Iterat
             for load in newtons:
                 place = int(np.abs(panel["normal_load"].values - load).argmin())
                 point = panel.isel(load=place).sel(roughness=surface)
-                low, median, high = point["range"].values.tolist()
                 yield {
                     **{axis.column: float(point[axis.name]) for axis in held},
-                    "load_N": load,
-                    "load": float(point["load"]),
+                    **{"load_N": load, "load": float(point["load"])},
                     "limit": float(point["limit"]),
-                    "low": low,
-                    "median": median,
-                    "high": high,
+                    **dict(zip(("low", "median", "high"), point["range"].values.tolist())),
                     STATUS: SOLUTION_STATUSES[int(point[STATUS])],
                 }

@@ -1,14 +1,9 @@
 """Inputs of the model: the sources of their values, and which source takes precedence.
 
-``config/inputs.yaml`` has an entry for each input: its value, unless it is calibrated, with symbol,
-unit, source, and the allowed words; ``thirdbody.model.bounds`` has the allowed numbers.  Later
-values override earlier ones:
-
-1. the value in ``config/inputs.yaml``;
-2. the value in a calibrated file, as written by ``snakemake calibrate``: the file named by
-``calibrated`` in ``config/config.yaml``, or one given in its place;
-3. overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain
-or in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
+Later values override earlier ones: those in ``config/inputs.yaml``, which describes each input; in
+a calibrated file, named by ``calibrated`` in ``config/config.yaml`` or given in its place; and
+overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain or
+in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 """
 
 from __future__ import annotations

@@ -202,13 +202,7 @@ def stream(
                 progressing.add(solution.solution_status.size)
 
 
-def _checked_grid(
-    parameters: Parameters | None,
-    rtol: float,
-    variables: Collection[str],
-    progress: bool,
-    conditions: Mapping[str, ArrayLike],
-) -> tuple[Parameters, list[str], Axes]:
+def _checked_grid(parameters, rtol, variables, progress, conditions):
     """Inputs, variables and axes [SI] of ``grid``; the status, which explains nan, is always included."""
     parameters = checked_parameters(parameters)
     check_rtol(rtol)

@@ -67,8 +67,8 @@ def unreadable(path: str | os.PathLike, reason: object) -> OSError:
 def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
     """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
     ``folder``."""
-    lines = (f"{digest(product)}  {Path(product).relative_to(folder)}\n" for product in products)
-    return "".join(sorted(lines, key=lambda line: line.split("  ", 1)[1]))
+    names = sorted(str(Path(product).relative_to(folder)) for product in products)
+    return "".join(f"{digest(Path(folder, name))}  {name}\n" for name in names)
 
 
 def require_sums(path: str | Path) -> None:

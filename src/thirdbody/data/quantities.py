@@ -74,7 +74,4 @@ def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bo
 def spread(values: Iterable[float]) -> tuple[float, float] | None:
     """The range of nine in ten of ``values``, those of an ensemble; None if there are none."""
     known = [value for value in values if np.isfinite(value)]
-    if not known:
-        return None
-    low, high = np.quantile(known, ENDS)
-    return float(low), float(high)
+    return tuple(np.quantile(known, ENDS).tolist()) if known else None
