@@ -5,8 +5,6 @@ roughnesses.  Any program that reads NetCDF can concatenate them along ``roughne
 limits over the load, one curve per roughness, with ensemble ranges, as they are in the atlas.
 """
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike

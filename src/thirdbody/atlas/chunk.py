@@ -1,7 +1,5 @@
 """One file of the atlas: some surfaces, in the layout of every dataset, with the ensemble."""
 
-from __future__ import annotations
-
 import csv
 import json
 import math

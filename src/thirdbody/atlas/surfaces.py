@@ -1,8 +1,6 @@
 """The atlas on one surface: each set of inputs is solved once, and regimes, modes, design limits and
 turning points are extracted while its points are in memory."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 
 import numpy as np

@@ -6,8 +6,6 @@ overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with som
 in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 """
 
-from __future__ import annotations
-
 import math
 import warnings
 from collections.abc import Mapping

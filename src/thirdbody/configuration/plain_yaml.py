@@ -1,7 +1,5 @@
 """Reading plain YAML: no Python tags, no duplicate keys."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

@@ -4,8 +4,6 @@ A schema names a rule, ``rules: [first_below_last]``, beside the type and keys o
 is a function of this value, which already satisfies its schema, and yields each fault.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 

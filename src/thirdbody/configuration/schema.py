@@ -6,8 +6,6 @@ is otherwise valid; and ``allowed``, words for messages where a number or patter
 enough.  Definitions in ``conditions.schema.yaml`` serve all files.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping, Sequence

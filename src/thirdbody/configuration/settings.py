@@ -1,7 +1,5 @@
 """Settings of the workflow, checked as a whole before anything is computed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path

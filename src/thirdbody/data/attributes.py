@@ -1,7 +1,5 @@
 """Datasets of solved values with the attributes required by CF-1.11 and ACDD-1.3."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Iterable, Mapping

@@ -1,9 +1,7 @@
 """The five conditions as axes of datasets, columns of tables and keys of the configuration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,7 +28,7 @@ class Axis(NamedTuple):
     scale: float
 
     @classmethod
-    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Axis:
+    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Self:
         """The axis whose column ends with ``suffix``, the SI unit."""
         key = ENGINEERING[name] if suffix else name
         column = f"{name}_{suffix}" if suffix else name
@@ -78,7 +76,7 @@ class Condition(NamedTuple):
     particle_density: float
 
     @classmethod
-    def of(cls, given: Mapping[str, float]) -> Condition:
+    def of(cls, given: Mapping[str, float]) -> Self:
         """The condition from a configuration, a number for each key; ``KeyError`` if one is missing."""
         return cls(*(AXES[name].to_si(given[AXES[name].key]) for name in cls._fields))
 

@@ -1,8 +1,6 @@
 """Solved points as a dataset with names and units over the five axes: a grid, in memory or block by
 block in a file, or a scene (the curves of one figure)."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping
 from itertools import product
 from math import prod
@@ -57,7 +55,7 @@ def grid(
     variables: Collection[str] = CONTRACT,
     progress: bool = True,
     **conditions: ArrayLike,
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """Solve every combination of five axes and return a dataset.
 
     Parameters

@@ -1,7 +1,5 @@
 """Extraction from curves of a dataset: turning points and transitions, as rows of tables."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from thirdbody.curves.transitions import LIMITS, transitions

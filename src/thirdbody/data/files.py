@@ -1,7 +1,5 @@
 """Atomic writing of files, the error for damaged files, and SHA-256 sums."""
 
-from __future__ import annotations
-
 import errno
 import hashlib
 import os

@@ -1,7 +1,5 @@
 """Labelled solutions: the results of ``Solution.to_dataset`` and ``Solution.to_dataframe``."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -4,8 +4,6 @@ They have the names of xarray, but do not import it: importing xarray and pandas
 solving or drawing a figure.
 """
 
-from __future__ import annotations
-
 import errno
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -56,13 +54,13 @@ class PlainDataset:
     def __getitem__(self, name: str) -> Variable:
         return self.variables[name]
 
-    def to_xarray(self) -> xr.Dataset:
+    def to_xarray(self) -> "xr.Dataset":
         import xarray as xr
 
         return xr.Dataset(self.data_vars, self.coords, self.attrs)
 
 
-def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
+def write_dataset(dataset: "PlainDataset | xr.Dataset", path: str | PathLike) -> None:
     """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and unsolved
     points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
     # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to write
@@ -80,7 +78,7 @@ def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> N
 
 
 def declare(
-    file: netCDF4.Dataset, dataset: PlainDataset | xr.Dataset, storage: Mapping[str, Mapping]
+    file: netCDF4.Dataset, dataset: "PlainDataset | xr.Dataset", storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
     """Write a dataset to a new file, except the values of its variables, which are returned empty;
     ``storage`` has arguments of ``netCDF4.Dataset.createVariable`` for each."""

@@ -1,7 +1,5 @@
 """Tables 1 and 2 of the paper as printed, with derived entries recomputed."""
 
-from __future__ import annotations
-
 from thirdbody.model.parameters import Parameters
 
 # Table 1 prints Poisson's ratio; Young's modulus of the steel is not printed.

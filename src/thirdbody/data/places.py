@@ -1,7 +1,5 @@
 """Groups of statements by their place in the paper."""
 
-from __future__ import annotations
-
 import re
 
 FIGURE = re.compile(r"Figures? (\d+)")

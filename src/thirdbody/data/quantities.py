@@ -1,7 +1,5 @@
 """The variables of the datasets: name, symbol, unit, equation and meaning, in ``quantities.toml``."""
 
-from __future__ import annotations
-
 import math
 import tomllib
 from collections.abc import Iterable
@@ -59,7 +57,7 @@ CONTRACT = (*NUMBERS, *FLAGS)
 VARIABLES = NUMBERS | FLAGS | {SEPARATION_COUNT.name: SEPARATION_COUNT}
 
 
-def curves_of(dataset: PlainDataset) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def curves_of(dataset: "PlainDataset") -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     """The curves of a dataset, with at least one point with a status: their conditions, SI, in the
     order of ``Condition``, shape (4, curves); and their index in a variable after its load axis,
     ``values[:, index]``."""

@@ -1,7 +1,5 @@
 """Tables for reading: one row per curve, in engineering units, beside the numbers of the paper."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -10,6 +8,8 @@ from itertools import groupby
 from pathlib import Path
 from string import Template
 from typing import NamedTuple
+
+from tabulate import tabulate
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
 
@@ -46,8 +46,6 @@ class Sheet(NamedTuple):
 
     def table(self, style: str) -> str:
         """The rows in a ``style`` of tabulate."""
-        from tabulate import tabulate
-
         return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
 
 

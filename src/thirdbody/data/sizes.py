@@ -1,7 +1,5 @@
 """The sizes of the particles for a mean diameter x_a of the paper."""
 
-from __future__ import annotations
-
 from statistics import NormalDist
 
 import numpy as np

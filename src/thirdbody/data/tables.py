@@ -1,7 +1,5 @@
 """Tidy tables as CSV, Table Schema and LaTeX; ``tables.csv`` describes their columns."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -10,6 +8,8 @@ from operator import attrgetter
 from os import PathLike
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from tabulate import tabulate
 
 from thirdbody.data.files import unreadable
 
@@ -92,8 +92,6 @@ def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
 
 def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
     """Write a table for LaTeX with the package booktabs, numbers with six significant digits."""
-    from tabulate import tabulate
-
     headings = [column.name for column in columns]
     cells = [*_texts(rows, columns, 6)]
     text = tabulate(cells, headings, tablefmt="latex_booktabs", disable_numparse=True)

@@ -1,8 +1,6 @@
 """The page: content collected from products of the workflow, put into one HTML file with the
 template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,14 +1,12 @@
 """Name, version, date and citation of a release, the same for the same sources."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from dataclasses import dataclass
 from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import yaml
 
@@ -23,9 +21,7 @@ class Release:
     citation: dict[str, Any]
 
     @classmethod
-    def of(
-        cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True
-    ) -> Release:
+    def of(cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True) -> Self:
         """The release described by ``pyproject.toml`` and ``CITATION.cff``; unless the
         configuration ``is_paper``, its version and title say so.  ``ValueError`` if
         ``CITATION.cff`` does not have the installed version."""

@@ -4,8 +4,6 @@ RO-Crate 1.1 (https://w3id.org/ro/crate/1.1) with the profile Workflow Run Crate
 (https://w3id.org/ro/wfrun/workflow/0.5): the run and each of its jobs are a ``CreateAction``.
 """
 
-from __future__ import annotations
-
 from pathlib import Path, PurePosixPath
 from typing import Any
 

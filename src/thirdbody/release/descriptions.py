@@ -4,8 +4,6 @@ The package ``frictionless`` is not used for writing: it installs 38 more packag
 types, which are known here.  Tests validate the data package with it.
 """
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Iterable

@@ -1,8 +1,6 @@
 """Files of a release: its sources, their names and types, and texts from the templates in
 ``templates/``."""
 
-from __future__ import annotations
-
 import json
 import mimetypes
 import re

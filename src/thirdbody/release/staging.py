@@ -4,8 +4,6 @@ The package ``bagit`` is not used for writing: it declares version 0.97 and list
 order, so that two bags of the same files differ.  Tests validate bags with it.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import zipfile
