@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import thirdbody as tb
-from thirdbody.data.attributes import parameters_on_one_surface
+from thirdbody.data.attributes import KEYS
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.solver.solution import QUANTITIES as VARIABLES
 
@@ -54,6 +54,31 @@ def _columns(rows, names):
 def parameters_of(row: Mapping[str, str]) -> tb.Parameters:
     """Inputs of the model in a row; ``ValueError`` if they are not physical."""
     return parameters_on_one_surface(row, float(row["roughness"]))
+
+
+def parameters_on_one_surface(model: Mapping, roughness: float) -> tb.Parameters:
+    """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
+
+    ``model`` has the keys of ``model_parameters`` with numbers or their texts, not lists.  Older
+    datasets have no ``particle_plane``; it was ``surface``.
+    """
+    model = {"particle_plane": "surface", **model}
+    kinds = tb.Parameters.__annotations__
+    given = {
+        name: float(model[key]) if kinds[name] == "float" else model[key]
+        for name, key in (KEYS["body"] | KEYS["particles"]).items()
+    }
+    density, radius, deviation, offset = (float(model[key]) for key in KEYS["surface"].values())
+    raised = "as_rough" if deviation == roughness else True
+    return tb.Parameters(
+        **given,
+        reference_roughness=roughness,
+        summit_parameter=density * radius * roughness,
+        summit_parameter_exponent=0.0,
+        summit_radius=radius,
+        summit_radius_exponent=0.0,
+        summit_offset=raised if offset != 0.0 else False,
+    )
 
 
 def relative_error(value: NDArray, expected: NDArray) -> NDArray[np.float64]:

@@ -36,7 +36,7 @@ _MODULES = {
     "open_atlas": "atlas.catalogue",
     "plot": "figures.plot",
     "solve": "solver.solve",
-    "stream": "data.streaming",
+    "stream": "data.dataset",
     "surface": "measured.topography",
     "transitions": "answers.changes",
     "turning_point": "answers.turning",

@@ -8,7 +8,7 @@ from thirdbody.atlas.catalogue import open_atlas as open_atlas
 from thirdbody.conditions.usual import OutOfRangeWarning as OutOfRangeWarning
 from thirdbody.configuration.inputs import load_parameters as load_parameters
 from thirdbody.data.dataset import grid as grid
-from thirdbody.data.streaming import stream as stream
+from thirdbody.data.dataset import stream as stream
 from thirdbody.figures.plot import plot as plot
 from thirdbody.measured.cleanliness import cleanliness as cleanliness
 from thirdbody.measured.comparison import compare as compare

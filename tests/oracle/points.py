@@ -6,8 +6,8 @@ import itertools
 
 import numpy as np
 
+from benchmarks.points import parameters_on_one_surface
 from tests.oracle.extended import INTERPRETATIONS, SURFACE
-from thirdbody.data.attributes import parameters_on_one_surface
 
 PUBLISHED = {  # Tables 1 and 2, with one choice of what the paper does not print
     **{"E_ss": 112e9, "E_sa": 112e9, "H_s1": 5e9, "H_s2": 5e9, "k": 0.4, "omega_ratio": 54.0},

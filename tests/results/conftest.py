@@ -19,9 +19,11 @@ def results():
 @pytest.fixture(scope="session")
 def datasets(results):
     """The datasets of all figures; one that is missing or damaged is an error."""
-    from thirdbody.data.netcdf import read_dataset
+    from thirdbody.data.netcdf import read_plain
 
-    return {figure: read_dataset(results / "datasets" / f"{figure}.nc") for figure in FIGURES}
+    return {
+        figure: read_plain(results / "datasets" / f"{figure}.nc").to_xarray() for figure in FIGURES
+    }
 
 
 @pytest.fixture(scope="session", params=FIGURES)

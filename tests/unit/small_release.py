@@ -11,9 +11,8 @@ import thirdbody as tb
 from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.netcdf import write_dataset
 from thirdbody.data.tables import DRAWN_POINTS, TABLES, write_csv, write_schema
-from thirdbody.release.bag import pack
 from thirdbody.release.citation import Release, software_versions
-from thirdbody.release.staging import stage
+from thirdbody.release.staging import pack, stage
 
 KEYS = ("viscosity_cSt", "particle_diameter_nm", "roughness_nm", "particle_density_per_m2")
 SCENES = {

@@ -7,8 +7,7 @@ import pytest
 
 import thirdbody as tb
 from thirdbody.answers.ensemble import calibrated_ensemble
-from thirdbody.atlas.catalogue import open_atlas, write_catalogue
-from thirdbody.atlas.charts import chart_panels, chart_rows
+from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas, write_catalogue
 from thirdbody.atlas.chunk import atlas_axes, write_chunk
 from thirdbody.atlas.surfaces import quantiles
 from thirdbody.data.conditions import DIMENSIONS

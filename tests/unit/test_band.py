@@ -9,7 +9,7 @@ from small_release import KEYS
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
 from thirdbody.data.dataset import scene_dataset
-from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, QUANTITIES
 from thirdbody.solver.solve import solve
 from thirdbody.study.band import BAND_RTOL, band
@@ -28,7 +28,7 @@ MEMBERS = [{"participation": 0.03}, {"spread_ratio": 1.5, "summit_radius": 25e-6
 def dataset(parameters, tmp_path_factory):
     path = tmp_path_factory.mktemp("band") / "scene.nc"
     write_dataset(scene_dataset(SCENE, parameters), path)
-    return read_dataset(path)
+    return read_plain(path).to_xarray()
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,7 @@ def test_member_without_a_solution_leaves_the_band_as_it_is(dataset, parameters)
 
 def test_band_encloses_its_curves_and_keeps_their_units(dataset, parameters, envelope, tmp_path):
     write_dataset(envelope, tmp_path / "band.nc")
-    again, alone = read_dataset(tmp_path / "band.nc"), band(dataset, parameters, [])
+    again, alone = read_plain(tmp_path / "band.nc").to_xarray(), band(dataset, parameters, [])
     shown = dataset["solution_status"].values != FILL_FLAG
     for name in QUANTITIES:
         low, high = again[f"{name}_low"], again[f"{name}_high"]

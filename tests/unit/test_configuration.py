@@ -177,9 +177,7 @@ def test_a_calibrated_file_gives_all_that_is_calibrated(write, defaults):
     assert load_parameters(path) == replace(defaults, truncation=2.5)
     del found["apparent_area"]
     lacks = refusal(load_parameters, write(calibrated(json.dumps(found))))
-    assert lacks.endswith(
-        "inputs: apparent_area is missing; allowed: a value of each calibrated input"
-    )
+    assert lacks.endswith("inputs: key 'apparent_area' is missing; allowed: it must be given")
 
 
 def test_the_default_inputs_do_not_depend_on_the_working_directory(defaults, tmp_path, monkeypatch):
@@ -261,7 +259,7 @@ def test_inputs_that_a_surface_cannot_have_are_refused(from_root):
 
 CALIBRATED = read_yaml(CONFIG / "config.yaml")["calibrated"]
 BAD_FILES = [  # of the folder of the configuration
-    (CALIBRATED, "interpretation", "mine", "is 'mine'; allowed: "),
+    (CALIBRATED, "interpretation", "my own", "is 'my own'; allowed: "),
     ("config/inputs.yaml", "truncation", KeyError, "'truncation' is missing; allowed"),
     ("config/paper_tables.yaml", "table1.0.recompute", "x", "recompute is 'x'; allowed"),
     ("config/calibration.yaml", "always.0", "gap", "always[0] is 'gap'; allowed: "),

@@ -14,7 +14,7 @@ from small_release import KEYS
 import thirdbody as tb
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.dataset import crossed, scene_dataset, scene_groups
-from thirdbody.data.netcdf import read_dataset, write_dataset
+from thirdbody.data.netcdf import read_plain, write_dataset
 from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, FLAGS, NUMBERS
 from thirdbody.model.regimes import SOLUTION_STATUSES
 
@@ -83,9 +83,9 @@ def test_a_dataset_with_several_separations_holds_their_number(parameters, shown
     assert (count.dtype, count.dims) == (np.int8, DIMENSIONS)
     assert np.array_equal(count > 1, status == SOLUTION_STATUSES.index("several_separations"))
     write_dataset(several, tmp_path / "several.nc")
-    assert read_dataset(tmp_path / "several.nc")["separation_count"].equals(count)
+    assert read_plain(tmp_path / "several.nc").to_xarray()["separation_count"].equals(count)
     tb.stream(tmp_path / "streamed.nc", **AXES | given, parameters=inputs, variables=list(several))
-    assert read_dataset(tmp_path / "streamed.nc")["separation_count"].equals(count)
+    assert read_plain(tmp_path / "streamed.nc").to_xarray()["separation_count"].equals(count)
     count = scene_dataset(SCENE, inputs).to_xarray()["separation_count"]
     assert np.array_equal(count == FILL_FLAG, hidden(shown["solution_status"]))
     assert (count > 1).any() and f"{FILL_FLAG}: not shown" in count.attrs["comment"]
@@ -120,9 +120,9 @@ def test_an_axis_that_is_not_one_increasing_dimension_is_refused_by_name(paramet
 def test_a_dataset_survives_the_file(shown, on_disk, dataset, tmp_path):
     path = tmp_path / "grid.nc"
     write_dataset(dataset, path)
-    assert read_dataset(path).equals(dataset)
-    assert read_dataset(path).attrs == dataset.attrs
-    again = read_dataset(on_disk)
+    assert read_plain(path).to_xarray().equals(dataset)
+    assert read_plain(path).to_xarray().attrs == dataset.attrs
+    again = read_plain(on_disk).to_xarray()
     for name in (*NUMBERS, *FLAGS):
         kept = ~hidden(shown[name])
         assert np.array_equal(again[name].values[kept], shown[name].values[kept])
@@ -168,7 +168,7 @@ def test_a_damaged_file_is_named_with_the_command_that_remakes_it(on_disk, damag
         on_disk.write_bytes(DAMAGES[damage](content))
     expected = f"^{on_disk} cannot be read.*; remake it: snakemake -c2 --force {on_disk}$"
     with pytest.raises(OSError, match=expected):
-        read_dataset(on_disk)
+        read_plain(on_disk).to_xarray()
 
 
 def test_a_figure_holds_what_the_solver_gives_and_elsewhere_the_fill_value(shown, parameters):

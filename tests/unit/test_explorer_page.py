@@ -8,8 +8,7 @@ from pathlib import Path
 import pytest
 
 from thirdbody.explorer import page as building
-from thirdbody.explorer.content import figure_content
-from thirdbody.explorer.page import page_text
+from thirdbody.explorer.page import figure_content, page_text
 
 HERE = Path(building.__file__).parent
 CURVE = "nu = 90 cSt; x_a = 300 nm; sigma = 300 nm; eta_a = 1e+11 m-2"

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from benchmarks.points import parameters_on_one_surface
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import config_directory
-from thirdbody.data.attributes import model_attribute, parameters_on_one_surface
+from thirdbody.data.attributes import model_attribute
 from thirdbody.messages import shown
 from thirdbody.model.bounds import BOUNDS
 from thirdbody.model.interpretations import INTERPRETATIONS

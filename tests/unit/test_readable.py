@@ -109,11 +109,11 @@ def test_sensitivities_are_inputs_by_results():
 
 
 def test_a_page_is_the_text_and_needs_no_other_file():
-    sheets = [Sheet("One", "Note.", [{"a": "<b> & c"}]), Sheet("Two", "", [{"a": "x"}])]
+    sheets = [Sheet("One", "Note.", [{"a": "<b> & c"}]), Sheet("Two", "More.", [{"a": "x"}])]
     shown = page(sheets)
     assert shown.count("<table") == 2
     assert "<td>&lt;b&gt; &amp; c</td>" in shown.replace("  ", "")
-    assert "<p><strong>Two.</strong></p>" in shown
+    assert "<p><strong>Two.</strong> More.</p>" in shown
     assert "src=" not in shown and "href=" not in shown
     assert markdown(sheets).startswith("**One.** Note.\n\n| a")
 

@@ -26,10 +26,8 @@ from small_release import SCENES
 
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.release.citation import Release
-from thirdbody.release.datapackage import table_schema
-from thirdbody.release.files import files_in, source_files
-from thirdbody.release.guide import describe_content
-from thirdbody.release.texts import render
+from thirdbody.release.descriptions import describe_content, schema_of
+from thirdbody.release.files import files_in, render, source_files
 
 ROOT = Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "tests" / "schemas"
@@ -70,20 +68,20 @@ def test_data_package_is_valid_and_holds_every_product(built):
 def test_a_table_that_nothing_describes_is_refused(tmp_path):
     (tmp_path / "odd.csv").write_text("a,b\n1,2\n")
     with pytest.raises(ValueError, match="odd.csv: nothing describes"):
-        table_schema(tmp_path / "odd.csv")
+        schema_of(tmp_path / "odd.csv")
 
 
 def test_the_wide_table_of_a_figure_has_numbers_under_headings_of_its_own(tmp_path):
     names = ["A: load [1]", "A: film_thickness [1], nu = 0 cSt"]
     (tmp_path / "fig04_wide.csv").write_text('"' + '","'.join(names) + '"\n1e-7,2e-4\n')
-    fields = table_schema(tmp_path / "fig04_wide.csv")["fields"]
+    fields = schema_of(tmp_path / "fig04_wide.csv")["fields"]
     assert fields == [{"name": name, "type": "number"} for name in names]
 
 
 def test_what_holds_a_table_for_programs_is_no_schema_of_it(tmp_path):
     write_csv(tmp_path / "claims.csv", [], TABLES["claims"])
     (tmp_path / "claims.json").write_text('{"statements": []}')
-    names = [field["name"] for field in table_schema(tmp_path / "claims.csv")["fields"]]
+    names = [field["name"] for field in schema_of(tmp_path / "claims.csv")["fields"]]
     assert names == [column.name for column in TABLES["claims"]]
 
 
@@ -136,7 +134,9 @@ def test_codemeta_and_zenodo_describe_the_same_release(built, release):
     assert required | {"access_right", "license"} <= zenodo.keys()
     assert zenodo["version"] == codemeta["version"] == release.version
     assert zenodo["publication_date"] == codemeta["datePublished"] == release.date
-    assert [one["name"] for one in zenodo["creators"]] == release.authors
+    assert [one["name"] for one in zenodo["creators"]] == [
+        author["name"] for author in release.citation["authors"]
+    ]
     assert not (ROOT / ".zenodo.json").exists(), "Zenodo would ignore CITATION.cff"
     codecheck = yaml.safe_load((ROOT / "codecheck.yml").read_text(encoding="utf-8"))
     assert codecheck["source"] == f"{release.citation['title']}, version {release.version}"

@@ -6,8 +6,8 @@ import pytest
 import xarray as xr
 
 import thirdbody as tb
-from thirdbody.data import streaming
-from thirdbody.data.netcdf import read_dataset
+from thirdbody.data import dataset
+from thirdbody.data.netcdf import read_plain
 from thirdbody.solver.solve import solve_arrays
 
 pytestmark = pytest.mark.filterwarnings("error")
@@ -23,11 +23,11 @@ AXES = {
 
 @pytest.mark.parametrize("points", [1, 4, 36, 40, 100, 10**6])
 def test_a_streamed_grid_is_the_grid(parameters, tmp_path, monkeypatch, capsys, points):
-    monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", points)
+    monkeypatch.setattr(dataset, "POINTS_PER_BLOCK", points)
     given = AXES | {"parameters": parameters}
     tb.stream(tmp_path / "grid.nc", **given)
     assert capsys.readouterr() == ("", "")
-    streamed, grid = read_dataset(tmp_path / "grid.nc"), tb.grid(**given)
+    streamed, grid = read_plain(tmp_path / "grid.nc").to_xarray(), tb.grid(**given)
     assert streamed.attrs == grid.attrs
     assert dict(streamed.sizes) == dict(grid.sizes)
     for name, expected in grid.variables.items():
@@ -45,8 +45,8 @@ def test_a_failure_leaves_no_file(parameters, tmp_path, monkeypatch):
             raise OSError("no room")
         return solve_arrays(*given, **more)
 
-    monkeypatch.setattr(streaming, "POINTS_PER_BLOCK", 50)
-    monkeypatch.setattr(streaming, "solve_arrays", failing)
+    monkeypatch.setattr(dataset, "POINTS_PER_BLOCK", 50)
+    monkeypatch.setattr(dataset, "solve_arrays", failing)
     with pytest.raises(OSError, match="no room"):
         tb.stream(tmp_path / "grid.nc", **AXES, parameters=parameters)
     assert not list(tmp_path.iterdir())

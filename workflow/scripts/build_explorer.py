@@ -6,8 +6,7 @@ from pathlib import Path
 from thirdbody.configuration.inputs import read_entries
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.data.files import atomic_write
-from thirdbody.explorer.content import page_content
-from thirdbody.explorer.page import page_text
+from thirdbody.explorer.page import page_content, page_text
 from thirdbody.job_log import logged
 from thirdbody.study.claims import load_claims
 

@@ -1,7 +1,6 @@
 """Extract the table of a design chart from the atlas; nothing is solved here."""
 
-from thirdbody.atlas.catalogue import open_atlas
-from thirdbody.atlas.charts import chart_panels, chart_rows
+from thirdbody.atlas.catalogue import chart_panels, chart_rows, open_atlas
 from thirdbody.data.files import atomic_write
 from thirdbody.data.tables import TABLES, write_csv
 from thirdbody.job_log import logged

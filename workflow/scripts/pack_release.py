@@ -12,7 +12,7 @@ from pathlib import Path
 
 from thirdbody.data.files import atomic_write, digest
 from thirdbody.job_log import logged
-from thirdbody.release.bag import pack
+from thirdbody.release.staging import pack
 
 
 def provenance(archive, name):

@@ -2,8 +2,7 @@
 
 import matplotlib.style
 
-from thirdbody.atlas.catalogue import open_atlas
-from thirdbody.atlas.charts import CHARTS, chart_panels
+from thirdbody.atlas.catalogue import CHARTS, chart_panels, open_atlas
 from thirdbody.figures.captions import caption
 from thirdbody.figures.charts import plot
 from thirdbody.figures.drawing import save

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.quantities import FLAGS, QUANTITIES
-from thirdbody.data.spread import ENDS, spread
+from thirdbody.data.quantities import ENDS, FLAGS, QUANTITIES, spread
 from thirdbody.solver.solution import Solution
 from thirdbody.tabular import Tabular
 

@@ -1,9 +1,5 @@
-"""The full space of conditions, solved for the default inputs and each member of the ensemble.
-
-``surfaces`` solves one surface, ``chunk`` writes some surfaces to a file, ``catalogue`` opens all
-files as one dataset, and ``charts`` extracts the design charts.  Start with
-``catalogue.open_atlas``.
-"""
+"""The full space of conditions, solved for the default inputs and each member of the ensemble:
+``surfaces`` solves one surface, ``chunk`` writes some to a file, ``catalogue`` opens all files."""
 
 from thirdbody.extras import require
 

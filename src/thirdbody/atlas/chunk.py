@@ -1,7 +1,5 @@
 """One file of the atlas: some surfaces, in the layout of every dataset, with the ensemble."""
 
-from __future__ import annotations
-
 import csv
 import json
 import math
@@ -17,16 +15,17 @@ import xarray as xr
 
 from thirdbody.atlas.surfaces import QUANTILES, solve_surface
 from thirdbody.configuration.rules import axis_values
+from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS
-from thirdbody.data.dataset import Axes, described_grid
+from thirdbody.data.dataset import Axes
 from thirdbody.data.netcdf import declare
 from thirdbody.data.quantities import FLAGS
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import BOUNDARY_LIMIT, PARTICLE_LIMIT
 from thirdbody.solver.solution import type_of
 
-POINTS_TOGETHER = 2**20  # solved at a time for one set of inputs: about 150 MB
 SAFE_DIGITS = 2  # written in addition to the requested ones
+APART = "roughness", "particle_density"  # each pair of them is solved and stored on its own
 QUANTILE = "quantile"
 COMMENT = (
     "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
@@ -53,9 +52,9 @@ def write_chunk(
 ) -> None:
     """Solve some surfaces of the atlas for all inputs, and write the results part by part.
 
-    ``path`` is a NetCDF-4 file, used only by this process until it is complete; ``axes`` are those of
-    ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of each member of the ensemble
-    that differ from the default, SI; the quantities ``kept`` are stored at each point for the default.
+    ``axes`` are those of ``atlas_axes``, with some of the roughnesses.  ``members`` are the inputs of
+    each member of the ensemble that differ from the default, SI; the quantities ``kept`` are stored
+    at each point for the default.
     """
     members = members or [{}]  # without an ensemble, only the default
     ensemble = [replace(default, **member) for member in members]
@@ -64,16 +63,17 @@ def write_chunk(
     with netCDF4.Dataset(path, "w", format="NETCDF4") as file:
         described = _described(axes, default, members, kept, rtol)
         variables = declare(file, described, _storage(described, kept, rtol))
-        for place, part in _parts(axes):
-            found = solve_surface(part, sets, weights, kept, rtol)
-            for name, values in found.items():
+        for indices in np.ndindex(*(axes[name].size for name in APART)):
+            place = {name: slice(index, index + 1) for name, index in zip(APART, indices)}
+            part = {name: axis[place.get(name, slice(None))] for name, axis in axes.items()}
+            for name, values in solve_surface(part, sets, weights, kept, rtol).items():
                 index = (place.get(each, slice(None)) for each in variables[name].dimensions)
                 variables[name][tuple(index)] = values
 
 
 def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
-    """Storage of variables: chunks of one surface and one density, with the known digits."""
-    lengths = {**described.sizes, "roughness": 1, "particle_density": 1}
+    """Storage of variables: a chunk for each part, with the known digits."""
+    lengths = {**described.sizes, **dict.fromkeys(APART, 1)}
     rounding = {
         "significant_digits": math.ceil(-math.log10(rtol)) + SAFE_DIGITS,
         "quantize_mode": "GranularBitRound",
@@ -88,20 +88,6 @@ def _storage(described, kept, rtol) -> dict[str, dict[str, Any]]:
         }
         for name, variable in described.data_vars.items()
     }
-
-
-def _parts(axes: Axes) -> Iterator[tuple[dict[str, slice], Axes]]:
-    """Parts solved at a time, some particle densities on one surface, and their place in the file."""
-    surfaces, densities = axes["roughness"], axes["particle_density"]
-    points = math.prod(axis.size for axis in axes.values())
-    step = max(POINTS_TOGETHER // (points // (surfaces.size * densities.size)), 1)
-    for row in range(surfaces.size):
-        for first in range(0, densities.size, step):
-            place = {
-                "roughness": slice(row, row + 1),
-                "particle_density": slice(first, min(first + step, densities.size)),
-            }
-            yield place, {**axes, **{name: axes[name][some] for name, some in place.items()}}
 
 
 def _described(axes, default, members, kept, rtol) -> xr.Dataset:

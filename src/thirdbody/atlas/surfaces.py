@@ -1,10 +1,5 @@
-"""The atlas on one surface: all loads, films and sizes, for each set of inputs at once.
-
-Every set of inputs is solved once.  The data of charts and tables are extracted while its points
-are in memory: regimes and modes, design limits, and turning points.
-"""
-
-from __future__ import annotations
+"""The atlas on one surface: each set of inputs is solved once, and regimes, modes, design limits and
+turning points are extracted while its points are in memory."""
 
 from collections.abc import Collection, Sequence
 
@@ -16,8 +11,7 @@ from thirdbody.curves.bracketing import bracketed_roots
 from thirdbody.curves.turning_point import film_turning_points
 from thirdbody.curves.windows import swept_windows
 from thirdbody.data.dataset import Axes, crossed
-from thirdbody.data.quantities import FLAGS
-from thirdbody.data.spread import ENDS
+from thirdbody.data.quantities import ENDS, FLAGS
 from thirdbody.model.film import film_load
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import (
@@ -44,12 +38,12 @@ def solve_surface(
     kept: Collection[str],
     rtol: float,
 ) -> dict[str, NDArray]:
-    """Variables of the atlas by name, for a few particle densities on one surface.
+    """Variables of the atlas by name, on ``axes`` with one roughness and one particle density.
 
-    ``axes`` have one roughness; ``sets`` are the default inputs, then the others of the ensemble,
-    and ``weights`` the multiplicity of each; ``kept`` and ``rtol`` are as in ``write_chunk``.
-    Returns the kept variables and the flags, counts of the members in each regime and mode, limits
-    and turning points of the default with their quantiles, and counts of turning points.
+    ``sets`` are the default inputs, then the others of the ensemble, and ``weights`` the
+    multiplicity of each.  Returns the variables ``kept`` and the flags, counts of the members in
+    each regime and mode, limits and turning points of the default with their quantiles, and counts
+    of turning points.
     """
     shape = [axis.size for axis in axes.values()]
     names = (state for states in STATES.values() for state in states)
@@ -83,10 +77,8 @@ def solve_surface(
 
 
 def quantiles(values: NDArray) -> NDArray[np.float64]:
-    """``QUANTILES`` over the members, the first axis of ``values``, interpolated linearly, without nan.
-
-    Values may be infinite, between which ``numpy.quantile`` gives nan.
-    """
+    """``QUANTILES`` over the members, the first axis of ``values``, interpolated linearly, without nan;
+    also between infinite values, where ``numpy.quantile`` gives nan."""
     ordered = np.sort(values, axis=0)  # nan last
     last = np.count_nonzero(~np.isnan(values), axis=0) - 1
     place = np.multiply.outer(QUANTILES, np.maximum(last, 0))
@@ -143,60 +135,53 @@ def first_passed(
 def passed_diameter(
     level: float, axes: Axes, ends: tuple[float, float], parameters: Parameters, rtol: float
 ) -> NDArray:
-    """Mean diameter x_a [m] at which A_sa,t* equals ``level``: shape (loads, films, 1, densities).
+    """Mean diameter x_a [m] at which A_sa,t* equals ``level``: shape (loads, films, 1, 1).
 
-    At a separation d the ratio depends only on the particles: x_a(d) is found there, between the ends of
-    its axis, and its load is F_s + F_f (Eq. 1).  The largest of several d is used; ``ends`` are in d [m].
+    At a separation d, from the first to the last of ``ends`` [m], the ratio depends only on the
+    particles: x_a(d) is found between the ends of its axis, and its load is F_s + F_f (Eq. 1).  The
+    largest of several d is used.
     """
-    sizes, densities, loads = (
-        axes[name] for name in ("particle_diameter", "particle_density", "load")
-    )
+    sizes = axes["particle_diameter"]
+    (surface,), (number,) = axes["roughness"], axes["particle_density"]
     separation = np.geomspace(*ends[::-1], PLACES)
-    d, density = (each.ravel() for each in np.meshgrid(separation, densities))
-    roughness = np.full(d.size, axes["roughness"][0])
+    roughness, density = np.full(PLACES, surface), np.full(PLACES, number)
 
     def excess(log_diameter, some):
         columns = np.exp(log_diameter), roughness[some], density[some]
-        state = make_contact(*columns, parameters, rtol).log_solid_load(d[some], with_areas=True)
+        contact = make_contact(*columns, parameters, rtol)
+        state = contact.log_solid_load(separation[some], with_areas=True)
         return np.log(state.area) - state.log_beside - logit(level)
 
-    every = np.arange(d.size)
-    low, high = (np.full(d.size, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))
+    every = np.arange(PLACES)
+    low, high = (np.full(PLACES, np.log(size)) for size in (sizes[sizes > 0.0][0], sizes[-1]))
     log_diameter = np.where(excess(low, every) > 0.0, low, high)
     passed = np.flatnonzero((log_diameter == high) & (excess(high, every) > 0.0))
     log_diameter[passed], _ = bracketed_roots(
         lambda log_size: excess(log_size, passed), low[passed], high[passed], 0.1 * rtol
     )
     contact = make_contact(np.exp(log_diameter), roughness, density, parameters, rtol)
-    solid = np.exp(contact.log_solid_load(d).value).reshape(densities.size, -1)
-    viscosity = axes["viscosity"][:, np.newaxis]
-    film, _ = film_load(separation, viscosity, axes["roughness"][0], parameters)
-    total = parameters.interpretation.film_load.total_load(solid, film[:, np.newaxis])
-    total = np.maximum.accumulate(np.log(total), axis=-1)
-    log_diameter = log_diameter.reshape(densities.size, -1)
-    found = np.empty((loads.size, *total.shape[:2]))
-    for film, place in np.ndindex(total.shape[:2]):
-        found[:, film, place] = np.interp(np.log(loads), total[film, place], log_diameter[place])
-    return np.exp(found[:, :, np.newaxis])
+    solid = np.exp(contact.log_solid_load(separation).value)
+    film, _ = film_load(separation, axes["viscosity"][:, np.newaxis], surface, parameters)
+    total = np.log(parameters.interpretation.film_load.total_load(solid, film))
+    rising = np.maximum.accumulate(total, axis=-1)
+    found = [np.interp(np.log(axes["load"]), each, log_diameter) for each in rising]
+    return np.exp(np.transpose(found))[:, :, np.newaxis, np.newaxis]
 
 
 def _turning(axes, separation, parameters, rtol) -> dict[str, NDArray]:
     """Turning points of all curves, and their windows."""
-    films, sizes, densities = (
-        axes[name] for name in ("viscosity", "particle_diameter", "particle_density")
-    )
-    (roughness,) = axes["roughness"]
-    diameter, density = (each.ravel() for each in np.meshgrid(sizes, densities, indexing="ij"))
+    films, sizes = axes["viscosity"], axes["particle_diameter"]
+    (roughness,), (density,) = axes["roughness"], axes["particle_density"]
     turning = film_turning_points(
-        separation.reshape(*separation.shape[:2], -1),
+        separation.reshape(-1, films.size, sizes.size),
         films,
-        diameter,
-        np.full_like(diameter, roughness),
-        density,
+        sizes,
+        np.full_like(sizes, roughness),
+        np.full_like(sizes, density),
         parameters,
         rtol,
     )
-    shape = films.size, sizes.size, 1, densities.size
+    shape = films.size, sizes.size, 1, 1
     large = sizes > 0.0
     prominence = np.moveaxis(turning.prominence.reshape(shape)[:, large], 1, 0)
     low, high = swept_windows(sizes[large] / roughness, prominence)

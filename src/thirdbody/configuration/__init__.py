@@ -2,6 +2,5 @@
 
 ``plain_yaml`` reads the files, ``schema`` checks them against the schema beside each file and by
 ``rules``, ``inputs`` returns the inputs of the model, and ``settings`` the settings of the
-workflow.  Start with ``schema`` and ``config/config.schema.yaml``.  The workflow is parsed without
-numpy, which is imported only where needed.
+workflow.  Start with ``schema`` and ``config/config.schema.yaml``.
 """

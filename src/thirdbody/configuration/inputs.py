@@ -1,34 +1,26 @@
 """Inputs of the model: the sources of their values, and which source takes precedence.
 
-``config/inputs.yaml`` has an entry for each input: its value, unless it is calibrated, with symbol,
-unit, source, and the allowed words; ``thirdbody.model.bounds`` has the allowed numbers.  Later
-values override earlier ones:
-
-1. the value in ``config/inputs.yaml``;
-2. the value in a calibrated file, as written by ``snakemake calibrate``: the file named by
-``calibrated`` in ``config/config.yaml``, or one given in its place;
-3. overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain
-or in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
+Later values override earlier ones: those in ``config/inputs.yaml``, which describes each input; in
+a calibrated file, named by ``calibrated`` in ``config/config.yaml`` or given in its place; and
+overrides: ``inputs`` in ``config/config.yaml`` and its changes, a file with some inputs, plain or
+in the layout of ``config/inputs.yaml``, and arguments of ``load_parameters``.
 """
-
-from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from thirdbody.configuration import schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.messages import shown_file
 from thirdbody.model.bounds import BOUNDS
-
-if TYPE_CHECKING:
-    from thirdbody.model.parameters import Parameters
+from thirdbody.model.parameters import Parameters
 
 Entries = Mapping[str, Mapping]
 Values = dict[str, float | bool | str]
+CLOSED = {"type": "object", "additionalProperties": False}  # in a JSON Schema
 
 
 def load_parameters(path: str | Path | None = None, **inputs: float | bool | str) -> Parameters:
@@ -67,23 +59,15 @@ def load_parameters(path: str | Path | None = None, **inputs: float | bool | str
     >>> sparse.participation, sparse.truncation == parameters.truncation
     (0.5, True)
     """
-    import numpy as np  # the workflow is parsed without it
-
-    from thirdbody.model.parameters import Parameters
-
     directory = schema.config_directory()
     settings = read_yaml(directory / "config.yaml")
     entries = read_entries()
     calibrated = directory.parent / settings["calibrated"]
     chosen = choose_inputs(entries, calibrated, settings["inputs"] if path is None else path)
-    given = {
-        name: value.item() if isinstance(value, np.generic) else value
-        for name, value in inputs.items()
-    }
-    schema.validate(given, values_schema(entries), "load_parameters")
-    values = chosen["parameters"] | plain_values(given)
+    schema.validate(inputs, values_schema(entries), "load_parameters")
+    values = chosen["parameters"] | plain_values(inputs)
     check_ball(values, "load_parameters")
-    _warn_of_what_stays(chosen["inputs"] | given)
+    _warn_of_what_stays(chosen["inputs"] | inputs)
     return Parameters(**values)
 
 
@@ -109,7 +93,7 @@ def read_entries(directory: Path | None = None) -> Entries:
     """Entries of the file ``inputs.yaml`` in a folder, by default ``config/``."""
     path = (directory or schema.config_directory()) / "inputs.yaml"
     entries = schema.read_valid(path, "inputs")
-    schema.validate(entries, _overlay_schema(entries), str(path))
+    schema.validate(entries, values_schema(entries), str(path))
     return entries
 
 
@@ -129,45 +113,34 @@ def choose_inputs(
     """Values of all inputs, by the precedence in the docstring of this module.
 
     ``given``, values or a file of them, overrides the inputs of the file ``calibrated``, or is a
-    calibrated file that replaces it.  Raises ``ValueError`` in one line.  Returns ``parameters``,
-    the value of each input, SI; ``calibrated``, the path of the calibrated file, and its
-    ``interpretation``; ``ensemble``, its members with the overrides; and ``inputs``, the overrides.
+    calibrated file that replaces it.  Returns ``parameters``, the value of each input, SI;
+    ``calibrated``, the path of the calibrated file; ``ensemble``, its members with the overrides;
+    and ``inputs``, the overrides.
     """
     content, place = given, "inputs"
     if not isinstance(given, Mapping):
         content, place = read_yaml(given), shown_file(given)
         if "inputs" in content:
             calibrated, content = given, {}
-    schema.validate(content, _overlay_schema(entries), place)
+    schema.validate(content, values_schema(entries), place)
     laid_over = plain_values(content)
     found = read_calibrated(calibrated, entries)
     values = plain_values(entries) | plain_values(found["inputs"]) | laid_over
-    check_complete(values, entries, f"{shown_file(calibrated)}: inputs")
+    schema.validate(values, {"required": [*entries]}, f"{shown_file(calibrated)}: inputs")
     check_ball(values, place)
     return {
         "parameters": values,
         "calibrated": str(calibrated),
-        "interpretation": found["interpretation"],
         "ensemble": ensemble_of(found, laid_over),
         "inputs": laid_over,
     }
 
 
 def ensemble_of(calibrated: Mapping, laid_over: Values) -> list[Values]:
-    """The ensemble members of a calibrated file, all with the same overrides.
-
-    Empty if the members do not differ.
-    """
+    """The ensemble members of a calibrated file, all with the same overrides; none if they do not
+    differ."""
     members = [plain_values(member) | laid_over for member in calibrated["ensemble"]]
     return members if any(member != members[0] for member in members) else []
-
-
-def check_complete(given: Collection[str], entries: Entries, place: str) -> None:
-    """Raise ``ValueError`` unless every input without a value of its own is ``given``."""
-    for name, entry in entries.items():
-        if "value" not in entry and name not in given:
-            allowed = "a value of each calibrated input"
-            raise ValueError(f"{place}: {name} is missing; allowed: {allowed}")
 
 
 def check_ball(values: Values, place: str) -> None:
@@ -187,31 +160,17 @@ def read_calibrated(path: str | Path, entries: Entries | None = None) -> dict:
 
 
 def values_schema(entries: Entries) -> dict:
-    """JSON Schema of plain values of some inputs; its ``$defs/name`` is the schema of their names."""
-    values = _closed({name: _value_schema(name, entry) for name, entry in entries.items()})
-    return values | {"$defs": {"name": {"enum": list(entries)}}}
-
-
-def _value_schema(name: str, entry: Mapping) -> dict:
-    """JSON Schema of the value of one input: a number within bounds, or an allowed word."""
-    if "allowed" in entry:
-        return {"enum": entry["allowed"]}
-    bounds = BOUNDS[name]
-    allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
-    limits = {"minimum": bounds.least, "maximum": bounds.most}
-    return {"type": "number", **limits, "allowed": allowed}
-
-
-def _overlay_schema(entries: Entries) -> dict:
-    """JSON Schema of some inputs: values, or entries as in ``config/inputs.yaml`` in the same unit."""
+    """JSON Schema of some inputs: plain values, or entries as in ``config/inputs.yaml`` in the same
+    unit; its ``$defs/name`` is the schema of their names."""
     given = {}
     for name, entry in entries.items():
-        value = _value_schema(name, entry)
-        unit = {"unit": {"const": entry["unit"]}} if "unit" in entry else {}
-        whole = _closed(dict.fromkeys(entry, True) | unit | {"value": value})
+        if "allowed" in entry:
+            value, unit = {"enum": entry["allowed"]}, {}
+        else:
+            bounds, unit = BOUNDS[name], {"unit": {"const": entry["unit"]}}
+            allowed = f"{bounds}" if entry["unit"] == "1" else f"{bounds} {entry['unit']}"
+            limits = {"minimum": bounds.least, "maximum": bounds.most, "allowed": allowed}
+            value = {"type": "number", **limits}
+        whole = CLOSED | {"properties": dict.fromkeys(entry, True) | unit | {"value": value}}
         given[name] = {"if": {"type": "object"}, "then": whole, "else": value}
-    return _closed(given)
-
-
-def _closed(properties: dict) -> dict:
-    return {"type": "object", "additionalProperties": False, "properties": properties}
+    return CLOSED | {"properties": given, "$defs": {"name": {"enum": list(entries)}}}

@@ -1,7 +1,5 @@
 """Reading plain YAML: no Python tags, no duplicate keys."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -28,10 +26,8 @@ class _KeysOnce(yaml.CSafeLoader):
 
 
 def read_yaml(path: str | Path, kind: type = dict) -> Any:
-    """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``.
-
-    Raises ``ValueError`` in one line: the file, the line in it, and the error.
-    """
+    """The content of a plain YAML file in UTF-8: a ``dict``, or a ``list`` if this is its ``kind``;
+    ``ValueError`` in one line with the file, the line in it, and the error."""
     name = shown_file(path)
     try:
         text = Path(path).read_bytes().decode("utf-8")

@@ -1,23 +1,20 @@
 """Rules between several values, which JSON Schema cannot express.
 
 A schema names a rule, ``rules: [first_below_last]``, beside the type and keys of a value.  A rule
-is a function of this value, which already satisfies the rest of its schema, and yields each fault.
+is a function of this value, which already satisfies its schema, and yields each fault.
 """
-
-from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+
+import numpy as np
+from jsonschema import ValidationError
 
 
-class Fault(NamedTuple):
-    """What is allowed, the keys and positions down to the wrong value, and the problem if the value
-    alone does not show it."""
-
-    allowed: str
-    path: tuple[str | int, ...] = ()
-    problem: str = ""
+def fault(allowed: str, *path: str | int, problem: str = "") -> ValidationError:
+    """What is allowed at the ``path`` below the value; with a ``problem``, if the value there does
+    not show it."""
+    return ValidationError(problem, path=path, schema={"allowed": allowed})
 
 
 def axis_values(axis: Mapping) -> list[float]:
@@ -28,100 +25,79 @@ def axis_values(axis: Mapping) -> list[float]:
     >>> axis_values({"from": 1, "to": 100, "count": 3, "scale": "logarithmic", "also": [0, 50]})
     [0.0, 1.0, 10.0, 50.0, 100.0]
     """
-    first, last = float(axis["from"]), float(axis["to"])
-    places = [step / (axis["count"] - 1) for step in range(axis["count"])]
-    if axis["scale"] == "logarithmic":
-        spaced = [first * math.exp(place * math.log(last / first)) for place in places]
-    else:
-        spaced = [first + place * (last - first) for place in places]
+    space = np.geomspace if axis["scale"] == "logarithmic" else np.linspace
+    spaced = space(axis["from"], axis["to"], axis["count"])
     return sorted({float(f"{value:.12g}") for value in (*spaced, *axis["also"])})
 
 
-def first_below_last(ends: list) -> Iterator[Fault]:
+def first_below_last(ends: list) -> Iterator[ValidationError]:
     """The ends of a range increase."""
     if not ends[0] < ends[-1]:
-        yield Fault("a first value below the last")
+        yield fault("a first value below the last")
 
 
-def particles_fit(conditions: dict) -> Iterator[Fault]:
+def particles_fit(conditions: dict) -> Iterator[ValidationError]:
     """Particles lie side by side: the area fraction pi/4 x_a^2 eta_a cannot exceed 1."""
-    if "particle_diameter_nm" in conditions:
-        diameter = _largest(conditions["particle_diameter_nm"])
+    largest = {key: np.max(each) for key, each in conditions.items()}
+    if "particle_diameter_nm" in largest:
+        diameter = largest["particle_diameter_nm"]
     else:
-        ratio = _largest(conditions["particle_diameter_per_roughness"])
-        diameter = ratio * _largest(conditions["roughness_nm"])
-    density = _largest(conditions["particle_density_per_m2"])
+        diameter = largest["particle_diameter_per_roughness"] * largest["roughness_nm"]
+    density = largest["particle_density_per_m2"]
     coverage = 0.25 * math.pi * (1e-9 * diameter) ** 2 * density
     if coverage > 1.0:
         problem = (
             f"particles of {diameter:g} nm at {density:g} m-2 cover {coverage:.3g} of the interface"
         )
-        yield Fault("at most 1", problem=problem)
+        yield fault("at most 1", problem=problem)
 
 
-def _largest(value: float | list[float]) -> float:
-    return max(value) if isinstance(value, list) else value
-
-
-def lists_of_equal_length(conditions: dict) -> Iterator[Fault]:
+def lists_of_equal_length(conditions: dict) -> Iterator[ValidationError]:
     """Lists of conditions are combined element by element: each position is one curve."""
     lengths = {key: len(value) for key, value in conditions.items() if isinstance(value, list)}
     if len(set(lengths.values())) > 1:
         problem = ", ".join(f"{key} has {length} values" for key, length in lengths.items())
-        yield Fault("lists of equal length", problem=problem)
+        yield fault("lists of equal length", problem=problem)
 
 
-def ids_are_unique(statements: list) -> Iterator[Fault]:
+def ids_are_unique(statements: list) -> Iterator[ValidationError]:
     """No two statements have the same id."""
-    seen = set()
-    for index, statement in enumerate(statements):
-        if statement["id"] in seen:
-            yield Fault("an id given once", (index, "id"))
-        seen.add(statement["id"])
+    ids = [statement["id"] for statement in statements]
+    for index, name in enumerate(ids):
+        if name in ids[:index]:
+            yield fault("an id given once", index, "id")
 
 
-def contradictions_are_settled(statements: list) -> Iterator[Fault]:
+def contradictions_are_settled(statements: list) -> Iterator[ValidationError]:
     """Contradicting statements name each other, and at least one of them is set aside."""
     known = {statement["id"]: statement for statement in statements}
     for index, statement in enumerate(statements):
         for place, name in enumerate(statement.get("contradicts", [])):
-            path = index, "contradicts", place
-            other = known.get(name, {})
+            path, other = (index, "contradicts", place), known.get(name, {})
             if statement["id"] not in other.get("contradicts", []):
-                yield Fault("the id of a statement that contradicts this one too", path)
+                yield fault("the id of a statement that contradicts this one too", *path)
             elif "aside" not in statement and "aside" not in other:
-                yield Fault("a statement that is set aside, unless this one is", path)
+                yield fault("a statement that is set aside, unless this one is", *path)
 
 
-def unknowns_are_listed(calibration: dict) -> Iterator[Fault]:
-    """The unknowns of an interpretation have bounds and a scale under ``unknowns``."""
-    lists = {("always",): calibration["always"]}
-    for name, interpretation in calibration["interpretations"].items():
-        lists["interpretations", name, "unknowns"] = interpretation.get("unknowns", [])
-    for path, names in lists.items():
-        for place, name in enumerate(names):
-            if name not in calibration["unknowns"]:
-                yield Fault(", ".join(calibration["unknowns"]), (*path, place))
-
-
-def axis_goes_up(axis: dict) -> Iterator[Fault]:
+def axis_goes_up(axis: dict) -> Iterator[ValidationError]:
     """The first value of an axis is below the last, and all others are between."""
     first, last = axis["from"], axis["to"]
     if not first < last:
-        yield Fault(f"less than {last:g}, the last value", ("from",))
+        yield fault(f"less than {last:g}, the last value", "from")
     for place, value in enumerate(axis["also"]):
         if value and not first <= value <= last:
-            yield Fault(f"0, or from {first:g} to {last:g}", ("also", place))
+            yield fault(f"0, or from {first:g} to {last:g}", "also", place)
 
 
-def chunks_have_surfaces(atlas: dict) -> Iterator[Fault]:
+def chunks_have_surfaces(atlas: dict) -> Iterator[ValidationError]:
     """Each job of the atlas has at least one roughness."""
     surfaces = len(axis_values(atlas["axes"]["roughness_nm"]))
     if atlas["chunks"] > surfaces:
-        yield Fault(f"at most {surfaces}, the number of roughnesses", ("chunks",))
+        yield fault(f"at most {surfaces}, the number of roughnesses", "chunks")
 
 
-def charts_lie_on_axes(atlas: dict) -> Iterator[Fault]:
+def charts_lie_on_axes(atlas: dict) -> Iterator[ValidationError]:
     """Charts show only values on the axes."""
     axes = {name: axis_values(axis) for name, axis in atlas["axes"].items()}
     for chart, shown in atlas["charts"].items():
@@ -129,5 +105,6 @@ def charts_lie_on_axes(atlas: dict) -> Iterator[Fault]:
             conditions = panel if isinstance(panel, dict) else {chart: panel}
             for key, value in conditions.items():
                 if float(f"{value:.12g}") not in axes[key]:
-                    path = ("charts", chart, place) + ((key,) if panel is conditions else ())
-                    yield Fault(f"a value of axes.{key}; its key also can add it", path)
+                    below = [key] if panel is conditions else []
+                    allowed = f"a value of axes.{key}; its key also can add it"
+                    yield fault(allowed, "charts", chart, place, *below)

@@ -1,24 +1,17 @@
 """Validation of configuration files by the JSON Schema of each kind in ``config/``.
 
 A file ``<kind>.schema.yaml`` is a JSON Schema (draft 2020-12) with two additional keywords:
-
-``rules``
-    Names of functions of ``thirdbody.configuration.rules``, for rules that JSON Schema cannot
-    express.  They are called if the rest of the document is valid.
-``allowed``
-    Text for messages about what is allowed, where a number or pattern is not clear enough.
-
-A schema refers to the definitions of ``conditions.schema.yaml`` as ``conditions.schema.yaml#/$defs/rtol``.
+``rules``, names of functions of ``thirdbody.configuration.rules``, which are called if the document
+is otherwise valid; and ``allowed``, words for messages where a number or pattern is not clear
+enough.  Definitions in ``conditions.schema.yaml`` serve all files.
 """
-
-from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from difflib import get_close_matches
 from functools import cache, reduce
-from itertools import chain
+from numbers import Integral, Real
 from operator import getitem
 from pathlib import Path
 from typing import Any
@@ -30,11 +23,11 @@ from referencing.jsonschema import DRAFT202012
 
 from thirdbody.configuration import rules
 from thirdbody.configuration.plain_yaml import read_yaml
-from thirdbody.configuration.rules import Fault
 from thirdbody.messages import LONGEST, shown, shown_file
 
 MOST_NAMED = 16  # keys in a message
 NUMBER = re.compile(r"[-+]?[0-9.]+(e[-+]?[0-9]+)?", re.IGNORECASE)
+NOT_A_NUMBER = "; in YAML write 1.0e+11, not 1e11, without quotes, and not in braces after --config"
 TYPES = {
     **{"object": "keys with values", "array": "a list", "string": "a string", "number": "a number"},
     **{"integer": "an integer", "boolean": "true or false", "null": "null"},
@@ -75,81 +68,64 @@ def read_schema(kind: str) -> dict:
     return read_yaml(config_directory() / f"{kind}.schema.yaml")
 
 
+def _is_finite_number(_checker, value) -> bool:
+    is_number = isinstance(value, Real) and not isinstance(value, bool)
+    return is_number and (isinstance(value, Integral) or math.isfinite(value))
+
+
+def _call_rules(_validator, names, value, _schema):
+    for name in names:
+        yield from getattr(rules, name)(value)
+
+
+# in draft 4 the number 5.0 is not an integer
+NUMBERS = Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number)
+WITHOUT_RULES = extend(Draft202012Validator, type_checker=NUMBERS)
+WITH_RULES = extend(WITHOUT_RULES, {"rules": _call_rules})
+
+
 def validate(content: Any, schema: Mapping, name: str, **definitions: Mapping) -> None:
-    """Raise ``ValueError`` if plain data do not satisfy a schema.
-
-    The message is one line about the fault nearest to the top: ``name: key is VALUE; allowed: ...``, where
-    ``name`` is the file of the content.  ``schema`` is a JSON Schema with the keywords ``rules`` and
-    ``allowed``; it refers by name to the ``definitions``, schemas that are not in files.
-    """
+    """Raise ``ValueError`` if plain data do not satisfy a ``schema`` that refers by name to the
+    ``definitions``: one line about the fault nearest to the top, ``name: key is VALUE; allowed: ...``."""
     known = {"conditions.schema.yaml": read_schema("conditions"), **definitions}
-    resources = [(key, DRAFT202012.create_resource(each)) for key, each in known.items()]
-    validator = _Validator(schema, registry=Registry().with_resources(resources))
-    errors = sorted(
-        validator.iter_errors(content),
-        key=lambda each: (each.validator == "rules", len(each.path), each.json_path),
-    )
-    for fault in chain.from_iterable(map(_faults, errors)):
-        raise ValueError(f"{name}: {_line(content, fault)}")
-
-
-def _is_finite_number(checker, value) -> bool:
-    return math.isfinite(value) if isinstance(value, float) else checker.is_type(value, "integer")
-
-
-def _mark(validator, names, instance, schema):
-    """Mark where rules apply; they are called if all else is valid."""
-    yield ValidationError("rules are to be called")
-
-
-_Validator = extend(
-    Draft202012Validator,
-    {"rules": _mark},
-    # in draft 4 the number 5.0 is not an integer
-    type_checker=Draft4Validator.TYPE_CHECKER.redefine("number", _is_finite_number),
-)
+    registry = Registry().with_contents(known.items(), default_specification=DRAFT202012)
+    for kind in (WITHOUT_RULES, WITH_RULES):
+        errors = kind(schema, registry=registry).iter_errors(content)
+        nearest = min(errors, key=lambda each: (len(each.path), each.json_path), default=None)
+        if nearest is not None:
+            raise ValueError(f"{name}: {_line(content, nearest)}")
 
 
 # ---- messages
 
 
-def _line(content: Any, fault: Fault) -> str:
-    """The place of a fault, and the problem or, without one, the value."""
-    keys = list(fault.path)
+def _line(content: Any, error: ValidationError) -> str:
+    """The place of an error, the problem or, without one, the value, and what is allowed."""
+    keys = list(error.path)
+    place = error.json_path.removeprefix("$").removeprefix(".")
     entry = content[keys[0]] if isinstance(content, list) and keys else None
     name = entry.get("id") if isinstance(entry, dict) else None
-    is_named = isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name)
-    places = [name, _dotted(keys[1:])] if is_named else [_dotted(keys)]
-    place = ": ".join(filter(None, places))
-    if fault.problem:
-        return f"{place}: {fault.problem}; allowed: {fault.allowed}".removeprefix(": ")
-    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {fault.allowed}"
+    if isinstance(name, str) and re.fullmatch(r"[a-z0-9-]{1,100}", name):
+        place = re.sub(r"^\[\d+\]\.?", f"{name}: ", place).removesuffix(": ")
+    problem, allowed = _fault(error)
+    if problem:
+        return f"{place}: {problem}; allowed: {allowed}".removeprefix(": ")
+    return f"{place} is {shown(reduce(getitem, keys, content))}; allowed: {allowed}"
 
 
-def _dotted(keys: Sequence[str | int]) -> str:
-    """Keys and positions in the form ``scenes.fig03.curves[0]``."""
-    parts = (f"[{key}]" if isinstance(key, int) else f".{key}" for key in keys)
-    return "".join(parts).removeprefix(".")
-
-
-def _faults(error: ValidationError) -> Iterator[Fault]:
-    """The fault of a validation error, or the faults that the rules find there."""
+def _fault(error: ValidationError) -> tuple[str, str]:
+    """The problem, if the value alone does not show it, and what is allowed."""
     if error.validator == "rules":
-        for rule in error.validator_value:
-            for fault in getattr(rules, rule)(error.instance):
-                yield fault._replace(path=(*error.path, *fault.path))
-        return
-    allowed, problem = _allowed(error), ""
+        return error.message, error.schema["allowed"]
     if error.validator == "required":
         missing = next(name for name in error.validator_value if name not in error.instance)
-        allowed, problem = "it must be given", f"key {missing!r} is missing"
-    elif error.validator == "additionalProperties":
+        return f"key {missing!r} is missing", "it must be given"
+    if error.validator == "additionalProperties":
         known = sorted(error.schema["properties"])
         unknown = next(name for name in error.instance if name not in known)
-        allowed, problem = _nearest(unknown, known), f"unknown key {shown(unknown)}"
-    elif "propertyNames" in error.schema_path:
-        problem = f"unknown key {shown(error.instance)}"
-    yield Fault(allowed, tuple(error.path), problem)
+        return f"unknown key {shown(unknown)}", _nearest(unknown, known)
+    is_key = "propertyNames" in error.schema_path
+    return f"unknown key {shown(error.instance)}" if is_key else "", _allowed(error)
 
 
 def _allowed(error: ValidationError) -> str:
@@ -162,17 +138,14 @@ def _allowed(error: ValidationError) -> str:
     elif error.validator == "enum":
         allowed = _nearest(str(value), [*map(str, bound)])
     elif error.validator == "type":
-        allowed = " or ".join(
-            TYPES[kind] for kind in ([bound] if isinstance(bound, str) else bound)
-        )
+        kinds = [bound] if isinstance(bound, str) else bound
+        allowed = " or ".join(TYPES[kind] for kind in kinds)
     elif error.validator in ALLOWED:
         allowed = ALLOWED[error.validator].format(bound)
     else:
         allowed = error.message
     if error.validator == "type" and isinstance(value, str) and NUMBER.fullmatch(value):
-        allowed += (
-            "; in YAML write 1.0e+11, not 1e11, without quotes, and not in braces after --config"
-        )
+        allowed += NOT_A_NUMBER
     return allowed
 
 

@@ -1,22 +1,17 @@
 """Settings of the workflow, checked as a whole before anything is computed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-from thirdbody.configuration.inputs import (
-    check_complete,
-    choose_inputs,
-    plain_values,
-    read_entries,
-    values_schema,
-)
+import numpy as np
+
+from thirdbody.configuration.inputs import choose_inputs, plain_values, read_entries, values_schema
 from thirdbody.configuration.plain_yaml import read_yaml
 from thirdbody.configuration.schema import read_schema, read_valid, validate
 from thirdbody.messages import shown
+from thirdbody.model.parameters import Parameters
 
 SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions can change a number
 
@@ -24,12 +19,11 @@ SOFTWARE = ("numpy", "scipy", "netCDF4", "xarray")  # packages whose versions ca
 def read_settings(config: Mapping, folder: str | Path, *given: str | Path) -> dict[str, Any]:
     """All settings of a run of the workflow, checked before anything is computed.
 
-    ``config`` is the configuration read by Snakemake: missing keys have the values of the paper, and
-    ``changes`` is the path of a file that overrides all of them.  ``folder`` is the folder of the
-    configuration; ``given`` are configuration files of the command line, which Snakemake has merged into
-    ``config``.  Returns the result of ``workflow_settings``, with ``run``, the name of the run or None;
-    ``config``, the merged configuration; and ``is_paper``, whether it is that of the paper.  Raises
-    ``ValueError`` in one line: the file, the wrong key, its value and what is allowed.
+    ``config`` is the configuration read by Snakemake from, among others, the files ``given`` on the
+    command line: missing keys have the values of the paper, the files in ``folder``, and ``changes``
+    is the path of a file that overrides all of them.  Returns the result of ``workflow_settings``,
+    with ``run``, the name of the run or None; ``config``, the merged configuration; and
+    ``is_paper``, whether it is that of the paper.  ``ValueError`` in one line for any fault.
     """
     paper = read_yaml(Path(folder, "config.yaml")) | read_yaml(Path(folder, "scenes.yaml"))
     for path in given:
@@ -58,13 +52,9 @@ def _merged(base: Mapping, changes: Mapping) -> dict:
 def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
     """The settings of the rules, from ``config`` and the files in ``folder``.
 
-    Returns ``config`` with
-
-    - ``scenes``, each with its load axis and ``rtol``, so that it depends on nothing else;
-    - ``parameters``, ``calibrated``, ``ensemble`` and ``inputs``, as ``choose_inputs`` returns them,
-      and ``uncalibrated``, the values of the inputs that no search finds, SI;
-    - ``calibration``, ``sensitivity``, ``accuracy`` and ``atlas``, the settings of these runs;
-    - ``software``, the versions of what computes.
+    Each scene has its load axis and ``rtol``, so that it depends on nothing else; ``uncalibrated``
+    are the values of the inputs that no search finds, SI, ``software`` the versions of what
+    computes; see ``choose_inputs`` for the other inputs.
     """
     folder = Path(folder)
     entries = read_entries(folder)
@@ -78,24 +68,12 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
     given = config["inputs"]
     laid_over = found(given) if isinstance(given, str) else given
-    chosen = choose_inputs(entries, found(config["calibrated"]), laid_over)
-    calibration = read_valid(folder / "calibration.yaml", "calibration", input_values=values)
-    interpretation = chosen.pop("interpretation")
-    if interpretation not in calibration["interpretations"]:
-        allowed = ", ".join(calibration["interpretations"])
-        raise ValueError(
-            f"{chosen['calibrated']}: interpretation is {shown(interpretation)}; allowed: {allowed}"
-        )
-    for name, each in calibration["interpretations"].items():
-        known = {*each["fixed"], *calibration["always"], *each.get("unknowns", ())}
-        place = f"{folder}/calibration.yaml: interpretations: {name}"
-        check_complete(known, entries, place)
     shared = {"load_axis": config["load_axis"], "rtol": config["rtol"]}
     return {
         **config,
-        **chosen,
+        **choose_inputs(entries, found(config["calibrated"]), laid_over),
         "scenes": {name: shared | scene for name, scene in config["scenes"].items()},
-        "calibration": calibration,
+        "calibration": read_valid(folder / "calibration.yaml", "calibration", input_values=values),
         "sensitivity": read_valid(folder / "sensitivity.yaml", "sensitivity"),
         "uncalibrated": plain_values(entries),
         "accuracy": read_valid(found(config["accuracy"]), "accuracy"),
@@ -105,23 +83,13 @@ def workflow_settings(config: Mapping, folder: str | Path) -> dict[str, Any]:
 
 
 def _require_surfaces(settings: Mapping) -> None:
-    """Raise ``ValueError`` unless every surface is valid with the overridden inputs."""
-    if not settings["inputs"]:
-        return
-    import numpy as np  # the workflow is parsed without it, unless inputs are changed
-
-    from thirdbody.model.parameters import Parameters
-
-    groups = [group for scene in settings["scenes"].values() for group in scene["curves"]]
-    panels = [panel for panels in settings["schematics"].values() for panel in panels]
-    given = [each["roughness_nm"] for each in (settings["windows"], *groups, *panels)]
-    roughness = 1e-9 * np.unique(np.hstack(given))
-    best = settings["parameters"]
-    sets = {"inputs": best}
-    for number, member in enumerate(settings["ensemble"], 1):
-        sets[f"inputs in member {number} of {settings['calibrated']}"] = best | member
-    for name, values in sets.items():
+    """Raise ``ValueError`` unless every surface is valid with the inputs and those of each member."""
+    groups = (group for scene in settings["scenes"].values() for group in scene["curves"])
+    roughness = 1e-9 * np.unique(np.hstack([group["roughness_nm"] for group in groups]))
+    members = [settings["parameters"] | member for member in settings["ensemble"]]
+    for number, values in enumerate([settings["parameters"], *members]):
         try:
             Parameters(**values).surface(roughness)
         except ValueError as error:
-            raise ValueError(f"configuration: {name}: {error}") from None
+            place = f"inputs in member {number} of {settings['calibrated']}" if number else "inputs"
+            raise ValueError(f"configuration: {place}: {error}") from None

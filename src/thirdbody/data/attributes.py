@@ -1,67 +1,33 @@
-"""Attributes of datasets and variables required by CF-1.11 and ACDD-1.3, and the inputs of the
-model as text."""
-
-from __future__ import annotations
+"""Datasets of solved values with the attributes required by CF-1.11 and ACDD-1.3."""
 
 import hashlib
 import json
 from collections.abc import Iterable, Mapping
-from importlib.metadata import PackageNotFoundError, version
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from thirdbody.data.conditions import Axis
-from thirdbody.data.quantities import FILL_FLAG, FILL_FLOAT, NUMBERS, STATUS, Quantity
+from thirdbody.data.conditions import AXES, DIMENSIONS, Axis
+from thirdbody.data.netcdf import PlainDataset, Variable
+from thirdbody.data.quantities import (
+    FILL_FLAG,
+    FILL_FLOAT,
+    NORMAL_LOAD,
+    NUMBERS,
+    STATUS,
+    VARIABLES,
+    Quantity,
+)
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import NO_FLAG
 
 # Attributes of a dataset in their order; null if they depend on its content.  The dates are those
 # of the software version, so that the same inputs give the same bytes.
-EVERYWHERE = json.loads(Path(__file__).with_name("attributes.json").read_text(encoding="utf-8"))
-# keys of inputs and of fields of a surface, in the order of the attribute
-BODY_KEYS = {
-    "elastic_modulus_surfaces": "E_ss",
-    "elastic_modulus_particle": "E_sa",
-    "hardness_surface_1": "H_s1",
-    "hardness_surface_2": "H_s2",
-    "yield_pressure_ratio": "k",
-    "plastic_interference_ratio": "omega_ratio",
-    "ball_radius": "R_x",
-    "material_parameter": "G",
-    "hardness_parameter": "V",
-    "ellipticity": "kappa",
-    "speed_per_viscosity": "U_per_viscosity",
-    "apparent_area": "A_n",
-}
-SURFACE_KEYS = {
-    "summit_density": "eta_s",
-    "summit_radius": "R",
-    "summit_deviation": "sigma_s",
-    "summit_offset": "y_s",
-}
-PARTICLE_KEYS = {
-    "size_distribution": "phi_a",
-    "mean_ratio": "mean_ratio",
-    "spread_ratio": "sigma_a_ratio",
-    "gap_ratio": "gap_ratio",
-    "truncation": "truncation",
-    "participation": "participation",
-    "elastic_depth_ratio": "h_e_ratio",
-    "particle_plane": "particle_plane",
-    "elastic_limits": "elastic_limits",
-    "coverage_limits": "coverage_limits",
-    "film_load": "film_load",
-}
-
-
-def software_version() -> str:
-    """Installed version of this package."""
-    try:
-        return version("thirdbody")
-    except PackageNotFoundError:
-        return "not installed"
+EVERYWHERE = json.loads(Path(__file__).with_suffix(".json").read_text(encoding="utf-8"))
+# Keys of the attribute model_parameters by the names of inputs and of fields of a surface.
+KEYS = EVERYWHERE["model_parameters"]
 
 
 def coordinate_attributes(described: Axis | Quantity) -> dict[str, str]:
@@ -95,61 +61,47 @@ def identity(origin: str) -> dict[str, str]:
     return {"configuration_sha256": digest, "id": f"thirdbody-{digest[:16]}"}
 
 
-def global_attributes(
-    title: str,
-    parameters: Parameters,
-    roughness: NDArray[np.float64],
-    rtol: float,
-    request: Mapping,
-) -> dict:
-    """Attributes of a whole dataset.
-
-    ``model_parameters`` lists the summits of ``parameters`` along ``roughness`` [m], shape (n,);
-    ``configuration_sha256`` depends on the parameters, ``rtol`` and the ``request``.
-    """
-    configuration = {"parameters": parameters.as_dict(), "rtol": rtol, "request": request}
-    return {
-        **EVERYWHERE,
-        **identity(json.dumps(configuration, sort_keys=True)),
-        "title": title,
-        "software_version": software_version(),
-        "product_version": software_version(),
-        "rtol": rtol,
-        "model_parameters": model_attribute(parameters, roughness),
-    }
-
-
 def model_attribute(parameters: Parameters, roughness: Iterable[float]) -> str:
     """The attribute ``model_parameters`` of a dataset with the coordinates ``roughness`` [m]: a
     flat JSON object, in SI, with lists for values that depend on the roughness."""
     surfaces = [parameters.surface(float(sigma)) for sigma in roughness]
-    model = {key: getattr(parameters, name) for name, key in BODY_KEYS.items()}
-    for name, key in SURFACE_KEYS.items():
+    model = {key: getattr(parameters, name) for name, key in KEYS["body"].items()}
+    for name, key in KEYS["surface"].items():
         model[key] = [getattr(surface, name) for surface in surfaces]
-    model |= {key: getattr(parameters, name) for name, key in PARTICLE_KEYS.items()}
+    model |= {key: getattr(parameters, name) for name, key in KEYS["particles"].items()}
     return json.dumps(model)
 
 
-def parameters_on_one_surface(model: Mapping, roughness: float) -> Parameters:
-    """The inputs described by ``model``, for the summits of the one surface at ``roughness`` [m].
-
-    ``model`` has the keys of ``model_parameters`` with numbers or their texts, not lists.  Older
-    datasets have no ``particle_plane``; it was ``surface``.
-    """
-    model = {"particle_plane": "surface", **model}
-    kinds = Parameters.__annotations__
-    given = {
-        name: float(model[key]) if kinds[name] == "float" else model[key]
-        for name, key in (BODY_KEYS | PARTICLE_KEYS).items()
+def described_grid(
+    axes: Mapping[str, NDArray],
+    values: Mapping[str, NDArray],
+    parameters: Parameters,
+    rtol: float,
+    title: str = "Three-body contact on a grid",
+    request: Mapping | None = None,
+) -> PlainDataset:
+    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
+    attributes.  Its SHA-256 depends on the parameters, ``rtol`` and ``request``, by default the axes."""
+    variables = {
+        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
+        for name, quantity in VARIABLES.items()
+        if name in values
     }
-    density, radius, deviation, offset = (float(model[key]) for key in SURFACE_KEYS.values())
-    raised = "as_rough" if deviation == roughness else True
-    return Parameters(
-        **given,
-        reference_roughness=roughness,
-        summit_parameter=density * radius * roughness,
-        summit_parameter_exponent=0.0,
-        summit_radius=radius,
-        summit_radius_exponent=0.0,
-        summit_offset=raised if offset != 0.0 else False,
-    )
+    coordinates = {
+        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
+        for name, axis in axes.items()
+    }
+    newtons = axes["load"] * parameters.newtons_per_load
+    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
+    configuration = {"parameters": parameters.as_dict(), "rtol": rtol}
+    configuration["request"] = request or {name: axis.tolist() for name, axis in axes.items()}
+    attributes = {
+        **EVERYWHERE,
+        **identity(json.dumps(configuration, sort_keys=True)),
+        "title": title,
+        "software_version": version("thirdbody"),
+        "product_version": version("thirdbody"),
+        "rtol": rtol,
+        "model_parameters": model_attribute(parameters, axes["roughness"]),
+    }
+    return PlainDataset(variables, coordinates, attributes)

@@ -1,9 +1,7 @@
 """The five conditions as axes of datasets, columns of tables and keys of the configuration."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +10,11 @@ from thirdbody.units import ENGINEERING, UNITS
 
 
 class Axis(NamedTuple):
-    """One condition.
+    """One condition: ``name`` in ``thirdbody.solve`` and datasets, ``column`` in tables, ``symbol``
+    in ASCII and ``sign`` as printed in figures.
 
-    ``name`` is the argument of ``thirdbody.solve`` and the dimension of every dataset, ``column``
-    the column of tables; ``symbol`` and ``sign`` are the symbol of the paper in ASCII and as
-    printed in figures; ``long_name`` describes it in datasets.  ``units`` are SI in UDUNITS
-    spelling; ``key`` is the key of configuration and claims, in the engineering unit ``unit``,
-    which is ``scale`` in SI.
+    ``units`` are SI in UDUNITS spelling; ``key`` is the key of configuration and claims, in the
+    engineering unit ``unit``, which is ``scale`` in SI.
     """
 
     name: str
@@ -32,7 +28,7 @@ class Axis(NamedTuple):
     scale: float
 
     @classmethod
-    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Axis:
+    def of(cls, name: str, suffix: str, symbol: str, sign: str, long_name: str) -> Self:
         """The axis whose column ends with ``suffix``, the SI unit."""
         key = ENGINEERING[name] if suffix else name
         column = f"{name}_{suffix}" if suffix else name
@@ -80,13 +76,12 @@ class Condition(NamedTuple):
     particle_density: float
 
     @classmethod
-    def of(cls, given: Mapping[str, float]) -> Condition:
+    def of(cls, given: Mapping[str, float]) -> Self:
         """The condition from a configuration, a number for each key; ``KeyError`` if one is missing."""
         return cls(*(AXES[name].to_si(given[AXES[name].key]) for name in cls._fields))
 
     @property
     def columns(self) -> dict[str, float]:
-        """The four numbers by column name."""
         return {AXES[name].column: value for name, value in self._asdict().items()}
 
     @property
@@ -96,12 +91,10 @@ class Condition(NamedTuple):
 
     @property
     def is_dry(self) -> bool:
-        """Whether there is no lubricant."""
         return self.viscosity == 0.0
 
     @property
     def is_two_body(self) -> bool:
-        """Whether there are no particles."""
         return self.particle_diameter == 0.0 or self.particle_density == 0.0
 
 

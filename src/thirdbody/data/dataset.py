@@ -1,33 +1,40 @@
-"""Solved points as a dataset with names and units over the five axes, for a grid or for a scene
-(the curves of one figure)."""
-
-from __future__ import annotations
+"""Solved points as a dataset with names and units over the five axes: a grid, in memory or block by
+block in a file, or a scene (the curves of one figure)."""
 
 from collections.abc import Collection, Mapping
+from itertools import product
+from math import prod
+from numbers import Integral
+from os import PathLike
+from pathlib import Path
+from shutil import disk_usage
 from typing import TYPE_CHECKING
 
+import netCDF4
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from thirdbody.conditions.checks import check_names, check_rtol, checked_parameters
 from thirdbody.conditions.in_si import in_si
-from thirdbody.data.attributes import coordinate_attributes, global_attributes, variable_attributes
+from thirdbody.data.attributes import described_grid
 from thirdbody.data.conditions import AXES, CONDITION_AXES, DIMENSIONS, Condition
-from thirdbody.data.plain import PlainDataset, Variable
+from thirdbody.data.files import atomic_write
+from thirdbody.data.netcdf import PlainDataset, declare
 from thirdbody.data.quantities import (
     CONTRACT,
     FILL_FLAG,
     FILL_FLOAT,
     FLAGS,
-    NORMAL_LOAD,
     NUMBERS,
     SEPARATION_COUNT,
     STATUS,
     VARIABLES,
 )
+from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES
-from thirdbody.progress import check_progress
+from thirdbody.progress import Progress, check_progress
+from thirdbody.solver.solution import type_of
 from thirdbody.solver.solve import DEFAULT_RTOL, solve, solve_arrays
 from thirdbody.solver.sweep import is_worthwhile, sweep
 
@@ -35,6 +42,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 RELATIVE_DIAMETER = "particle_diameter_per_roughness"  # key that may replace the diameter
+POINTS_PER_BLOCK = 2**18  # about 50 MB while they are solved
+ONE_CHUNK = 8 * POINTS_PER_BLOCK  # bytes of a chunk cache in which no chunk is written twice
 SEVERAL = SOLUTION_STATUSES.index("several_separations")
 Axes = Mapping[str, NDArray[np.float64]]  # 1-D and increasing, by name, in the order of DIMENSIONS
 
@@ -46,7 +55,7 @@ def grid(
     variables: Collection[str] = CONTRACT,
     progress: bool = True,
     **conditions: ArrayLike,
-) -> xr.Dataset:
+) -> "xr.Dataset":
     """Solve every combination of five axes and return a dataset.
 
     Parameters
@@ -97,7 +106,7 @@ def grid(
     >>> points["solid_load_fraction"].sel(viscosity=0.0).values.ravel()
     array([1., 1.])
     """
-    parameters, names, axes = checked_grid(parameters, rtol, variables, progress, conditions)
+    parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
     wanted = dict.fromkeys([*names, SEPARATION_COUNT.name])
     if is_worthwhile(axes, rtol):
         solution = sweep(axes, parameters, rtol, wanted, progress)
@@ -109,13 +118,89 @@ def grid(
     return described_grid(axes, values, parameters, rtol).to_xarray()
 
 
-def checked_grid(
-    parameters: Parameters | None,
-    rtol: float,
-    variables: Collection[str],
-    progress: bool,
-    conditions: Mapping[str, ArrayLike],
-) -> tuple[Parameters, list[str], Axes]:
+def stream(
+    path: str | PathLike,
+    *,
+    parameters: Parameters | None = None,
+    rtol: float = DEFAULT_RTOL,
+    variables: Collection[str] = CONTRACT,
+    compression: int = 0,
+    progress: bool = True,
+    **conditions: ArrayLike,
+) -> None:
+    """Solve every combination of five axes block by block, into a file.
+
+    Writes the dataset that ``grid`` would return, with only one block in memory.
+
+    Parameters
+    ----------
+    path : path
+        NetCDF-4 file to write; it is written atomically.
+    parameters, rtol, progress, **conditions
+        As in ``grid``.
+    variables : collection of str, optional
+        As in ``grid``; ``separation_count`` is only included on request.
+    compression : int, optional
+        Level of zlib, from 0 to 9.  At the default 0 nothing is compressed, because that would take
+        longer than solving.
+
+    Raises
+    ------
+    ValueError
+        As in ``grid``, which also warns, but without a limit on the number of points.
+    OSError
+        If the path is not writable or the disk is full; without compression, before anything is solved.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import xarray as xr
+    >>> import thirdbody as tb
+    >>> oil = dict(viscosity_cSt=0, roughness_nm=300)
+    >>> debris = dict(particle_diameter_nm=300, particle_density_per_m2=1e11)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     tb.stream(f"{folder}/grid.nc", load_N=[1, 10], **oil, **debris)
+    ...     written = xr.load_dataset(f"{folder}/grid.nc")
+    >>> written["separation"].squeeze().shape
+    (2,)
+    """
+    if not isinstance(compression, Integral) or compression not in range(10):
+        raise ValueError(f"compression is {shown(compression)}; allowed: 0 to 9")
+    parameters, names, axes = _checked_grid(parameters, rtol, variables, progress, conditions)
+    shape = tuple(axis.size for axis in axes.values())
+    lengths = [*shape]
+    while prod(lengths) > POINTS_PER_BLOCK:
+        longest = max(lengths)
+        lengths[lengths.index(longest)] = -(-longest // 2)
+    types = {name: np.dtype(type_of(name)) for name in names}
+    empty = {name: np.broadcast_to(np.zeros((), kind), shape) for name, kind in types.items()}
+    described = described_grid(axes, empty, parameters, rtol)
+    with atomic_write(path) as part:
+        size = prod(shape) * sum(kind.itemsize for kind in types.values())
+        free = disk_usage(Path(path).parent).free
+        if size > free and not compression:
+            raise OSError(
+                f"{shown_file(path)} would hold {prod(shape):.3g} points in {size:.3g} bytes; allowed: at "
+                f"most the {free:.3g} bytes free on the disk"
+            )
+        with (
+            netCDF4.Dataset(part, "w", format="NETCDF4") as file,
+            Progress(prod(shape), "points", progress) as progressing,
+        ):
+            storage = {"zlib": compression > 0, "complevel": compression, "shuffle": False}
+            storage |= {"chunksizes": lengths, "chunk_cache": ONE_CHUNK}
+            stored = declare(file, described, dict.fromkeys(names, storage))
+            starts = [range(0, size, length) for size, length in zip(shape, lengths)]
+            for corner in product(*starts):
+                block = tuple(slice(i, i + length) for i, length in zip(corner, lengths))
+                sides = {name: axis[side] for (name, axis), side in zip(axes.items(), block)}
+                solution = solve_arrays(crossed(sides), parameters, rtol, names)
+                for name, variable in stored.items():
+                    variable[block] = getattr(solution, name)
+                progressing.add(solution.solution_status.size)
+
+
+def _checked_grid(parameters, rtol, variables, progress, conditions):
     """Inputs, variables and axes [SI] of ``grid``; the status, which explains nan, is always included."""
     parameters = checked_parameters(parameters)
     check_rtol(rtol)
@@ -127,13 +212,8 @@ def checked_grid(
 
 def _checked_increasing(key: str, values: NDArray) -> NDArray:
     axis = np.atleast_1d(values)
-    if axis.ndim != 1 or axis.size == 0:
-        raise ValueError(f"{key} has shape {axis.shape}; allowed: one increasing dimension")
-    back = np.flatnonzero(np.diff(axis) <= 0.0)
-    if back.size:
-        first, second = axis[back[0] :][:2]
-        message = f"{second:g} after {first:g}; allowed: one increasing dimension"
-        raise ValueError(f"{key} has {message}")
+    if axis.ndim != 1 or axis.size == 0 or (np.diff(axis) <= 0.0).any():
+        raise ValueError(f"{key} is {shown(axis.tolist())}; allowed: one increasing dimension")
     return axis
 
 
@@ -142,38 +222,10 @@ def crossed(sides: Axes) -> dict[str, NDArray[np.float64]]:
     return dict(zip(sides, np.ix_(*sides.values()), strict=True))
 
 
-def described_grid(
-    axes: Axes,
-    values: Mapping[str, NDArray],
-    parameters: Parameters,
-    rtol: float,
-    title: str = "Three-body contact on a grid",
-    request: Mapping | None = None,
-) -> PlainDataset:
-    """The dataset of ``values``, an array over all ``axes`` for each variable, with coordinates and
-    attributes.  Its SHA-256 depends on the ``request``, by default the axes."""
-    variables = {
-        name: Variable(DIMENSIONS, values[name], variable_attributes(quantity))
-        for name, quantity in VARIABLES.items()
-        if name in values
-    }
-    coordinates = {
-        name: Variable((name,), axis, coordinate_attributes(AXES[name]))
-        for name, axis in axes.items()
-    }
-    newtons = axes["load"] * parameters.newtons_per_load
-    coordinates["normal_load"] = Variable(("load",), newtons, coordinate_attributes(NORMAL_LOAD))
-    request = request or _listed(axes)
-    attributes = global_attributes(title, parameters, axes["roughness"], rtol, request)
-    return PlainDataset(variables, coordinates, attributes)
-
-
 def scene_groups(scene: Mapping, newtons_per_load: float) -> list[Axes]:
     """The groups of curves in a valid entry of ``config/scenes.yaml``, each with every combination
-    of five axes, with the same loads; curves in several groups are shown once.
-
-    Loads are logarithmically spaced, plus those named in the text between the ends.  Diameters
-    relative to the roughness make a group for each roughness.
+    of five axes, with the same loads: logarithmically spaced, plus those named in the text between
+    the ends.  Diameters relative to the roughness make a group for each roughness.
     """
     axis = scene["load_axis"]
     first, last = (AXES["load"].to_si(newtons / newtons_per_load) for newtons in axis["load_N"])
@@ -197,10 +249,8 @@ def scene_dataset(
     scene: Mapping, parameters: Parameters, rtol: float = DEFAULT_RTOL
 ) -> PlainDataset:
     """The dataset of one figure, an entry of ``config/scenes.yaml``: all variables of ``CONTRACT``
-    over the five axes, and ``separation_count`` if a point has several separations.
-
-    Combinations not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.  ``ValueError`` if
-    ``rtol`` or a value on an axis is out of bounds.
+    over the five axes, and ``separation_count`` if a point has several separations.  Combinations
+    not shown in the figure have ``FILL_FLOAT`` or ``FILL_FLAG``.
     """
     groups = scene_groups(scene, parameters.newtons_per_load)
     axes = {
@@ -215,16 +265,11 @@ def scene_dataset(
         for name in values:
             values[name][place] = getattr(solution, name)
     _keep_counts_of_several(values)
-    listed = [_listed(group) for group in groups]
     request = {
-        "load": listed[0]["load"],
-        "groups": [{n: g[n] for n in Condition._fields} for g in listed],
+        "load": axes["load"].tolist(),
+        "groups": [{name: group[name].tolist() for name in Condition._fields} for group in groups],
     }
     return described_grid(axes, values, parameters, rtol, scene["title"], request)
-
-
-def _listed(axes: Axes) -> dict[str, list[float]]:
-    return {name: values.tolist() for name, values in axes.items()}
 
 
 def _keep_counts_of_several(values):

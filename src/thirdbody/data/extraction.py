@@ -1,13 +1,11 @@
 """Extraction from curves of a dataset: turning points and transitions, as rows of tables."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from thirdbody.curves.transitions import LIMITS, transitions
 from thirdbody.curves.turning_point import turning_points
 from thirdbody.data.conditions import Condition
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import STATUS, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import SOLUTION_STATUSES

@@ -1,7 +1,5 @@
 """Atomic writing of files, the error for damaged files, and SHA-256 sums."""
 
-from __future__ import annotations
-
 import errno
 import hashlib
 import os
@@ -15,12 +13,9 @@ from thirdbody.messages import shown, shown_file
 
 @contextmanager
 def atomic_write(*paths: str | Path) -> Iterator[Path | tuple[Path, ...]]:
-    """Write files atomically: they are moved into place together, once all are written.
-
-    Yields a temporary name beside each of the ``paths``, to be written to.  Raises ``ValueError``
-    for an invalid file name, and ``OSError`` with the paths if a file was not or cannot be written,
-    if possible before the block runs.  If the block raises, no file is changed.
-    """
+    """Write files under temporary names beside the ``paths``, which are yielded, and move them into
+    place together once all are written; if the block raises, no file is changed.  ``ValueError`` for
+    an invalid file name, ``OSError`` if a file cannot be written, if possible before the block runs."""
     places = [_place(path) for path in paths]
     # temporary names that no other process uses
     parts = [
@@ -70,8 +65,8 @@ def unreadable(path: str | os.PathLike, reason: object) -> OSError:
 def sums_text(products: Iterable[str | Path], folder: str | Path) -> str:
     """A line for each product in the format of ``sha256sum --check``: its sum, and its name in
     ``folder``."""
-    lines = (f"{digest(product)}  {Path(product).relative_to(folder)}\n" for product in products)
-    return "".join(sorted(lines, key=lambda line: line.split("  ", 1)[1]))
+    names = sorted(str(Path(product).relative_to(folder)) for product in products)
+    return "".join(f"{digest(Path(folder, name))}  {name}\n" for name in names)
 
 
 def require_sums(path: str | Path) -> None:

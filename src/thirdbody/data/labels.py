@@ -1,7 +1,5 @@
 """Labelled solutions: the results of ``Solution.to_dataset`` and ``Solution.to_dataframe``."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 
@@ -17,15 +15,11 @@ POINT = "point"  # a dimension along which several conditions vary, or none does
 
 
 def labelled_dataset(
-    variables: Mapping[str, Any],
-    conditions: Mapping[str, Any],
-    newtons_per_load: float | None = None,
+    variables: Mapping[str, Any], conditions: Mapping[str, Any], newtons_per_load: float
 ) -> xr.Dataset:
-    """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a dataset.
-
-    A dimension is named after the condition if only one varies along it.  With
-    ``newtons_per_load``, F_t/F_t* [N], and a load, the dataset has ``normal_load``.
-    """
+    """Variables and conditions (SI) of a ``Solution``, which broadcast to the same shape, as a
+    dataset, with the load also in newtons.  A dimension has the name of the only condition that
+    varies along it."""
     first = next(iter(variables.values()), None)
     labelled = isinstance(first, xr.DataArray)
     plain = [values for values in conditions.values() if not isinstance(values, xr.DataArray)]
@@ -42,9 +36,7 @@ def labelled_dataset(
         attributes.pop("_FillValue", None)  # no point is missing
         described[name] = (dimensions, np.asarray(values), attributes)
     dataset = xr.Dataset(described, coordinates)
-    if newtons_per_load is None or "load" not in dataset.coords:
-        return dataset
-    newtons = dataset["load"].drop_vars(dataset["load"].coords) * newtons_per_load
+    newtons = dataset["load"].variable * newtons_per_load
     newtons.attrs = coordinate_attributes(NORMAL_LOAD)
     return dataset.assign_coords(normal_load=newtons)
 

@@ -1,29 +1,68 @@
-"""Reading and writing NetCDF-4 files; the same dataset gives the same bytes."""
+"""Datasets of the workflow and their NetCDF-4 files; the same dataset gives the same bytes.
 
-from __future__ import annotations
+They have the names of xarray, but do not import it: importing xarray and pandas takes longer than
+solving or drawing a figure.
+"""
 
 import errno
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from os import PathLike
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import netCDF4
 import numpy as np
+from numpy.typing import NDArray
 
 from thirdbody.data.conditions import DIMENSIONS
 from thirdbody.data.files import unreadable
-from thirdbody.data.plain import PlainDataset, Variable
 
 if TYPE_CHECKING:
     import xarray as xr
 
 
-def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> None:
-    """Write a dataset as NetCDF-4: the same dataset gives the same bytes.
+class Variable(NamedTuple):
+    """An array with named dimensions and attributes, in a form that xarray accepts."""
 
-    Values are written unchanged; ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing ones, and unsolved points
-    stay nan.  Raises ``OSError`` if the disk is full or not writable, whatever the library raises.
-    """
+    dims: tuple[str, ...]
+    values: NDArray
+    attrs: Mapping[str, Any] = {}
+
+
+@dataclass(frozen=True, eq=False)
+class PlainDataset:
+    """Variables over shared dimensions, coordinates and attributes, with the interface of
+    ``xarray.Dataset``: functions accept either."""
+
+    data_vars: Mapping[str, Variable]
+    coords: Mapping[str, Variable]
+    attrs: Mapping[str, Any]
+
+    @property
+    def variables(self) -> dict[str, Variable]:
+        """Variables and coordinates, in the order of a file."""
+        return {**self.data_vars, **self.coords}
+
+    @property
+    def sizes(self) -> dict[str, int]:
+        each = self.variables.values()
+        return {name: size for one in each for name, size in zip(one.dims, one.values.shape)}
+
+    def __contains__(self, name: str) -> bool:
+        return name in self.variables
+
+    def __getitem__(self, name: str) -> Variable:
+        return self.variables[name]
+
+    def to_xarray(self) -> "xr.Dataset":
+        import xarray as xr
+
+        return xr.Dataset(self.data_vars, self.coords, self.attrs)
+
+
+def write_dataset(dataset: "PlainDataset | xr.Dataset", path: str | PathLike) -> None:
+    """Write a dataset as NetCDF-4: ``FILL_FLOAT`` and ``FILL_FLAG`` mark missing values, and unsolved
+    points stay nan.  Raises ``OSError`` if the disk is full or not writable."""
     # smallest size, within 0.2 %, that every NetCDF-4 library reads; level 9 takes 50 % longer to write
     compressed = {"zlib": True, "complevel": 6, "shuffle": False}
     storage = {
@@ -39,13 +78,10 @@ def write_dataset(dataset: PlainDataset | xr.Dataset, path: str | PathLike) -> N
 
 
 def declare(
-    file: netCDF4.Dataset, dataset: PlainDataset | xr.Dataset, storage: Mapping[str, Mapping]
+    file: netCDF4.Dataset, dataset: "PlainDataset | xr.Dataset", storage: Mapping[str, Mapping]
 ) -> dict[str, netCDF4.Variable]:
-    """Write a dataset to a new file, except the values of its variables, and return the empty
-    variables by name; they store values unchanged.
-
-    ``storage`` has the storage arguments of ``netCDF4.Dataset.createVariable`` for each variable.
-    """
+    """Write a dataset to a new file, except the values of its variables, which are returned empty;
+    ``storage`` has arguments of ``netCDF4.Dataset.createVariable`` for each."""
     file.setncatts(dataset.attrs)
     for name, size in dataset.sizes.items():
         file.createDimension(name, size)
@@ -75,16 +111,9 @@ def _added(file, name, variable, **storage) -> netCDF4.Variable:
     return added
 
 
-def read_dataset(path: str | PathLike) -> xr.Dataset:
-    """A dataset of the five axes as ``xarray.Dataset``; raises as ``read_plain``."""
-    return read_plain(path).to_xarray()
-
-
 def read_plain(path: str | PathLike, needed: Collection[str] = DIMENSIONS) -> PlainDataset:
-    """Read a NetCDF file, with nan for the fill values of numbers.
-
-    Raises ``OSError`` in one line for a file that is missing, damaged, or lacks ``needed`` variables.
-    """
+    """Read a NetCDF file, with nan for the fill values of numbers; ``OSError`` in one line if it is
+    missing, damaged, or lacks ``needed`` variables."""
     coordinates, variables = set(), {}
     try:
         with netCDF4.Dataset(path) as file:

@@ -1,7 +1,5 @@
 """Tables 1 and 2 of the paper as printed, with derived entries recomputed."""
 
-from __future__ import annotations
-
 from thirdbody.model.parameters import Parameters
 
 # Table 1 prints Poisson's ratio; Young's modulus of the steel is not printed.
@@ -18,31 +16,15 @@ def _force_unit(inputs: Parameters) -> float:
     return inputs.elastic_modulus_surfaces * inputs.ball_radius**2
 
 
-RECOMPUTED = {  # how an entry follows from the others, and a remark
-    "hertz_modulus": (
-        lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
-        "1/E = 2 (1 - v^2)/E_steel with E_steel = 205 GPa (not printed)",
-    ),
-    "normal_load": (
-        lambda inputs: [parameter * _force_unit(inputs) for parameter in LOAD_PARAMETERS],
-        "W E_ss R_x^2 from the printed W; the row is called dimensionless but is in newtons",
-    ),
-    "load_parameter": (
-        lambda inputs: [load / _force_unit(inputs) * 1e5 for load in LOADS],
-        "F_t/(E_ss R_x^2)",
-    ),
-    "speed_parameter": (
-        lambda inputs: [inputs.speed_per_viscosity * each * 1e10 for each in VISCOSITIES],
-        "proportional to the viscosity; 7.3e-10 at 150 cSt fixes mu_0 u/nu alone",
-    ),
-    "roughness_parameter": (
-        lambda inputs: [roughness / inputs.ball_radius * 1e5 for roughness in ROUGHNESSES],
-        "sigma/R_x",
-    ),
-    "hardness_parameter": (
-        lambda inputs: [inputs.softer_hardness / inputs.elastic_modulus_surfaces],
-        "H/E_ss of Table 1",
-    ),
+RECOMPUTED = {  # in the unit of the entry, from the inputs and other printed values
+    "hertz_modulus": lambda inputs: [STEEL_MODULUS / (2.0 * (1.0 - POISSON_RATIO**2)) / 1e9],
+    "normal_load": lambda inputs: [each * _force_unit(inputs) for each in LOAD_PARAMETERS],
+    "load_parameter": lambda inputs: [load / _force_unit(inputs) * 1e5 for load in LOADS],
+    "speed_parameter": lambda inputs: [
+        inputs.speed_per_viscosity * each * 1e10 for each in VISCOSITIES
+    ],
+    "roughness_parameter": lambda inputs: [each / inputs.ball_radius * 1e5 for each in ROUGHNESSES],
+    "hardness_parameter": lambda inputs: [inputs.softer_hardness / inputs.elastic_modulus_surfaces],
 }
 
 
@@ -51,21 +33,20 @@ def paper_table(rows: list[dict], inputs: Parameters) -> list[dict]:
     order, with derived entries recomputed from ``inputs``."""
     judged = []
     for row in rows:
-        printed, recomputed = row["printed"], []
-        verdict, remark = "input", ""
-        if "recompute" in row:
-            function, origin = RECOMPUTED[row["recompute"]]
-            recomputed = function(inputs)
-            disagreements = [
-                f"printed {a:g} against {b:.{row['digits'] + 1}g}"
-                for a, b in zip(printed, recomputed, strict=True)
-                if float(f"{b:.{row['digits']}g}") != a
-            ]
-            verdict = "differs" if disagreements else "agrees"
-            remark = "; ".join([*disagreements, origin])
-        known = {name: row[name] for name in ("property", "symbol", "unit")}
-        known |= _ends("printed", printed) | _ends("recomputed", recomputed)
-        judged.append(known | {"verdict": verdict, "remark": remark})
+        recomputed = RECOMPUTED[row["recompute"]](inputs) if "recompute" in row else []
+        differing = [
+            f"printed {a:g} against {b:.{row['digits'] + 1}g}"
+            for a, b in zip(row["printed"], recomputed)
+            if float(f"{b:.{row['digits']}g}") != a
+        ]
+        verdict = "differs" if differing else "agrees"
+        judged.append(
+            {name: row[name] for name in ("property", "symbol", "unit")}
+            | _ends("printed", row["printed"])
+            | _ends("recomputed", recomputed)
+            | {"verdict": verdict if recomputed else "input"}
+            | {"remark": "; ".join(filter(None, [*differing, row.get("remark")]))}
+        )
     return judged
 
 

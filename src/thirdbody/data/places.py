@@ -1,7 +1,5 @@
 """Groups of statements by their place in the paper."""
 
-from __future__ import annotations
-
 import re
 
 FIGURE = re.compile(r"Figures? (\d+)")
@@ -13,6 +11,4 @@ def part_of_paper(place: str) -> str:
     figure = FIGURE.match(place)
     if figure:
         return f"Figure {figure[1]}"
-    if place.startswith("Conclusion"):
-        return "Conclusions"
-    return place.split(",")[0]
+    return "Conclusions" if place.startswith("Conclusion") else place.split(",")[0]

@@ -1,10 +1,4 @@
-"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper.
-
-Programs use the CSV files of the same names, with all digits in SI.  Here a number has three
-digits, or fewer if its error is larger.
-"""
-
-from __future__ import annotations
+"""Tables for reading: one row per curve, in engineering units, beside the numbers of the paper."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -14,6 +8,8 @@ from itertools import groupby
 from pathlib import Path
 from string import Template
 from typing import NamedTuple
+
+from tabulate import tabulate
 
 from thirdbody.data.conditions import AXES, CONDITION_AXES, row_key
 
@@ -50,25 +46,21 @@ class Sheet(NamedTuple):
 
     def table(self, style: str) -> str:
         """The rows in a ``style`` of tabulate."""
-        from tabulate import tabulate
-
         return tabulate(self.rows, headers="keys", tablefmt=style, disable_numparse=True)
 
 
 def rounded(value: float | None, error: float = 0.0, digits: int = DIGITS) -> str:
-    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger.
-
-    None (missing) gives an empty text, and nan (does not exist) gives "none".
-    """
+    """``value`` with ``digits`` significant digits, or fewer if its ``error`` is larger; None (missing)
+    gives an empty text, and nan (does not exist) gives "none"."""
     if value is None:
         return ""
     if math.isnan(value):
         return "none"
     if value == 0.0:
         return "0"
-    places = digits - 1 - _exponent(float(f"{value:.{digits - 1}e}"))
+    places = digits - 1 - int(f"{value:.{digits - 1}e}".partition("e")[2])
     if error > 0.0:
-        places = min(places, -_exponent(error))
+        places = min(places, -math.floor(math.log10(error)))
     return f"{round(value, places) + 0.0:.{max(places, 0)}f}"
 
 
@@ -98,19 +90,16 @@ def readable(
 
 def markdown(sheets: Sequence[Sheet]) -> str:
     """Text of ``sheets``, one below the other, each under its caption."""
-    return "\n".join(
-        f"{f'**{sheet.title}.** {sheet.note}'.rstrip()}\n\n{sheet.table('github')}\n"
-        for sheet in sheets
-    )
+    texts = (f"**{each.title}.** {each.note}\n\n{each.table('github')}\n" for each in sheets)
+    return "\n".join(texts)
 
 
 def page(sheets: Sequence[Sheet]) -> str:
     """A self-contained HTML page of ``sheets``, one below the other."""
-    parts = [
-        f"<p>{f'<strong>{escape(sheet.title)}.</strong> {escape(sheet.note)}'.rstrip()}</p>\n"
-        f"{sheet.table('html')}"
-        for sheet in sheets
-    ]
+    parts = (
+        f"<p><strong>{escape(each.title)}.</strong> {escape(each.note)}</p>\n{each.table('html')}"
+        for each in sheets
+    )
     template = Template(Path(__file__).with_name("readable.html").read_text(encoding="utf-8"))
     return template.substitute(title=escape(sheets[0].title), tables="\n".join(parts))
 
@@ -118,13 +107,9 @@ def page(sheets: Sequence[Sheet]) -> str:
 def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
     """A table of the paper, with printed and recomputed values side by side."""
     lines = [
-        {
-            **{name: row[name] for name in ("property", "symbol", "unit")},
-            "printed": _ends(row["printed_low"], row["printed_high"]),
-            "recomputed": _ends(row["recomputed_low"], row["recomputed_high"]),
-            "verdict": row["verdict"],
-            "remark": row["remark"] or "",
-        }
+        {name: row[name] for name in ("property", "symbol", "unit")}
+        | {name: _range(row, name) for name in ("printed", "recomputed")}
+        | {"verdict": row["verdict"], "remark": row["remark"] or ""}
         for row in rows
     ]
     return [Sheet(title, "Recomputed from the other printed values where possible.", lines)]
@@ -132,12 +117,12 @@ def _paper_table(title, rows, _printed, _newtons_per_load) -> list[Sheet]:
 
 def _turning_points(rows, printed, newtons_per_load) -> list[Sheet]:
     lines = []
-    for some, paper in _curves(rows, printed):
+    ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
+    for curve, some, paper in _curves(rows, printed):
         row = some[0]
         load, error = row["load"], row["load_error"]
-        ratio, solid = "turning_point_ratio", "turning_point_solid_load_fraction"
         lines.append(
-            _curve_cells(some)
+            curve
             | {
                 "F_TPCA* [10⁻⁶]": rounded(load / LOAD_UNIT, error / LOAD_UNIT),
                 "F_TPCA* (paper)": _spread(paper, LOAD_UNIT, quantity="turning_point_load"),
@@ -170,8 +155,7 @@ def _windows(rows, printed, _newtons_per_load) -> list[Sheet]:
 
 def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
     lines = []
-    for some, paper in _curves(rows, printed):
-        line = _curve_cells(some)
+    for line, some, paper in _curves(rows, printed):
         for heading, (quantity, level) in CROSSINGS.items():
             found = {
                 rounded(row["load"] * newtons_per_load): ARROWS[row["direction"]]
@@ -188,85 +172,80 @@ def _transitions(rows, printed, newtons_per_load) -> list[Sheet]:
 
 
 def _sensitivities(rows, _printed, _newtons_per_load) -> list[Sheet]:
-    given = [row for row in rows if row["input"]]
-    results = dict.fromkeys(map(result_name, given))
     sheets = []
     for measure, title in MEASURES.items():
         cells = [
             ({"input": row["input"].replace("_", " ")}, result_name(row), _response(row))
-            for row in given
-            if row["measure"] == measure and row["sensitivity"] is not None
+            for row in rows
+            if row["measure"] == measure and row["input"] and row["sensitivity"] is not None
         ]
-        note = f"0 means less than {NEGLIGIBLE:g}."
-        sheets.append(Sheet(title, note, _pivoted(cells, results)))
+        sheets.append(Sheet(title, f"0 means less than {NEGLIGIBLE:g}.", _pivoted(cells)))
     return sheets
 
 
 def _chart(title, limited, below, beyond, rows, _printed, _newtons_per_load) -> list[Sheet]:
-    """A design chart: one column per load, with the ensemble range in brackets.
-
-    ``limited`` is the axis of the limit; ``below`` and ``beyond`` are the texts for limits outside
-    its ends.
-    """
-
-    def text(value) -> str:
-        if math.isinf(value) or value == 0.0:
-            return beyond if value else below
-        return rounded(AXES[limited].from_si(value))
-
-    def cell(row) -> str:
-        ends = dict.fromkeys((text(row["low"]), text(row["high"])))
-        limit = f"{text(row['limit'])} ({' to '.join(ends)})"
-        return ", ".join(filter(None, [limit, _statuses([row])]))
-
+    """A design chart: one column per load, with the ensemble range in brackets; ``below`` and
+    ``beyond`` are the texts for limits outside the ends of the axis ``limited``."""
+    outside = {0.0: below, math.inf: beyond}
     held = [axis for axis in CONDITION_AXES if axis.column in rows[0]]
-    loads = [f"{row['load_N']:g} N" for row in rows]
-    cells = zip([_conditions(row, held) for row in rows], loads, map(cell, rows), strict=True)
+    cells = []
+    for row in rows:
+        limit, *ends = (
+            outside.get(row[name]) or rounded(AXES[limited].from_si(row[name]))
+            for name in ("limit", "low", "high")
+        )
+        texts = f"{limit} ({' to '.join(dict.fromkeys(ends))})", _statuses([row])
+        cells.append(
+            (_conditions(row, held), f"{row['load_N']:g} N", ", ".join(filter(None, texts)))
+        )
     note = (
         "At the load of each column, with the range of nine in ten members of the calibrated "
         f"ensemble in brackets. none, all: of the {limited.replace('_', ' ')} values in the atlas."
     )
-    return [Sheet(title, note, _pivoted(cells, loads))]
+    return [Sheet(title, note, _pivoted(cells))]
 
 
-TABLE1 = "Table 1. Properties of the materials, as printed and recomputed"
-TABLE2 = "Table 2. Operating conditions, as printed and recomputed"
-LARGEST = "Largest particles that avoid the particle-surface mode [nm]"
-LEAST = "Least viscosity that leaves boundary lubrication [cSt]"
 READABLE: dict[str, Callable[..., list[Sheet]]] = {
-    "table1": partial(_paper_table, TABLE1),
-    "table2": partial(_paper_table, TABLE2),
+    "table1": partial(
+        _paper_table, "Table 1. Properties of the materials, as printed and recomputed"
+    ),
+    "table2": partial(_paper_table, "Table 2. Operating conditions, as printed and recomputed"),
     "tpca_loads": _turning_points,
     "tpca_windows": _windows,
     "transitions": _transitions,
     "sensitivity": _sensitivities,
-    "largest_particle": partial(_chart, LARGEST, "particle_diameter", "none", "all"),
-    "least_viscosity": partial(_chart, LEAST, "viscosity", "all", "none"),
+    "largest_particle": partial(
+        _chart,
+        "Largest particles that avoid the particle-surface mode [nm]",
+        *("particle_diameter", "none", "all"),
+    ),
+    "least_viscosity": partial(
+        _chart,
+        "Least viscosity that leaves boundary lubrication [cSt]",
+        *("viscosity", "all", "none"),
+    ),
 }
 
 
-def _pivoted(cells, columns) -> list[dict[str, str]]:
+def _pivoted(cells) -> list[dict[str, str]]:
     """One row for all ``cells`` (first columns, further column, text) with the same first columns."""
+    columns = dict.fromkeys((column for _, column, _ in cells), "")
     lines: dict[tuple, dict] = {}
     for first, column, text in cells:
-        line = lines.setdefault(tuple(first.values()), first | dict.fromkeys(columns, ""))
-        line[column] = text
+        lines.setdefault(tuple(first.values()), first | columns)[column] = text
     return [*lines.values()]
 
 
 def _curves(rows, printed):
-    """Rows by curve, which several figures may share, and the printed numbers of each."""
+    """The cells of each curve, which several figures may share, its rows, and its printed numbers."""
     names = "roughness", "particle_diameter", "particle_density", "viscosity"
     ordered = sorted(rows, key=lambda row: [row[AXES[name].column] for name in names])
-    for key, some in groupby(ordered, key=row_key):
-        yield [*some], [number for number in printed if row_key(number) == key]
-
-
-def _curve_cells(rows) -> dict[str, str]:
-    """Figures of the paper with a curve, and its conditions."""
-    numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in rows)
-    figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
-    return {"figures": figures, **_conditions(rows[0], CONDITION_AXES)}
+    for key, group in groupby(ordered, key=row_key):
+        some = [*group]
+        numbers = dict.fromkeys(row["figure"].removeprefix("fig") for row in some)
+        figures = ", ".join(str(int(number)) for number in numbers if number.isdigit())
+        cells = {"figures": figures, **_conditions(some[0], CONDITION_AXES)}
+        yield cells, some, [number for number in printed if row_key(number) == key]
 
 
 def _conditions(row, axes) -> dict[str, str]:
@@ -283,9 +262,10 @@ def _statuses(rows) -> str:
     return ", ".join(each.replace("_", " ") for each in statuses if each != "converged")
 
 
-def _ends(low, high) -> str:
-    """A range, or a single value."""
-    return " to ".join(f"{value:.6g}" for value in (low, high) if value is not None)
+def _range(row, name) -> str:
+    """A range in a row, or a single value."""
+    ends = row[f"{name}_low"], row[f"{name}_high"]
+    return " to ".join(f"{value:.6g}" for value in ends if value is not None)
 
 
 def _response(row) -> str:
@@ -305,7 +285,3 @@ def _spread(printed, unit=1.0, **fields) -> str:
         for number in found
     )
     return "; ".join(dict.fromkeys(texts))
-
-
-def _exponent(value) -> int:
-    return math.floor(math.log10(abs(value)))

@@ -1,7 +1,5 @@
 """The sizes of the particles for a mean diameter x_a of the paper."""
 
-from __future__ import annotations
-
 from statistics import NormalDist
 
 import numpy as np
@@ -10,9 +8,9 @@ from thirdbody.model.parameters import Parameters
 from thirdbody.model.particles import ParticleLayer
 
 
-def sizes_of(diameter: float, roughness: float, parameters: Parameters) -> tuple[float, ...]:
-    """Mean and largest diameter of the particles for ``diameter`` x_a, normal from 0 to X_max (Eq.
-    6), and the separation d below which particles carry load on a ``roughness`` sigma [m]."""
+def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
+    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]: the mean and
+    largest of sizes that are normal from 0 to X_max (Eq. 6), and d below which they carry load."""
     mean, spread = parameters.interpretation.size_distribution.sizes(diameter, parameters)
     largest = mean + parameters.truncation * spread
     if spread:
@@ -20,15 +18,10 @@ def sizes_of(diameter: float, roughness: float, parameters: Parameters) -> tuple
         part = normal.cdf(largest) - normal.cdf(0.0)
         mean += spread**2 * (normal.pdf(0.0) - normal.pdf(largest)) / part
     layer = ParticleLayer.of(np.array([diameter]), roughness, np.ones(1), parameters)
-    return mean, largest, float(layer.reach[0])
-
-
-def sizes_note(diameter: float, roughness: float, parameters: Parameters) -> str:
-    """A sentence on the particles for ``diameter`` x_a on a ``roughness`` sigma [m]."""
-    mean, largest, reach = (
-        f"{1e9 * each:.4g}" for each in sizes_of(diameter, roughness, parameters)
+    given, mean, largest, reach = (
+        f"{1e9 * each:.4g}" for each in (diameter, mean, largest, layer.reach[0])
     )
     return (
-        f"x_a = {1e9 * diameter:.4g} nm stands for particles of {mean} nm on average and at most "
-        f"{largest} nm, which carry load at separations d below {reach} nm"
+        f"x_a = {given} nm stands for particles of {mean} nm on average and at most {largest} nm, "
+        f"which carry load at separations d below {reach} nm"
     )

@@ -1,13 +1,15 @@
 """Tidy tables as CSV, Table Schema and LaTeX; ``tables.csv`` describes their columns."""
 
-from __future__ import annotations
-
 import csv
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from operator import attrgetter
 from os import PathLike
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+from tabulate import tabulate
 
 from thirdbody.data.files import unreadable
 
@@ -15,12 +17,13 @@ from thirdbody.data.files import unreadable
 class Column(NamedTuple):
     """A column of a table: its heading, which ends with the SI unit if there is one; the type of
     the Table Schema, ``number`` or ``string``; the SI unit, ``1`` for a pure number and empty for
-    text; and its description."""
+    text; its description; and the table in ``tables.csv``."""
 
     name: str
     kind: str
     unit: str
     description: str
+    table: str = ""
 
     def parse(self, text: str) -> float | str | None:
         """The value of a field of a CSV file; None if it is empty."""
@@ -28,22 +31,10 @@ class Column(NamedTuple):
             return None
         return float(text) if self.kind == "number" else text
 
-    def format(self, value: float | str | None, digits: int) -> str:
-        """Text of ``value``, a number with ``digits`` significant digits; empty for None."""
-        if value is None:
-            return ""
-        return f"{value:.{digits}g}" if self.kind == "number" else str(value)
 
-
-def _described_tables() -> dict[str, list[Column]]:
-    tables: dict[str, list[Column]] = {}
-    with open(Path(__file__).with_name("tables.csv"), encoding="utf-8", newline="") as stream:
-        for row in csv.DictReader(stream):
-            tables.setdefault(row.pop("table"), []).append(Column(**row))
-    return tables
-
-
-TABLES = _described_tables()
+with open(Path(__file__).with_suffix(".csv"), encoding="utf-8", newline="") as file:
+    COLUMNS = [Column(**row) for row in csv.DictReader(file)]
+TABLES = {table: list(columns) for table, columns in groupby(COLUMNS, attrgetter("table"))}
 DRAWN_POINTS = TABLES.pop("drawn_points")  # of the CSV file beside each figure
 
 
@@ -53,38 +44,36 @@ def write_csv(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[C
     with open(path, "w", encoding="utf-8", newline="") as stream:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow([column.name for column in columns])
-        for row in rows:
-            writer.writerow([column.format(row[column.name], 10) for column in columns])
+        writer.writerows(_texts(rows, columns, 10))
+
+
+def _texts(rows, columns, digits) -> Iterator[list[str]]:
+    """The cells of each row, numbers with ``digits`` significant digits; None is an empty cell."""
+    formats = {column.name: f".{digits}g" if column.kind == "number" else "" for column in columns}
+    for row in rows:
+        cells = ((row[name], form) for name, form in formats.items())
+        yield ["" if value is None else format(value, form) for value, form in cells]
 
 
 def read_csv(path: str | PathLike, columns: Sequence[Column]) -> list[dict]:
     """Rows of a table of ``write_csv``; raises ``OSError`` in one line for a file that is damaged
     or has other columns."""
-    rows = read_texts(path, columns)
-    try:
-        return [
-            {column.name: column.parse(text) for column, text in zip(columns, row)} for row in rows
-        ]
-    except ValueError as error:
-        raise unreadable(path, error) from None
-
-
-def read_texts(path: str | PathLike, columns: Sequence[Column]) -> list[list[str]]:
-    """The fields of each row as texts; raises ``OSError`` as ``read_csv``."""
     try:
         with open(path, encoding="utf-8", newline="") as stream:
             header, *rows = csv.reader(stream)
+        found = [
+            {column.name: column.parse(text) for column, text in zip(columns, row, strict=True)}
+            for row in rows
+        ]
     except (ValueError, csv.Error) as error:
         raise unreadable(path, error) from None
     if header != [column.name for column in columns]:
         raise unreadable(path, f"its columns are {header}")
-    if any(len(row) != len(columns) for row in rows):
-        raise unreadable(path, "a row has other columns")
-    return rows
+    return found
 
 
-def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
-    """Write the Table Schema (Frictionless) of ``columns``, as JSON."""
+def table_schema(columns: Sequence[Column]) -> dict[str, Any]:
+    """The Table Schema (Frictionless) of ``columns``."""
     fields = [
         {
             "name": column.name,
@@ -93,15 +82,17 @@ def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
         }
         for column in columns
     ]
-    text = json.dumps({"fields": fields, "missingValues": [""]}, indent=2)
-    Path(path).write_text(f"{text}\n", encoding="utf-8")
+    return {"fields": fields, "missingValues": [""]}
+
+
+def write_schema(path: str | PathLike, columns: Sequence[Column]) -> None:
+    """Write the Table Schema of ``columns`` as JSON."""
+    Path(path).write_text(json.dumps(table_schema(columns), indent=2) + "\n", encoding="utf-8")
 
 
 def write_latex(path: str | PathLike, rows: Iterable[Mapping], columns: Sequence[Column]) -> None:
     """Write a table for LaTeX with the package booktabs, numbers with six significant digits."""
-    from tabulate import tabulate
-
-    cells = [[column.format(row[column.name], 6) for column in columns] for row in rows]
     headings = [column.name for column in columns]
+    cells = [*_texts(rows, columns, 6)]
     text = tabulate(cells, headings, tablefmt="latex_booktabs", disable_numparse=True)
     Path(path).write_text(f"{text}\n", encoding="utf-8")

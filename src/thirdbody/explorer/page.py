@@ -1,22 +1,161 @@
-"""One HTML file from a template, a style, scripts, D3 and the content of the page."""
-
-from __future__ import annotations
+"""The page: content collected from products of the workflow, put into one HTML file with the
+template, style and scripts of the folder ``page/`` and with D3.  It computes the curves itself."""
 
 import json
+import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from os import PathLike
 from pathlib import Path
 from typing import Any
+
+import numpy as np
+
+from thirdbody.data.conditions import AXES, CONDITION_AXES
+from thirdbody.data.places import part_of_paper
+from thirdbody.data.quantities import QUANTITIES, STATUS_MEANINGS
+from thirdbody.data.tables import DRAWN_POINTS, read_csv
+from thirdbody.model.bounds import BOUNDS
+from thirdbody.units import ENGINEERING
 
 HERE = Path(__file__).parent
 FIRST = "main.js"  # the script that imports all others
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./(\w+\.js)";$', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:const|function|class) (\w+))", re.MULTILINE)
+NODES = 48  # of the integrals computed in the page
+DIGITS = 5  # of coordinates in panels
+RANGE_STEP = 2  # every second point of the outline of an ensemble range is kept
+CURVE = re.compile(r"nu = (\S+) cSt; x_a = (\S+) nm; sigma = (\S+) nm; eta_a = (\S+) m-2")
+PRINTED, TOLERANCE, RANGE = "printed; ", "tolerance; ", "band; "
+STATED = (  # fields of a statement that the page needs to evaluate and show it
+    *("id", "place", "statement", "quote", "kind", "quantity", "published", "direction", "along"),
+    *("extreme", "against", "open_end", "any_curve", "must_be_reached", "tolerance", "relative"),
+    *("step", "limits", "source", "reason", "aside"),
+)
+
+
+def page_content(
+    figures: Iterable[tuple[str | PathLike, str | PathLike]],
+    claims: Iterable[Any],
+    verdicts: Mapping[str, Any],
+    inputs: Mapping[str, Any],
+    interpretations: Mapping[str, Mapping[str, Any]],
+    ensemble: Sequence[Mapping[str, Any]],
+    ranges: Mapping[str, Sequence[float]],
+) -> dict[str, Any]:
+    """Collect the data of the page as plain values for JSON; ``OSError`` in one line for a damaged file.
+
+    ``figures`` are the points drawn (.csv) and the caption (.md) of each figure of curves,
+    ``verdicts`` the content of ``claims.json``.  ``inputs`` are entries of ``config/inputs.yaml``
+    with the ``value`` in the run and, if it was searched, ``bounds`` and ``scale``.
+    ``interpretations`` are inputs by the name of each calibrated interpretation, ``ensemble`` the
+    inputs of each member that differ from the default, ``ranges`` the first and last value of each
+    condition in the paper, by symbol, in engineering units.
+    """
+    found = {row["id"]: row for row in verdicts["statements"]}
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return {
+        "axes": [
+            {
+                "name": axis.name,
+                "key": ENGINEERING[axis.name],
+                "scale": axis.scale,
+                "range": [float(end) for end in ranges[axis.symbol.rstrip("*")]],
+            }
+            for axis in AXES.values()
+        ],
+        "quantities": list(QUANTITIES),
+        "statuses": dict(STATUS_MEANINGS),
+        # Gauss-Legendre nodes and weights on the interval from 0 to 1
+        "quadrature": np.column_stack([0.5 * (nodes + 1.0), 0.5 * weights]).tolist(),
+        "inputs": {
+            name: {**entry, **(BOUNDS[name]._asdict() if name in BOUNDS else {})}
+            for name, entry in inputs.items()
+        },
+        "interpretation": verdicts["interpretation"],
+        "interpretations": dict(interpretations),
+        "ensemble": list(ensemble),
+        "figures": [figure_content(*paths) for paths in figures],
+        "claims": [_claim(claim, found[claim.id]) for claim in claims],
+    }
+
+
+def _claim(claim, verdict):
+    """The statement with its verdict; conditions in SI, without those it does not specify."""
+    reference = claim.reference or {}
+    return {key: getattr(claim, key) for key in STATED} | {
+        "curves": [
+            {name: value for name, value in curve._asdict().items() if not math.isnan(value)}
+            for curve in claim.curves
+        ],
+        "reference": {
+            axis.name: axis.to_si(reference[axis.key])
+            for axis in CONDITION_AXES
+            if axis.key in reference
+        },
+        "part": part_of_paper(claim.place),
+        "measured": verdict["computed"],
+        "verdict": verdict["verdict"],
+    }
+
+
+def figure_content(points: str | PathLike, caption: str | PathLike) -> dict[str, Any]:
+    """Data of a figure from its ``points`` drawn (.csv) and its ``caption`` (.md): the conditions [SI]
+    of all ``curves``; for each of the ``panels`` their indices, ensemble ranges and printed numbers."""
+    panels: dict[str, dict] = {}
+    for row in read_csv(points, DRAWN_POINTS):
+        names = {"x": row["x_name"], "y": row["y_name"]}
+        panel = panels.setdefault(row["panel"], {**names, "drawn": {}})
+        panel["drawn"].setdefault(row["curve"], []).append((row["x"], row["y"]))
+    drawn = dict.fromkeys(label for panel in panels.values() for label in panel["drawn"])
+    curves = {label: CURVE.fullmatch(label) for label in drawn if CURVE.fullmatch(label)}
+    first, _, _ = Path(caption).read_text(encoding="utf-8").strip().partition("\n\n")
+    title, _, text = first.removeprefix("**").partition("** ")
+    return {
+        "name": Path(points).stem,
+        "title": title.rstrip("."),
+        "caption": text,
+        "curves": [
+            {axis.name: axis.to_si(float(n)) for axis, n in zip(CONDITION_AXES, found.groups())}
+            for found in curves.values()
+        ],
+        "panels": [_panel(letter, panel, [*curves]) for letter, panel in panels.items()],
+    }
+
+
+def _panel(letter, panel, labels):
+    drawn = panel["drawn"]
+    ranges = {place: drawn.get(RANGE + label) for place, label in enumerate(labels)}
+    printed = [label.removeprefix(PRINTED) for label in drawn if label.startswith(PRINTED)]
+    return {
+        "letter": letter,
+        "x": panel["x"],
+        "y": panel["y"],
+        "curves": [place for place, label in enumerate(labels) if label in drawn],
+        "ranges": {
+            place: _rounded([*outline[:-1:RANGE_STEP], outline[-1]])
+            for place, outline in ranges.items()
+            if outline
+        },
+        "printed": [mark for name in printed for mark in _marks(name, drawn)],
+        "turning_points": "turning points" in drawn,
+        "locus": "locus of the turning points" in drawn,
+    }
+
+
+def _marks(name, drawn):
+    """The numbers of one statement: each a point with both ends of its tolerance."""
+    ends = _rounded(drawn[TOLERANCE + name])
+    for place, point in enumerate(_rounded(drawn[PRINTED + name])):
+        yield {"id": name, "at": point, "ends": ends[2 * place : 2 * place + 2]}
+
+
+def _rounded(points):
+    return [[float(f"{number:.{DIGITS}g}") for number in point] for point in points]
 
 
 def page_text(content: Mapping[str, Any]) -> str:
-    """The page as self-contained HTML, from the ``content`` of
-    ``thirdbody.explorer.content.page_content``."""
+    """The page as self-contained HTML, from the ``content`` of ``page_content``."""
     data = json.dumps(content, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
     parts = {
         "style.css": _read("page/style.css"),

@@ -20,7 +20,7 @@ RANGE = "90 % of the ensemble"
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
     """The limit ``name``, one of ``SCALES``, in one panel per dataset of ``charts``, from
-    ``thirdbody.atlas.charts.chart_panels``, all with the same roughnesses."""
+    ``thirdbody.atlas.catalogue.chart_panels``, all with the same roughnesses."""
     surfaces = charts[0]["roughness"].values
     names = [f"sigma = {value_text('roughness', surface)} nm" for surface in surfaces]
     looks = dict(zip(names, level_styles(surfaces.size, charts[0].sizes["load"]), strict=True))

@@ -13,7 +13,7 @@ from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition, condition_key
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes

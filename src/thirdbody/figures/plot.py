@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
-from thirdbody.data.netcdf import read_dataset
+from thirdbody.data.netcdf import read_plain
 from thirdbody.data.quantities import STATUS
 from thirdbody.figures.curves import draw_panels, key_title, range_outline
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
@@ -187,7 +187,7 @@ def _with_all_dimensions(name, data) -> xr.Dataset:
     if isinstance(data, str | PathLike):
         if not Path(data).is_file():
             raise FileNotFoundError(f"{name} is {str(data)!r}, which is not a file")
-        data = read_dataset(data)
+        data = read_plain(data).to_xarray()
     if not isinstance(data, xr.Dataset):
         raise ValueError(f"{name} is of type {type(data).__name__}; allowed: {ALLOWED}")
     missing = [each for each in DIMENSIONS if each not in data.coords]

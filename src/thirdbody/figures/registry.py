@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from thirdbody.data.conditions import Condition
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.curves import Content, CurveFigure, curves_in
 from thirdbody.figures.marks import RELATIVE_AREA
 

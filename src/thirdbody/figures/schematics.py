@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from thirdbody.data.plain import PlainDataset
+from thirdbody.data.netcdf import PlainDataset
 from thirdbody.figures.curves import CELL, add_key, key_title
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
 from thirdbody.figures.scales import label, shared_notes

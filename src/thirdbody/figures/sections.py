@@ -20,7 +20,7 @@ from scipy.special import ndtr, ndtri
 
 from thirdbody.data.attributes import coordinate_attributes, variable_attributes
 from thirdbody.data.conditions import AXES, Condition
-from thirdbody.data.plain import PlainDataset, Variable
+from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FLAGS, QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import CONTACT_MODES

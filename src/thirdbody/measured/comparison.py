@@ -18,7 +18,7 @@ from thirdbody.answers.ensemble import calibrated_ensemble, ensemble_notes
 from thirdbody.conditions.checks import check_number, checked_parameters
 from thirdbody.conditions.in_si import in_si
 from thirdbody.conditions.usual import without_warnings
-from thirdbody.data.spread import ENDS
+from thirdbody.data.quantities import ENDS
 from thirdbody.measured.estimates import FORMULAS, MEASURED, Assumed, measurable
 from thirdbody.messages import shown, shown_file
 from thirdbody.model.parameters import Parameters

@@ -1,6 +1,5 @@
 """The archive of a release: products, sources, their descriptions, and checksums of all files.
 
-``staging.stage`` fills a folder, and ``bag.pack`` writes it to a zip file.  ``citation`` names the
-release, ``files`` lists its sources; ``guide``, ``datapackage`` and ``crate`` describe the content
-for people and programs, with templates rendered by ``texts``.
+``staging`` fills a folder and packs it; ``citation`` names the release, ``files`` lists its sources
+and renders templates; ``descriptions`` and ``crate`` describe the content for people and programs.
 """

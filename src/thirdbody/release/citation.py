@@ -1,10 +1,4 @@
-"""Name, version, date and citation of a release.
-
-The version is the installed one, from the last tag; the name is from ``pyproject.toml``, and everything
-else from ``CITATION.cff``, including the date, so that the same sources always give the same archive.
-"""
-
-from __future__ import annotations
+"""Name, version, date and citation of a release, the same for the same sources."""
 
 import re
 import tomllib
@@ -12,7 +6,7 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import yaml
 
@@ -27,9 +21,7 @@ class Release:
     citation: dict[str, Any]
 
     @classmethod
-    def of(
-        cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True
-    ) -> Release:
+    def of(cls, pyproject: str | PathLike, citation: str | PathLike, is_paper: bool = True) -> Self:
         """The release described by ``pyproject.toml`` and ``CITATION.cff``; unless the
         configuration ``is_paper``, its version and title say so.  ``ValueError`` if
         ``CITATION.cff`` does not have the installed version."""
@@ -50,24 +42,13 @@ class Release:
         return f"{self.name}-{self.version}"
 
     @property
-    def authors(self) -> list[str]:
-        """Names of the authors of the release."""
-        return [author["name"] for author in self.citation["authors"]]
-
-    @property
-    def paper(self) -> dict[str, Any]:
-        """The reproduced paper: the first reference of ``CITATION.cff``."""
-        return self.citation["references"][0]
-
-    @property
     def paper_url(self) -> str:
-        """DOI link of the paper."""
-        return f"https://doi.org/{self.paper['doi']}"
+        return f"https://doi.org/{self.citation['references'][0]['doi']}"
 
     @property
     def paper_text(self) -> str:
         """The paper as an entry of a reference list."""
-        paper = self.paper
+        paper = self.citation["references"][0]
         names = " and ".join(f"{a['family-names']} {a['given-names']}" for a in paper["authors"])
         return (
             f"{names} ({paper['year']}), {paper['title']}. {paper['journal']} {paper['volume']}:"

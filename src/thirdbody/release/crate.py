@@ -1,10 +1,8 @@
 """ro-crate-metadata.json: description and provenance of each file of an archive.
 
-RO-Crate 1.1 with the profile Workflow Run Crate 0.5: the run of the workflow is one
-``CreateAction``, and each of its jobs is another.
+RO-Crate 1.1 (https://w3id.org/ro/crate/1.1) with the profile Workflow Run Crate 0.5
+(https://w3id.org/ro/wfrun/workflow/0.5): the run and each of its jobs are a ``CreateAction``.
 """
-
-from __future__ import annotations
 
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -13,8 +11,7 @@ from rocrate.model.entity import Entity
 from rocrate.rocrate import ROCrate
 
 from thirdbody.release.citation import Release
-from thirdbody.release.files import files_in, media_type
-from thirdbody.release.texts import render_json
+from thirdbody.release.files import files_in, media_type, render_json
 
 METADATA = "ro-crate-metadata.json"
 SCRIPTS = "source/workflow/scripts/"
@@ -46,11 +43,8 @@ def crate(
     software: dict[str, str],
     release: Release,
 ) -> dict[str, Any]:
-    """Content of ``ro-crate-metadata.json`` for the folder ``data`` of an archive.
-
-    ``kinds`` has the titles of its folders of products; ``jobs`` and ``software`` are as in
-    ``stage``.  See https://w3id.org/ro/crate/1.1 and https://w3id.org/ro/wfrun/workflow/0.5.
-    """
+    """Content of ``ro-crate-metadata.json`` for the folder ``data`` of an archive; ``kinds`` has the
+    titles of its folders of products, ``jobs`` and ``software`` are as in ``stage``."""
     known = render_json("crate.json", kinds=kinds, software=software, release=release)
     described = ROCrate(version="1.1")  # extended by Workflow Run Crate 0.5
     for entity in known["entities"]:

@@ -1,14 +1,17 @@
-"""Files of a release: its sources, file names and media types."""
-
-from __future__ import annotations
+"""Files of a release: its sources, their names and types, and texts from the templates in
+``templates/``."""
 
 import json
 import mimetypes
+import re
 import subprocess
 import tempfile
 from pathlib import Path
 from typing import Any
 
+from jinja2 import Environment, PackageLoader, StrictUndefined
+
+DATA_LICENCE = "CC-BY-4.0"
 KNOWN_TYPES = mimetypes.MimeTypes()  # those of Python, without system files
 
 
@@ -18,12 +21,9 @@ def media_type(name: str) -> str:
 
 
 def source_files() -> list[str]:
-    """Sorted paths of the sources, relative to the current folder, the root of the project: all
-    files that git tracks or would track.
-
-    In a folder without a repository, such as an unpacked archive, only ``.gitignore`` is used.
-    Raises ``OSError`` if git is not installed, or cannot read the folder.
-    """
+    """Sorted paths of the sources in the current folder, the root of the project: all files that
+    git tracks or would track; in an unpacked archive, those that ``.gitignore`` does not name.
+    ``OSError`` if git is not installed, or cannot read the folder."""
     listing = ["ls-files", "-z", "--cached", "--others", "--exclude-standard"]
     with tempfile.TemporaryDirectory() as empty:
         if not Path(".git").exists():
@@ -56,3 +56,29 @@ def write_json(path: Path, content: Any) -> None:
     """Write ``content`` to the file ``path``; its folder is created if missing."""
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def render(template: str, **values: Any) -> str:
+    """Text of a template with ``values`` and the filter ``text`` (``markdown_text``)."""
+    environment = Environment(
+        loader=PackageLoader("thirdbody.release"),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters["text"] = markdown_text
+    environment.policies["json.dumps_kwargs"] = {}  # keys in their order
+    return environment.get_template(template).render(data_licence=DATA_LICENCE, **values)
+
+
+def render_json(template: str, **values: Any) -> dict[str, Any]:
+    """Content of a template that is JSON."""
+    return json.loads(render(template, **values))
+
+
+def markdown_text(text: str) -> str:
+    """``text`` as one line of Markdown, with markup and HTML escaped."""
+    line = " ".join(str(text).split())
+    line = line.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return re.sub(r"([\\`*_{}\[\]()#+!|~$])", r"\\\1", line)

@@ -1,26 +1,32 @@
-"""The folder of a release: products, sources and configuration, described and sealed."""
+"""The folder of a release, sealed as a bag of BagIt 1.0 (RFC 8493), and its zip file.
 
-from __future__ import annotations
+The package ``bagit`` is not used for writing: it declares version 0.97 and lists tag files in disk
+order, so that two bags of the same files differ.  Tests validate bags with it.
+"""
 
 import os
 import shutil
+import zipfile
 from collections.abc import Iterable, Mapping, Sequence
+from datetime import date
 from pathlib import Path
 from runpy import run_path
 from typing import Any
 
 import yaml
 
-from thirdbody.release.bag import seal
+from thirdbody.data.files import digest
 from thirdbody.release.citation import Release
 from thirdbody.release.crate import KINDS, METADATA, crate
-from thirdbody.release.datapackage import data_package
-from thirdbody.release.files import write_json
-from thirdbody.release.guide import describe_content
-from thirdbody.release.texts import render, render_json
+from thirdbody.release.descriptions import data_package, describe_content
+from thirdbody.release.files import files_in, render, render_json, write_json
 
 LICENCES = ("LICENSE", "LICENSE-DATA")
 VERIFICATION = "verification/"
+ALGORITHMS = ("sha256", "sha512")
+DECLARATION = "BagIt-Version: 1.0\nTag-File-Character-Encoding: UTF-8\n"
+FILE_MODE = 0o100644 << 16  # a regular file, writable by its owner
+UNIX = 3  # code of the system with these modes
 
 
 def stage(
@@ -32,15 +38,13 @@ def stage(
     software: dict[str, str],
     release: Release,
 ) -> None:
-    """Fill the folder of a release: copy the files, describe them, and add checksums.
+    """Fill the folder of a release, from the root of the repository: copy the files, describe them,
+    and add checksums, ``tagmanifest-sha512.txt`` last.
 
-    The current folder must be the root of the repository.  The previous content of ``folder`` is
-    removed, and ``tagmanifest-sha512.txt`` is written last.  ``products`` are files in
-    ``results/``, whose folder there is one of ``KINDS``, at least one dataset among them;
-    ``sources`` the source code, with the programs in ``verification/``; ``settings`` the content of
+    ``products`` are files in the folders ``KINDS`` of ``results/``, ``settings`` the content of
     ``configuration/``, by file name.  ``jobs`` of the workflow have the name of their ``rule``, and
     ``inputs`` and ``outputs``, paths relative to the root; ``software`` are the versions of the
-    packages used.  Raises ``ValueError`` if nothing describes the columns of a table.
+    packages used.
     """
     shutil.rmtree(folder, ignore_errors=True)
     data = folder / "data"
@@ -74,3 +78,35 @@ def _copy(path: str | os.PathLike, place: Path) -> None:
     """Copy the content of a file, but not its mode, owner or time."""
     place.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(path, place)
+
+
+def seal(folder: Path, release: Release) -> None:
+    """Make a bag of a folder with a payload in ``data/``; the same files give the same bytes."""
+    payload = files_in(folder / "data", folder)
+    size = sum((folder / name).stat().st_size for name in payload)
+    information = render("bag-info.txt", release=release, oxum=f"{size}.{len(payload)}")
+    (folder / "bag-info.txt").write_text(information, encoding="utf-8")
+    (folder / "bagit.txt").write_text(DECLARATION, encoding="utf-8")
+    _write_manifests(folder, "manifest", payload)
+    not_tags = ("data/", "tagmanifest-")
+    tags = [name for name in files_in(folder, folder) if not name.startswith(not_tags)]
+    _write_manifests(folder, "tagmanifest", tags)
+
+
+def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
+    for algorithm in ALGORITHMS:
+        lines = [f"{digest(folder / name, algorithm)}  {name}\n" for name in names]
+        (folder / f"{kind}-{algorithm}.txt").write_text("".join(lines), encoding="utf-8")
+
+
+def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
+    """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give the
+    same bytes, which are not compressed, because compression depends on the version.
+    """
+    moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
+        for name in files_in(folder, folder):
+            member = zipfile.ZipInfo(f"{folder.name}/{name}", moment)
+            member.create_system = UNIX
+            member.external_attr = FILE_MODE
+            packed.writestr(member, (folder / name).read_bytes())

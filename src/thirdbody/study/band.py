@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from thirdbody.data.conditions import DIMENSIONS, Condition
-from thirdbody.data.plain import PlainDataset, Variable
+from thirdbody.data.netcdf import PlainDataset, Variable
 from thirdbody.data.quantities import FILL_FLOAT, QUANTITIES, curves_of
 from thirdbody.model.parameters import Parameters
 from thirdbody.solver.solve import solve

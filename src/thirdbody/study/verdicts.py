@@ -16,7 +16,7 @@ import numpy as np
 import pandas as pd
 
 from thirdbody.data.places import part_of_paper
-from thirdbody.data.spread import spread
+from thirdbody.data.quantities import spread
 from thirdbody.data.tables import TABLES
 from thirdbody.study.calibration import Interpretation, Objective, make_folds
 from thirdbody.study.checks import Judge, Verdict
