@@ -23,7 +23,7 @@ from thirdbody.data.netcdf import write_dataset
 from thirdbody.release.crate import crate
 from thirdbody.release.descriptions import data_package
 from thirdbody.release.files import files_in, write_json
-from thirdbody.release.staging import seal
+from thirdbody.release.staging import pack, seal
 
 ROOT = Path(__file__).resolve().parents[2]
 VERIFICATION = ROOT / "verification"
@@ -473,3 +473,11 @@ def test_module_beside_the_program_is_not_run_from_any_folder(copy, command):
     done = subprocess.run([sys.executable, *command], cwd=copy, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (1, "")
     assert "forged" not in done.stdout
+
+
+def test_damaged_folder_is_not_packed(copy, tmp_path, monkeypatch):
+    monkeypatch.chdir(ROOT)
+    (copy / "data/datasets/fig03.nc").write_bytes(b"damaged")
+    with pytest.raises(ValueError, match="is not packed: .*fig03.nc is changed"):
+        pack(copy, tmp_path / "archive.zip", "2026-01-01")
+    assert not (tmp_path / "archive.zip").exists()

@@ -6,6 +6,8 @@ order, so that two bags of the same files differ.  Tests validate bags with it.
 
 import os
 import shutil
+import subprocess
+import sys
 import zipfile
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import date
@@ -102,7 +104,14 @@ def _write_manifests(folder: Path, kind: str, names: list[str]) -> None:
 def pack(folder: Path, archive: str | os.PathLike, day: str) -> None:
     """Write a sealed folder as a zip file, with the date ``day`` (ISO 8601); the same files give the
     same bytes, which are not compressed, because compression depends on the version.
+
+    Raises ``ValueError``, and writes nothing, if the folder does not match its checksums.
     """
+    command = [sys.executable, "verification/verify.py", folder, "--sums"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode:
+        reason = (done.stdout or done.stderr).strip()
+        raise ValueError(f"{folder} is not packed: {reason}; stage the release again")
     moment = (*date.fromisoformat(day).timetuple()[:3], 0, 0, 0)
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as packed:
         for name in files_in(folder, folder):
