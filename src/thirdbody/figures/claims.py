@@ -67,7 +67,7 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     axes.yaxis.set_label_coords(0.0, 0.5)  # no label, so that none is placed beside the names
     axes.set_xlabel("deviation in tolerances; logarithmic beyond 1")
     figure.legend(handles=_key(rows), loc="outside lower center", ncols=3)
-    figure.panels.append(Panel("", "score", "line", series, letter="A"))
+    figure.panels = [Panel("", "score", "line", series, letter="A")]
     return figure
 
 

@@ -2,46 +2,45 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
-from matplotlib.axes import Axes
+from matplotlib.artist import Artist
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
 from numpy.typing import NDArray
 
 from thirdbody.data.conditions import Condition, condition_key
 from thirdbody.data.plain import PlainDataset
 from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
-from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, grid_of_axes
+from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
 from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
-from thirdbody.figures.styles import band_style, curve_styles, key_entries
+from thirdbody.figures.styles import band_style, curve_styles
 
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
-KEY_INCHES = 0.5, 0.17  # height of a key without entries, and of a row of entries
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
-MARGINS = 0.68, 0.42, 0.48, 0.44
-TITLE_PAD = 17.0  # points; newtons are below the title
-TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
+KEY_HEIGHT = 0.9  # of a key below the panels [inches]
 
 
 @dataclass(frozen=True, eq=False)
 class Curve:
     """One curve of a dataset: its ``condition``, and its ``place`` after the load axis; ``load``
     and ``peak_ratio`` of its turning point, if it has one; the ``reference`` of its area, dry
-    two-body contact on the same surface, if it is in the dataset."""
+    two-body contact on the same surface, if it is in the dataset; and its line properties."""
 
     data: PlainDataset
     condition: Condition
     place: tuple[int, ...]
     turning_point: Mapping[str, float]
     reference: Curve | None = None
+    look: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def label(self) -> str:
@@ -137,53 +136,42 @@ class CurveFigure:
         # in the order of the key
         curves.sort(key=lambda c: (getattr(c.condition, self.parameter), c.condition.is_two_body))
         conditions = [curve.condition for curve in curves]
+        looks = curve_styles(conditions, self.parameter, data.sizes["load"])
+        curves = [replace(curve, look=looks[curve.condition]) for curve in curves]
         common = shared_notes(conditions)
-        panels: list[Panel] = []
-        for content in self._contents(curves):
-            chosen = curves
-            if content.surface is not None:
-                roughness = data["roughness"].values[content.surface]
-                chosen = [one for one in curves if one.condition.roughness == roughness]
-            if content.x == "diameter_ratio":
-                series = tuple(_window_series(content, chosen, windows, printed))
-            else:
-                series = tuple(_curve_series(content, chosen, ensemble_range, printed))
-            if series:
+        roughness = data["roughness"].values
+        panels = []
+        for content in self.contents:
+            for surface in range(roughness.size) if self.each_surface else [content.surface]:
+                chosen = curves
+                if surface is not None:
+                    chosen = [c for c in curves if c.condition.roughness == roughness[surface]]
+                if content.x == "diameter_ratio":
+                    series = tuple(_window_series(content, chosen, windows, printed))
+                else:
+                    series = tuple(_curve_series(content, chosen, ensemble_range, printed))
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
-                title = own or SCALES[content.y].title
-                panels.append(Panel(title, content.x, content.y, series))
+                panels.append(Panel(own or SCALES[content.y].title, content.x, content.y, series))
+        panels = [panel for panel in panels if panel.series]
         if not panels:
             names = ", ".join(dict.fromkeys(each.y for each in self.contents))
             raise ValueError(f"there is nothing to draw; allowed: points with {names}")
-        styles = curve_styles(conditions, self.parameter, data.sizes["load"])
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        entries = key_entries(styles, self.parameter) + marks.mark_entries(panels)
         title = key_title(parameter_title(self.parameter), common)
-        return draw_panels(panels, styles, newtons_per_load, entries, title)
-
-    def _contents(self, curves) -> list[Content]:
-        """The contents with values along ``curves``."""
-        sizes = {each.condition.diameter_ratio for each in curves}
-        contents = [
-            each
-            for each in self.contents
-            if any(curve.has(each.x) and curve.has(each.y) for curve in curves)
-            or (each.x == "diameter_ratio" and len(sizes) > 1)
-        ]
-        if not self.each_surface:
-            return contents
-        indices = range(curves[0].data.sizes["roughness"])
-        return [replace(each, surface=index) for each in contents for index in indices]
+        return draw_panels(panels, looks.values(), title, newtons_per_load)
 
 
 def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
     """All series of a panel of curves."""
     x, y = content.x, content.y
+    curves = [curve for curve in curves if curve.has(x) and curve.has(y)]
     for curve in curves:
-        yield Series(CURVE, curve.label, curve.values(x), curve.values(y), curve.condition)
+        yield Series(
+            CURVE, curve.label, curve.values(x), curve.values(y), curve.condition, curve.look
+        )
     yield from marks.status_series(x, y, curves)
     if content.locus:
         yield from marks.turning_point_series(x, y, curves, marks.LOCUS)
@@ -195,15 +183,17 @@ def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
             around = replace(curve, data=ranges)
             load, low, high = map(around.values, ("load", f"{y}_low", f"{y}_high"))
             some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
-            outline = range_outline(load[some], low[some], high[some])
-            yield Series(marks.BAND, curve.label, *outline, curve.condition)
+            ends = load[some], low[some], high[some]
+            yield range_series(curve.label, *ends, curve.look["color"], curve.condition)
 
 
-def range_outline(x, low, high):
+def range_series(name, x, low, high, colour, condition=None) -> Series:
     """The closed outline of a range where it is known: along its low and back along its high end."""
     known = np.isfinite(low) & np.isfinite(high)
     x, low, high = x[known], low[known], high[known]
-    return np.concatenate([x, x[::-1], x[:1]]), np.concatenate([low, high[::-1], low[:1]])
+    outline = np.append(x, x[::-1]), np.append(low, high[::-1])
+    x, y = (np.append(each, each[:1]) for each in outline)
+    return Series(marks.BAND, name, x, y, condition, band_style(colour))
 
 
 def _window_series(content, curves, windows, printed) -> Iterator[Series]:
@@ -217,75 +207,56 @@ def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     ends = np.array([row["diameter_over_roughness"] for row in windows if is_here(row)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
-        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size))
+        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size), look=marks.MARKS[marks.WINDOW])
     for row in printed:
         if row["quantity"].startswith("window") and is_here(row):
-            mark = marks.Mark(row["value"], 0.0, (row["low"], row["high"]), "x")
-            yield from mark.series(row["id"])
+            yield from marks.printed_limit(row)
 
 
 def draw_panels(
     panels: Sequence[Panel],
-    styles: Mapping[Condition | str, dict],
+    looks: Iterable[Mapping[str, Any]],
+    title: str = "",
     newtons_per_load: float | None = None,
-    entries: Sequence[Line2D] = (),
-    key_title: str = "",
 ) -> Drawing:
-    """Draw panels of curves, and a legend in the free cell or below them.
+    """Draw panels of curves, and a key with this ``title`` for the ``looks`` that have a label, and for marks.
 
-    ``styles`` are line properties by the ``curve`` of a series.  With ``newtons_per_load``,
-    F_t/F_t* [N], load axes also show newtons.
+    With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.
     """
-    beside = len(panels) % 2 == 1
-    rows = 0 if beside else -(-len(entries) // KEY_COLUMNS)
-    below = KEY_INCHES[0] + KEY_INCHES[1] * rows if rows else 0.0
-    figure = grid_of_axes(len(panels), CELL, MARGINS, below=below)
-    for panel in panels:
-        axes = figure.add_panel(panel, TITLE_PAD)
+    labelled = [look for look in (*looks, *marks.looks_in(panels)) if look.get("label")]
+    entries = {look["label"]: Line2D([], [], **look) for look in labelled}
+    rows, beside = math.ceil(len(panels) / 2), len(panels) % 2 == 1
+    below = 0.0 if beside else KEY_HEIGHT
+    figure = empty_panels(panels, (2 * CELL[0], rows * CELL[1] + below))
+    for axes, panel in zip(figure.axes, figure.panels, strict=True):
         for series in panel.series:
-            _draw_series(axes, panel, series, styles.get(series.curve, {}))
+            if series.kind == marks.BAND:
+                axes.fill(series.x, series.y, **series.look)
+            elif panel.x != "diameter_ratio" or series.kind == marks.TURNING_POINTS:
+                axes.plot(series.x, series.y, **series.look)
+            elif series.kind == marks.TOLERANCE:
+                axes.axvspan(*series.x, **series.look)
+            else:
+                for end in series.x:
+                    axes.axvline(end, **series.look)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:
-        add_key(figure, entries, key_title, beside)
+        add_key(figure, list(entries.values()), title, beside)
     return figure
 
 
 def key_title(title: str, conditions: Sequence[str]) -> str:
-    """Title of a legend, and below it the conditions common to all curves."""
+    """Title of a key, and below it the conditions common to all curves."""
     return "\n".join(filter(None, (title, ", ".join(conditions))))
 
 
-def add_key(figure: Figure, entries: Sequence[Line2D], title: str, beside: bool) -> None:
-    """Add a legend beside the last panel of a figure or below all panels."""
+def add_key(
+    figure: Figure, entries: Sequence[Artist], title: str = "", beside: bool = False
+) -> None:
+    """Add a key below all panels, or beside the last one in the free cell of two columns."""
+    place = {"loc": "outside lower center", "ncols": KEY_COLUMNS}
     if beside:
-        height = figure.get_figheight()
-        columns = -(-len(entries) // KEY_ROWS)
-        place = {"loc": "center", "bbox_to_anchor": (0.76, 0.5 * CELL[1] / height)}
-    else:
-        columns = KEY_COLUMNS
-        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.0)}
-    figure.legend(handles=entries, title=title or None, ncols=columns, **place)
-
-
-def _draw_series(axes: Axes, panel: Panel, series: Series, style: dict) -> None:
-    """Draw a series in the ``style`` of its curve; data without height as vertical lines and areas."""
-    colour = {"color": style["color"]} if style else {}
-    is_limit = panel.is_over_sizes and series.kind != marks.TURNING_POINTS
-    if series.kind == CURVE:
-        axes.plot(series.x, series.y, **style)
-    elif series.kind == marks.BAND:
-        # not `fill`, which updates the limits of the axes for each edge
-        area = np.column_stack([series.x, series.y])
-        axes.add_artist(Polygon(area, **band_style(style["color"])))
-        axes.update_datalim(area)
-    elif series.kind == marks.TOLERANCE and is_limit:
-        axes.axvspan(*series.x, color="black", alpha=0.07, linewidth=0)
-    elif series.kind == marks.TOLERANCE:
-        axes.plot(series.x, series.y, **TOLERANCE_LOOK, **colour)
-    elif is_limit:
-        look = marks.PRINTED_LIMIT if series.kind == marks.PRINTED else marks.MARKS[series.kind]
-        for end in series.x:
-            axes.axvline(end, **look[1])
-    else:
-        look = marks.MARKS[series.kind][1]
-        axes.plot(series.x, series.y, **(look | colour if series.kind == marks.PRINTED else look))
+        cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
+        columns = math.ceil(len(entries) / KEY_ROWS)
+        place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
+    figure.legend(handles=entries, title=title or None, **place)

@@ -1,20 +1,16 @@
 """Marks in panels: turning points of the contact area (TPCA), statuses of points, and printed
-numbers with their tolerances, through which curves should pass.
-
-A printed number at a point of a curve (``A_sa,t*`` at the turning point, for example) is drawn at
-the other printed coordinate of this point, or otherwise at that of the curve.
-"""
+numbers with their tolerances, through which curves should pass."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib.lines import Line2D
+from numpy.typing import NDArray
 
-from thirdbody.data.conditions import CONDITION_AXES, Condition, condition_key, row_key
+from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
 from thirdbody.figures.drawing import Panel, Series
@@ -29,38 +25,39 @@ WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
 POINTS = {"linestyle": "none", "zorder": 3.2}
-LINE = {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
 CROSS = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
-STAR = POINTS | {
-    "marker": "*",
-    "markersize": 8.0,
-    "markerfacecolor": "C1",
-    "markeredgecolor": "black",
+# kind of series: line properties, and text in the key
+MARKS: dict[str, dict[str, Any]] = {
+    TURNING_POINTS: POINTS
+    | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1", "markeredgecolor": "black"}
+    | {"label": "turning point (TPCA)"},
+    LOCUS: {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
+    | {"label": "locus of turning points"},
+    WINDOW: {"color": "C5", "linewidth": 1.8, "label": "limits of turning points"},
+    PRINTED: POINTS
+    | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
+    | {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
+    | {"label": "printed, with tolerance"},
+    BAND: {"color": "0.82", "linewidth": 6.0, "label": "ensemble range"},
+} | {
+    status: CROSS | {"marker": marker, "label": status.replace("_", " ")}
+    for status, marker in STATUSES.items()
 }
-SQUARE = POINTS | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
-SQUARE |= {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
-# kind of series: text in the legend, line properties
-MARKS = {
-    TURNING_POINTS: ("turning point (TPCA)", STAR),
-    LOCUS: ("locus of turning points", LINE),
-    WINDOW: ("limits of turning points", {"color": "C5", "linewidth": 1.8}),
-    PRINTED: ("printed, with tolerance", SQUARE),
-} | {name: (name.replace("_", " "), CROSS | {"marker": mark}) for name, mark in STATUSES.items()}
-PRINTED_LIMIT = "printed limits, with tolerance", {"color": "black", "linestyle": "--"}
-BAND_ENTRY = "ensemble range", {"color": "0.82", "linewidth": 6.0}
+TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
+PRINTED_LIMIT = {"color": "black", "linestyle": "--", "label": "printed limits, with tolerance"}
+LIMIT_TOLERANCE = {"color": "black", "alpha": 0.07, "linewidth": 0}
 
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
 AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
 MIXED = "bend_load_over_mixed_load"
-# panels over the load for numbers that are not variables: loads of a bend or a reversal, and those
-# of a turning point
+# panels over the load for numbers that are not variables: loads, and values at a turning point
 LOADS = {
+    "turning_point_load": (RATIO,),
     "bend_load": (AREA,),
     MIXED: (AREA,),
     "total_contact_area_reversal_load": (AREA, RELATIVE_AREA),
 }
 AT_TURNING_POINT = {
-    "turning_point_load": RATIO,
     "turning_point_ratio": RATIO,
     "turning_point_solid_load_fraction": SOLID,
     "turning_point_solid_load": SOLID,
@@ -83,7 +80,7 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         places = [[one.at(name, one.turning_point["load"]) for one in marked] for name in (x, y)]
-        yield Series(kind, "", *np.array(places))
+        yield Series(kind, "", *np.array(places), look=MARKS[kind])
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
@@ -98,32 +95,22 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
             if places.size:
                 ends = np.unique(places[[0, -1]])
                 points = (curve.values(name)[ends] for name in (x, y))
-                yield Series(status, curve.label, *points, curve.condition)
+                yield Series(status, curve.label, *points, curve.condition, MARKS[status])
 
 
-def mark_entries(panels: Sequence[Panel]) -> list[Line2D]:
-    """Legend entries for the marks in ``panels``."""
-    kinds = {series.kind for panel in panels if not panel.is_over_sizes for series in panel.series}
-    limits = {series.kind for panel in panels if panel.is_over_sizes for series in panel.series}
-    entries = [entry for kind, entry in MARKS.items() if kind in kinds | limits - {PRINTED}]
-    entries += [PRINTED_LIMIT] if PRINTED in limits else []
-    entries += [BAND_ENTRY] if BAND in kinds else []
-    return [Line2D([], [], label=text, **look) for text, look in entries]
+def looks_in(panels: Sequence[Panel]) -> list[dict[str, Any]]:
+    """Entries of the key for the marks in ``panels``."""
+    limits = {each.kind for panel in panels if panel.x == "diameter_ratio" for each in panel.series}
+    kinds = {each.kind for panel in panels if panel.x != "diameter_ratio" for each in panel.series}
+    looks = [look for kind, look in MARKS.items() if kind in kinds | limits - {PRINTED}]
+    return [*looks, PRINTED_LIMIT] if PRINTED in limits else looks
 
 
-class Mark(NamedTuple):
-    """A printed number in a panel: its position, and the ends of its tolerance along ``x`` or ``y``."""
-
-    x: float
-    y: float
-    ends: tuple[float, float]
-    along: str
-
-    def series(self, name: str, condition: Condition | None = None) -> Iterator[Series]:
-        """Series of the number and of its tolerance."""
-        bar = (self.ends, (self.y,) * 2) if self.along == "x" else ((self.x,) * 2, self.ends)
-        yield Series(PRINTED, name, np.array([self.x]), np.array([self.y]), condition)
-        yield Series(TOLERANCE, name, *np.array(bar), condition)
+def printed_limit(row: Mapping) -> Iterator[Series]:
+    """A printed end of a window, and its tolerance: a ``row`` of the table ``printed``."""
+    ends = np.array([row["low"], row["high"]])
+    yield Series(PRINTED, row["id"], np.array([row["value"]]), np.zeros(1), look=PRINTED_LIMIT)
+    yield Series(TOLERANCE, row["id"], ends, np.zeros(2), look=LIMIT_TOLERANCE)
 
 
 def printed_series(
@@ -131,55 +118,56 @@ def printed_series(
 ) -> Iterator[Series]:
     """Printed numbers of ``curves``, rows of the table ``printed``, in a panel of ``x`` and ``y``;
     each position is shown once, even if several curves have it."""
-    drawn: set[Mark] = set()
+    drawn = set()
     for curve in curves:
-        key = condition_key(curve.condition)
-        rows = [row for row in printed if row_key(row) == key]
-        numbers = {row["quantity"]: row["value"] for row in reversed(rows)}
-        marks = [(row["id"], _mark(curve, row, numbers, x, y)) for row in rows]
-        new = [(name, mark) for name, mark in marks if mark and mark not in drawn]
-        for name, mark in new:
-            yield from mark.series(name, curve.condition)
-            drawn.add(mark)
+        key, colour = condition_key(curve.condition), {"color": curve.look["color"]}
+        for row in (row for row in printed if row_key(row) == key):
+            points = _low_value_high(curve, row, x, y)
+            place = row["id"], tuple(np.ravel(points))
+            if points and place not in drawn:
+                drawn.add(place)
+                points, look = np.array(points), MARKS[PRINTED] | colour
+                yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
+                look = TOLERANCE_LOOK | colour
+                yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 
 
-def _mark(curve, row, numbers, x, y) -> Mark | None:
-    """The mark of ``row`` in a panel of ``x`` and ``y``, or None; ``numbers`` are those of the curve."""
-    quantity, value, ends = row["quantity"], row["value"], (row["low"], row["high"])
+def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:
+    """The number in ``row`` between the ends of its tolerance, as points in a panel of ``x`` and
+    ``y``, at the curve along the other axis; None if the panel does not show it."""
+    quantity, number = row["quantity"], np.array([row["low"], row["value"], row["high"]])
     if x == quantity == "film_thickness":
-        return Mark(value, curve.at(y, _extreme(curve, row)), ends, "x")
+        return number, np.full(3, curve.at(y, _load_of(curve, row)))
     if x != "load":
         return None
-    if y == quantity:
-        if SCALES[y].limits:  # a fraction
-            ends = tuple(np.clip(ends, 0.0, 1.0))
-        return Mark(_load_of(curve, row), value, ends, "y")
     if quantity == "load" and y == row["at_quantity"]:
-        return Mark(value, row["at_level"], ends, "x")
+        return number, np.full(3, row["at_level"])
     if y in LOADS.get(quantity, ()):
-        unit = _falls_to(curve, SOLID, BOUNDARY_LIMIT) if quantity == MIXED else 1.0
-        load, low, high = (unit * each for each in (value, *ends))
-        return Mark(load, curve.at(y, load), (low, high), "x")
-    if y != AT_TURNING_POINT.get(quantity):
+        if quantity == MIXED:
+            number = number * _falls_to(curve, SOLID, BOUNDARY_LIMIT)
+        return number, np.full(3, curve.at(y, number[1]))
+    if y != AT_TURNING_POINT.get(quantity, quantity):
         return None
-    if quantity == "turning_point_load":
-        found = curve.turning_point.get("peak_ratio", curve.at(y, value))
-        return Mark(value, numbers.get("turning_point_ratio", found), ends, "x")
-    highest = float(curve.values("load")[np.argmax(curve.values(RATIO))])
-    load = numbers.get("turning_point_load", curve.turning_point.get("load", highest))
-    # L_s = L_s F_t*/F_t*
-    unit = 1.0 / load if quantity == "turning_point_solid_load" else 1.0
-    low, high = np.clip([unit * end for end in ends], 0.0, 1.0)
-    return Mark(load, unit * value, (low, high), "y")
+    load = _load_of(curve, row)
+    if quantity == "turning_point_solid_load":
+        number = number / load  # L_s = L_s F_t*/F_t*
+    if SCALES[y].limits:  # a fraction
+        number = np.clip(number, 0.0, 1.0)
+    return np.full(3, load), number
 
 
 def _load_of(curve, row) -> float:
-    """The load of the printed number in ``row``."""
+    """The load of the number in ``row``: given, or where the curve has a level, an extreme or its turning point."""
     if row["at_quantity"] == "load":
         return row["at_level"]
     if row["at_quantity"]:
         return _falls_to(curve, row["at_quantity"], row["at_level"])
-    return _extreme(curve, row)
+    load = curve.values("load")
+    within = load <= (row["load_max"] or np.inf)
+    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
+    values = curve.values(RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"])
+    find = np.argmin if row["extreme"] == "minimum" else np.argmax
+    return float(load[find(values[within])])
 
 
 def _falls_to(curve, name, level) -> float:
@@ -187,17 +175,3 @@ def _falls_to(curve, name, level) -> float:
     below = curve.values(name) < level
     falls = np.flatnonzero(below[1:] & ~below[:-1])
     return float(curve.values("load")[falls[-1] + 1 if falls.size else -1])
-
-
-def _extreme(curve, row) -> float:
-    """The load of the extreme of the curve in ``row``."""
-    load = curve.values("load")
-    within = load <= (row["load_max"] or np.inf)
-    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
-    values = curve.values(row["quantity"])[within]
-    wanted = values.min() if row["extreme"] == "minimum" else values.max()
-    found = np.flatnonzero(values == wanted)
-    # A constant curve has it everywhere.  The paper means loads up to the last one, and the
-    # fractions of solids and particles decrease with the load.
-    is_last = row["load_max"] or row["extreme"] == "minimum"
-    return float(load[found[-1 if is_last else 0]])

@@ -12,14 +12,13 @@ import matplotlib.style
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import draw_panels, key_title, range_outline
+from thirdbody.figures.curves import draw_panels, key_title, range_series
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
-from thirdbody.figures.marks import BAND, read_turning_points
+from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES, note
 from thirdbody.figures.styles import BLUE, level_styles
@@ -118,32 +117,33 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
+    looks = [
+        look | {"label": label}
+        for look, label in zip(level_styles(len(curves)), curves, strict=True)
+    ]
     panels = []
     for name in names:
-        series = (
-            Series(CURVE, label, data[over].values, curve[name].values.astype(float), label)
-            for label, curve in curves.items()
-        )
-        panels.append(Panel(SCALES[name].title, over, name, tuple(series)))
-    looks = dict(zip(curves, level_styles(len(curves)), strict=True))
-    entries = [Line2D([], [], label=label, **look) for label, look in looks.items() if label]
-    return draw_panels(panels, looks, None, entries, key_title("", common))
+        series = [
+            Series(CURVE, label, data[over].values, curve[name].values.astype(float), look=look)
+            for (label, curve), look in zip(curves.items(), looks, strict=True)
+        ]
+        panels.append(Panel(SCALES[name].title, over, name, series))
+    return draw_panels(panels, looks, key_title("", common))
 
 
 def plot_curve(curve: Any) -> Figure:
     """Draw the result of ``Interface.curve``, with its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     name, unit = units.get(curve.along, ("normal_load", 1.0))
-    along, x = curve.along, unit * np.asarray(curve.points)
+    x = unit * np.asarray(curve.points)
     panels = []
     for variable in DRAWN:
-        series = [Series(CURVE, "", x, curve.values[variable], along)]
+        series = [Series(CURVE, "", x, curve.values[variable], look={"color": BLUE})]
         if variable in curve.low:
-            outline = range_outline(x, curve.low[variable], curve.high[variable])
-            series.append(Series(BAND, "", *outline, along))
-        panels.append(Panel(SCALES[variable].title, name, variable, tuple(series)))
+            series.append(range_series("", x, curve.low[variable], curve.high[variable], BLUE))
+        panels.append(Panel(SCALES[variable].title, name, variable, series))
     with matplotlib.style.context(STYLE, after_reset=True):
-        return draw_panels(panels, {along: {"color": BLUE}})
+        return draw_panels(panels, [])
 
 
 def plot_comparison(comparison: Any) -> Figure:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import matplotlib
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.colors import to_rgb
-from matplotlib.lines import Line2D
 
 from thirdbody.data.conditions import Condition
 from thirdbody.figures.scales import value_text
@@ -43,13 +42,17 @@ def band_style(colour) -> dict:
     return {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
 
 
-def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict[Condition, dict]:
-    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``.
+def curve_styles(
+    curves: Sequence[Condition], parameter: str, size: int
+) -> dict[Condition | str, dict]:
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by
+    its level, and of dry and lubricated contact if they are compared.
 
     Two-body contact is black or grey.  With lubricated contact, dry contact is dashed, or dotted
     without particles, and has no markers.
     """
-    all_dry = all(each.is_dry for each in curves)
+    media = {each.viscosity for each in curves}
+    compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
     levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
     looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
     looks[0.0] = {"color": "black"}
@@ -58,25 +61,15 @@ def curve_styles(curves: Sequence[Condition], parameter: str, size: int) -> dict
         look = looks[getattr(each, parameter)]
         if each.is_dry and parameter == "viscosity" and each.is_two_body:
             look = DRY_TWO_BODY
-        elif each.is_dry and not all_dry:
+        elif each.is_dry and any(media):
             look = look | DRY | {"marker": "none"}
+        if not (compares_media and each.is_dry):
+            look = look | {"label": _level_text(each, parameter)}
         styles[each] = look
+    for viscosity in sorted(media, reverse=True) if compares_media else ():
+        text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
+        styles[text] = ({} if viscosity else DRY) | {"color": GREY, "label": text}
     return styles
-
-
-def key_entries(styles: Mapping[Condition, dict], parameter: str) -> list[Line2D]:
-    """Legend entries for ``curve_styles``: the levels, then dry and lubricated contact if compared."""
-    compares_media = parameter != "viscosity" and len({each.is_dry for each in styles}) == 2
-    entries = {
-        _level_text(each, parameter): look
-        for each, look in styles.items()
-        if not (compares_media and each.is_dry)
-    }
-    if compares_media:
-        for viscosity in sorted({each.viscosity for each in styles}, reverse=True):
-            text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
-            entries[text] = ({} if viscosity else DRY) | {"color": GREY}
-    return [Line2D([], [], label=text, **look) for text, look in entries.items()]
 
 
 def _level_text(condition, parameter):
