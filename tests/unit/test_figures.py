@@ -322,7 +322,7 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     labels = [[series.label for series in panel.series] for panel in drawing.panels]
     assert ["contact of summits" in each for each in labels] == [True, False, True]
     assert ["carries load" in "".join(each) for each in labels] == [False, True, True]
-    for each in (interface, drawing):
+    for each in (interface, drawing, again):
         each.draw_without_rendering()
         for axes in each.axes:
             box, (width,), (height,) = axes.bbox, *map(np.diff, (axes.get_xlim(), axes.get_ylim()))
