@@ -77,7 +77,7 @@ def turning_points_in(data):
     """The highest point of each curve, where it lies within the loads."""
     found = []
     for curve in curves_in(data):
-        ratio = curve.values(RATIO)
+        ratio = curve.values[RATIO]
         top = int(np.argmax(ratio))
         if 0 < top < ratio.size - 1:
             place = {"load": float(data["load"].values[top]), "peak_ratio": float(ratio[top])}
@@ -192,7 +192,7 @@ def test_files_hold_the_values_of_the_dataset_in_the_same_bytes_every_time(
     for panel in drawing.panels:
         for curve in curves_in(data):
             if (panel.letter, curve.label) in drawn and panel.y != OVER:
-                expected = np.column_stack([curve.values(n) for n in (panel.x, panel.y)])
+                expected = np.column_stack([curve.values[n] for n in (panel.x, panel.y)])
                 found = drawn[panel.letter, curve.label]
                 np.testing.assert_allclose(found, expected, rtol=1e-9)  # %.10g
     assert {row["curve"] for row in rows} >= {c.name for c in drawing.panels[0].of_kind(CURVE)}
@@ -212,7 +212,7 @@ def test_a_wide_table_has_a_column_for_each_curve(datasets, tmp_path):
     }
     for heading, quantity in headings.items():
         found = [float(row[heading]) for row in rows]
-        np.testing.assert_allclose(found, curve.values(quantity), rtol=1e-9)
+        np.testing.assert_allclose(found, curve.values[quantity], rtol=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -236,7 +236,7 @@ def test_points_that_are_not_plainly_converged_are_marked(status, places, meanin
         (marked,) = panel.of_kind(status)
         assert marked.name == curve.label
         for drawn, name in ((marked.x, panel.x), (marked.y, panel.y)):
-            np.testing.assert_array_equal(drawn, curve.values(name)[places])
+            np.testing.assert_array_equal(drawn, curve.values[name][places])
     assert meaning in key_of(drawing)
     assert meaning in caption("fig11", drawing.panels)
     assert meaning not in key_of(plotted("fig11", datasets).figure)
@@ -271,12 +271,12 @@ def test_areas_are_compared_with_dry_two_body_contact(name, datasets):
     data = datasets[name]
     curves = {curve.label: curve for curve in curves_in(data)}
     references = {
-        curve.condition.roughness: curve.values(AREA)
+        curve.condition.roughness: curve.values[AREA]
         for curve in curves.values()
         if curve.condition.is_dry and curve.condition.is_two_body
     }
     for series in plotted(name, datasets).panels[-1].of_kind(CURVE):
-        area = curves[series.name].values(AREA)
+        area = curves[series.name].values[AREA]
         expected = area / references[series.curve.roughness]
         np.testing.assert_allclose(series.y, expected, rtol=1e-14)
     without = data.where(data["particle_diameter"] > 0.0)

@@ -31,15 +31,12 @@ KEY_HEIGHT = 0.9  # of a key below the panels [inches]
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One curve of a dataset: its ``condition``, and its ``place`` after the load axis; ``load``
-    and ``peak_ratio`` of its turning point, if it has one; the ``reference`` of its area, dry
-    two-body contact on the same surface, if it is in the dataset; and its line properties."""
+    """One curve of a dataset: its condition; the values of each quantity over the load, shape (loads,);
+    ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
 
-    data: PlainDataset
     condition: Condition
-    place: tuple[int, ...]
+    values: dict[str, NDArray[np.float64]]
     turning_point: Mapping[str, float]
-    reference: Curve | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
 
     @property
@@ -49,44 +46,43 @@ class Curve:
 
     def has(self, name: str) -> bool:
         """Whether there are values of the quantity ``name`` along the curve."""
-        stored = AREA if name == RELATIVE_AREA else name
-        return stored in self.data and bool(np.isfinite(self.values(name)).any())
-
-    def values(self, name: str) -> NDArray[np.float64]:
-        """Values of the quantity ``name`` along the curve, shape (loads,)."""
-        if name == RELATIVE_AREA:
-            reference = self.reference.values(AREA) if self.reference else np.nan
-            return self.values(AREA) / reference
-        values = self.data[name].values
-        return values if values.ndim == 1 else values[(slice(None), *self.place)]
+        return bool(np.isfinite(self.values.get(name, np.nan)).any())
 
     def at(self, name: str, load: float) -> float:
-        """The quantity ``name`` at a ``load``, interpolated over ln load; or one of the two numbers
-        of a panel of turning points, which do not depend on the load."""
-        if name == "diameter_ratio":
-            return self.condition.diameter_ratio
-        if name == "turning_point_ratio":
-            return self.turning_point["peak_ratio"]
-        loads = np.log(self.values("load"))
-        return float(np.interp(np.log(load), loads, self.values(name)))
+        """The quantity ``name`` at a ``load``, interpolated over ln load."""
+        return float(np.interp(np.log(load), np.log(self.values["load"]), self.values[name]))
 
 
-def curves_in(data: PlainDataset, turning_points: Iterable[Mapping] = ()) -> list[Curve]:
-    """The curves of ``data``, in the order of its axes; ``turning_points`` have the four conditions."""
+def curves_in(
+    data: PlainDataset,
+    turning_points: Iterable[Mapping] = (),
+    ranges: PlainDataset | None = None,
+) -> list[Curve]:
+    """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points`` have
+    the four conditions.  Areas are also relative to dry two-body contact on the same surface."""
     found = {
         condition_key(each[name] for name in Condition._fields): each for each in turning_points
     }
     conditions, shown = curves_of(data)
-    curves = [
-        Curve(data, Condition(*values), tuple(place), found.get(condition_key(values), {}))
-        for values, place in zip(conditions.T.tolist(), np.argwhere(shown).tolist(), strict=True)
-    ]
-    references = {
-        curve.condition.roughness: curve
-        for curve in curves
-        if curve.condition.is_dry and curve.condition.is_two_body
+    variables = {**data.variables, **(ranges.variables if ranges is not None else {})}
+    over_load = {name: each.values for name, each in variables.items() if each.dims == ("load",)}
+    columns = {
+        name: each.values[:, shown].T for name, each in variables.items() if len(each.dims) > 1
     }
-    return [replace(curve, reference=references.get(curve.condition.roughness)) for curve in curves]
+    curves, references = [], {}
+    for place, values in enumerate(conditions.T.tolist()):
+        condition, point = Condition(*values), found.get(condition_key(values), {})
+        own = over_load | {name: rows[place] for name, rows in columns.items()}
+        own["diameter_ratio"] = np.full_like(own["load"], condition.diameter_ratio)
+        own["turning_point_ratio"] = np.full_like(own["load"], point.get("peak_ratio", np.nan))
+        curves.append(Curve(condition, own, point))
+        if condition.is_dry and condition.is_two_body and AREA in own:
+            references[condition.roughness] = own[AREA]
+    for curve in curves:
+        if curve.condition.roughness in references:
+            reference = references[curve.condition.roughness]
+            curve.values[RELATIVE_AREA] = curve.values[AREA] / reference
+    return curves
 
 
 @dataclass(frozen=True)
@@ -130,7 +126,7 @@ class CurveFigure:
         has ``<variable>_low`` and ``_high`` on the axes of ``data``; ``printed`` and ``windows`` are rows
         of the tables ``printed``, those of this figure, and ``tpca_windows``.
         """
-        curves = curves_in(data, turning_points)
+        curves = curves_in(data, turning_points, ensemble_range)
         if not self.two_body:
             curves = [one for one in curves if not one.condition.is_two_body]
         # in the order of the key
@@ -149,7 +145,7 @@ class CurveFigure:
                 if content.x == "diameter_ratio":
                     series = tuple(_window_series(content, chosen, windows, printed))
                 else:
-                    series = tuple(_curve_series(content, chosen, ensemble_range, printed))
+                    series = tuple(_curve_series(content, chosen, printed))
                 shared = shared_notes([curve.condition for curve in chosen])
                 own = ", ".join(text for text in shared if text not in common)
                 panels.append(Panel(own or SCALES[content.y].title, content.x, content.y, series))
@@ -164,13 +160,13 @@ class CurveFigure:
         return draw_panels(panels, looks.values(), title, newtons_per_load)
 
 
-def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
+def _curve_series(content, curves, printed) -> Iterator[Series]:
     """All series of a panel of curves."""
     x, y = content.x, content.y
     curves = [curve for curve in curves if curve.has(x) and curve.has(y)]
     for curve in curves:
         yield Series(
-            CURVE, curve.label, curve.values(x), curve.values(y), curve.condition, curve.look
+            CURVE, curve.label, curve.values[x], curve.values[y], curve.condition, curve.look
         )
     yield from marks.status_series(x, y, curves)
     if content.locus:
@@ -178,10 +174,9 @@ def _curve_series(content, curves, ranges, printed) -> Iterator[Series]:
     if content.locus or y == marks.RATIO:
         yield from marks.turning_point_series(x, y, curves, marks.TURNING_POINTS)
     yield from marks.printed_series(x, y, curves, printed)
-    if ranges is not None and x == "load" and f"{y}_low" in ranges:
-        for curve in curves:
-            around = replace(curve, data=ranges)
-            load, low, high = map(around.values, ("load", f"{y}_low", f"{y}_high"))
+    if x == "load":
+        for curve in (curve for curve in curves if curve.has(f"{y}_low")):
+            load, low, high = (curve.values[name] for name in ("load", f"{y}_low", f"{y}_high"))
             some = np.unique([*range(0, load.size, BAND_STEP), load.size - 1])
             ends = load[some], low[some], high[some]
             yield range_series(curve.label, *ends, curve.look["color"], curve.condition)

@@ -87,14 +87,14 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
     """First and last points with a status other than ``converged``, and ends of curves without values."""
     for status in STATUSES:
         for curve in curves:
-            marked = curve.values(STATUS) == SOLUTION_STATUSES.index(status)
+            marked = curve.values[STATUS] == SOLUTION_STATUSES.index(status)
             if status in WITHOUT_VALUES:
                 beside = np.append(marked[1:], False) | np.append(False, marked[:-1])
-                marked = beside & np.isfinite(curve.values(y))
+                marked = beside & np.isfinite(curve.values[y])
             places = np.flatnonzero(marked)
             if places.size:
                 ends = np.unique(places[[0, -1]])
-                points = (curve.values(name)[ends] for name in (x, y))
+                points = (curve.values[name][ends] for name in (x, y))
                 yield Series(status, curve.label, *points, curve.condition, MARKS[status])
 
 
@@ -162,16 +162,16 @@ def _load_of(curve, row) -> float:
         return row["at_level"]
     if row["at_quantity"]:
         return _falls_to(curve, row["at_quantity"], row["at_level"])
-    load = curve.values("load")
+    load = curve.values["load"]
     within = load <= (row["load_max"] or np.inf)
-    within &= curve.values("normal_load") <= (row["load_max_N"] or np.inf)
-    values = curve.values(RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"])
+    within &= curve.values["normal_load"] <= (row["load_max_N"] or np.inf)
+    values = curve.values[RATIO if row["quantity"] in AT_TURNING_POINT else row["quantity"]]
     find = np.argmin if row["extreme"] == "minimum" else np.argmax
     return float(load[find(values[within])])
 
 
 def _falls_to(curve, name, level) -> float:
     """The load at which the variable ``name`` last falls below ``level``, or the last load."""
-    below = curve.values(name) < level
+    below = curve.values[name] < level
     falls = np.flatnonzero(below[1:] & ~below[:-1])
-    return float(curve.values("load")[falls[-1] + 1 if falls.size else -1])
+    return float(curve.values["load"][falls[-1] + 1 if falls.size else -1])
