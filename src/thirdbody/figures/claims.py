@@ -23,8 +23,6 @@ COLOURS = {
     "not tested": "C3",
     "contradicted by the paper itself": "C4",
 }
-# marker by the verdict if the figure of a statement is left out of the search for inputs
-PREDICTED, NOT_PREDICTED = "o", "D"
 DISTANCES = (0, 0.5, 1, 3, 10, 100, 1000)  # ticks, in tolerances
 
 
@@ -44,7 +42,6 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
     figure = Drawing(figsize=(WIDTH, height), layout="constrained")
     axes = figure.add_subplot()
     series = []
-    places: dict[tuple, list] = {}  # scores and lines by colour, filling and marker
     for line, (text, found) in enumerate(lines):
         if text not in {row["id"] for row in found}:
             axes.axhspan(line - 0.5, line + 0.5, color="0.94", linewidth=0, zorder=0)
@@ -52,13 +49,10 @@ def plot(rows: Sequence[Mapping]) -> Drawing:
             missing = row["score"] is None or math.isnan(row["score"])
             score = NO_SCORE if missing else min(row["score"], LAST)
             series.append(Series(CURVE, row["id"], np.array([score]), np.array([line])))
-            colour = COLOURS[row["verdict"]]
-            divided = row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]
-            look = colour, "white" if divided else colour, _marker(row)
-            places.setdefault(look, []).append((score, line))
-    for (colour, filling, marker), points in places.items():
-        look = {"color": colour, "markerfacecolor": filling, "marker": marker}
-        axes.plot(*np.transpose(points), linestyle="none", zorder=2, **look)
+            look = {"color": COLOURS[row["verdict"]], "marker": "o" if _is_predicted(row) else "D"}
+            if row["ensemble_agree"] < AGREEMENT * row["ensemble_size"]:
+                look["markerfacecolor"] = "white"
+            axes.plot(score, line, linestyle="none", zorder=2, **look)
     axes.axvline(1.0, color="black", linewidth=0.8, zorder=1.5)
     axes.set(xlim=(2.0 * NO_SCORE, LAST - NO_SCORE), ylim=(len(lines) - 0.5, -0.5))
     axes.set_xticks([score_of(each) for each in DISTANCES], [*DISTANCES[:-1], "1000+"])
@@ -87,8 +81,9 @@ def _lines(rows) -> list[tuple[str, list[Mapping]]]:
     return lines
 
 
-def _marker(row) -> str:
-    return PREDICTED if (row["predicted"] or "holds") == "holds" else NOT_PREDICTED
+def _is_predicted(row) -> bool:
+    """Whether a statement holds, if evaluated, when its figure is left out of the search for inputs."""
+    return row["predicted"] in ("", None, "holds")
 
 
 def _key(rows) -> list[Line2D]:
@@ -99,8 +94,8 @@ def _key(rows) -> list[Line2D]:
         for verdict, colour in COLOURS.items()
         if verdict in found
     }
-    count = [_marker(row) for row in rows].count(NOT_PREDICTED)
+    count = sum(not _is_predicted(row) for row in rows)
     if count:
-        looks[f"not predicted ({count})"] = {"color": "black", "marker": NOT_PREDICTED}
+        looks[f"not predicted ({count})"] = {"color": "black", "marker": "D"}
     looks["ensemble divided"] = {"color": "black", "markerfacecolor": "white", "marker": "o"}
     return [Line2D([], [], label=text, linestyle="none", **look) for text, look in looks.items()]
