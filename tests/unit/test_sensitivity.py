@@ -74,7 +74,7 @@ def test_crossings_are_where_the_limits_are_crossed(subject, parameters):
     assert np.isfinite(found).any()
     for condition, loads in zip(subject.transitions, found, strict=True):
         for (quantity, level), load in zip(LIMITS, loads, strict=True):
-            values = getattr(evidence.curves[condition], quantity)
+            values = evidence.curves[condition][quantity]
             if np.isnan(load):
                 assert (values > level).all() or (values < level).all()
             else:

@@ -98,11 +98,9 @@ def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArr
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
-        values = {
-            name: np.column_stack([getattr(curve, name) for curve in curves]) for name, _ in LIMITS
-        }
+        values = {name: np.column_stack([curve[name] for curve in curves]) for name, _ in LIMITS}
         limit, curve, load, *_ = transitions(
-            np.column_stack([curve.separation for curve in curves]),
+            np.column_stack([curve["separation"] for curve in curves]),
             values,
             np.transpose(conditions),
             evidence.parameters,

@@ -67,6 +67,7 @@ class Judged:
         table = table.assign(
             curves=[claim.curves_text for claim in claims],
             published=[published_text(claim) for claim in claims],
+            score=[verdict.score for verdict in verdicts],
             value=[verdict.value for verdict in verdicts],
             range_low=range_low,
             range_high=range_high,
