@@ -34,12 +34,10 @@ COMMENT = (
 def band(
     dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
 ) -> PlainDataset:
-    """Lowest and highest value of each quantity over an ensemble of inputs, along the given curves.
+    """Lowest and highest value of each quantity, ``<quantity>_low`` and ``_high``, over ``dataset`` and the
+    ``ensemble`` at its conditions and loads F_t*.
 
-    ``dataset`` has the points of a figure, solved with ``base``; each member of the ``ensemble`` has the
-    inputs that differ from ``base``, SI.  Every member is solved at the conditions and loads F_t* of
-    ``dataset``, whose values are included, so that the band encloses its curves.  Returns variables
-    ``<quantity>_low`` and ``<quantity>_high``, with the layout of the quantity in ``dataset``.
+    ``dataset`` was solved with ``base``; members have the inputs that differ from it, SI.
     """
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]

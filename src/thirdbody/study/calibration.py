@@ -28,8 +28,7 @@ SLOPE_OF_LOSS = 0.1
 
 @dataclass(frozen=True)
 class Unknown:
-    """An unknown input, a field of ``Parameters``: values are searched between ``bounds`` and
-    penalised outside the ``usual`` range [unit of the input]."""
+    """An input that is searched between ``bounds`` and penalised outside the ``usual`` range."""
 
     name: str
     bounds: tuple[float, float]
@@ -51,8 +50,7 @@ class Unknown:
         return float(np.clip((value - low) / (high - low), 0.0, 1.0))
 
     def penalty(self, value: float) -> float:
-        """Squared distance of a value from the usual range: in decades if the scale is logarithmic,
-        otherwise in widths of the range [1]."""
+        """Squared distance of a value from the usual range, in decades or in widths of the range [1]."""
         low, high = self.usual
         if self.logarithmic:
             return max(0.0, np.log10(low / value), np.log10(value / high)) ** 2
@@ -61,8 +59,7 @@ class Unknown:
 
 @dataclass(frozen=True)
 class Interpretation:
-    """One interpretation of the printed equations, by its name in ``config/calibration.yaml``:
-    fixed inputs, SI, and unknowns, in the order of the positions."""
+    """An interpretation of the printed equations: fixed inputs, SI, and unknowns in the order of positions."""
 
     name: str
     fixed: dict[str, Any]
@@ -70,7 +67,7 @@ class Interpretation:
 
     @classmethod
     def of(cls, name: str, settings: Mapping[str, Any]) -> Interpretation:
-        """Read an interpretation from the content of ``config/calibration.yaml``."""
+        """The interpretation of this name in the content of ``config/calibration.yaml``."""
         entry = settings["interpretations"][name]
         unknowns = []
         for each in (*settings["always"], *entry.get("unknowns", ())):
@@ -96,8 +93,7 @@ class Interpretation:
 
 @dataclass(frozen=True)
 class Objective:
-    """The objective of a calibration: weighted losses of the statements [1], plus penalties for
-    unusual inputs."""
+    """The objective of a calibration [1]: weighted losses of statements and penalties for unusual inputs."""
 
     judge: Judge
     weights: NDArray[np.float64]
@@ -106,11 +102,9 @@ class Objective:
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """Make the objective over ``claims``, without those set aside.
+        """The objective over ``claims`` that are not set aside; ``base`` has all other inputs.
 
         The weight of a statement is that of its kind, divided among the statements of its cluster.
-        ``settings`` is the content of ``config/calibration.yaml``; ``base`` has the inputs that are
-        neither fixed nor searched.
         """
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
@@ -151,16 +145,14 @@ class Objective:
 
 
 def loss(score: ArrayLike) -> ArrayLike:
-    """Loss of a statement, s^4/(1 + s^4) + 0.1 s for a score s in tolerances [1]: small where it
-    holds, steepest at the tolerance, and nearly flat far away, so that a statement that cannot hold
-    does not outweigh the others."""
+    """Loss s^4/(1 + s^4) + 0.1 s of a statement with the score s [1]: steepest at the tolerance, and nearly
+    flat far away, so that a statement that cannot hold does not outweigh the others."""
     return score**4 / (1.0 + score**4) + SLOPE_OF_LOSS * score
 
 
 class Fold(NamedTuple):
-    """One fold of the cross-validation: statements of some figures are left out of the search and
-    ``judged`` with its result; those ``fitted`` neither refer to these figures nor repeat or
-    contradict a judged one."""
+    """One fold of the cross-validation: statements of some figures are ``judged`` with the result of a
+    search over those ``fitted``, which neither refer to these figures nor repeat or contradict them."""
 
     judged: tuple[Claim, ...]
     fitted: tuple[Claim, ...]

@@ -32,12 +32,11 @@ def summary(
     folds: Sequence[NDArray[np.float64]],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """Summarise the searches of an interpretation as the content of its calibrated file, SI.
+    """The content of the calibrated file of an interpretation, SI.
 
-    ``inputs`` are the acceptable set for which most statements hold, and of several the most
-    plausible.  ``searches``, ``samples`` and ``folds`` are positions and objectives, shape (rows,
-    unknowns + 1): for each seed its search over all statements and its sample, and for each fold
-    its search; the last two only for the shortlist.  ``judge_all`` has all statements.
+    ``searches`` and ``samples`` of each seed, and ``folds``, are positions and objectives, shape (rows,
+    unknowns + 1); the last two only for the shortlist.  ``inputs`` are the acceptable set for which most
+    statements hold, and of several the most plausible.
     """
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
@@ -109,12 +108,8 @@ def price_front(
     rows: NDArray[np.float64],
     inputs: Mapping[str, float],
 ) -> list[list[float]]:
-    """Pareto front of the statement with the id ``name`` and all other statements.
-
-    ``rows``, shape (evaluations, unknowns + 1), are from a search with a higher weight of this
-    statement; ``objective`` has the ordinary weights.  The front includes the published ``inputs``;
-    each point is the score of the statement and the objective without it and its repetitions.
-    """
+    """Pareto front of the score of the statement ``name`` and the objective without it and its repetitions,
+    from the published ``inputs`` and ``rows`` of a search with a higher weight of this statement."""
     place = [claim.id for claim in objective.claims].index(name)
     own = objective.repeating(name)
     best = rows[np.argsort(rows[:, -1], kind="stable")[:PRICED]]
@@ -136,10 +131,9 @@ def mixed_ensemble(
 ) -> tuple[list[dict[str, Any]], list[str]]:
     """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each.
 
-    An interpretation is included if its mean fraction is at most one standard deviation (of the
-    folds of the default) below that of the default; its number of members is proportional to the
-    fraction.  ``contents`` are those of calibrated files, the default first; ``fractions`` has the
-    predicted fraction of the statements in each fold for each cross-validated interpretation.
+    ``contents`` are those of calibrated files, the default first, and ``fractions`` the predicted
+    fractions of the statements in each fold.  An interpretation has members in proportion to its mean
+    fraction, if that is at most one standard deviation (of the default's) below that of the default.
     """
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]

@@ -23,10 +23,8 @@ MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
 def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
-    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns).
-
-    Every second one, from the first on, has summits of at least ``budget["elastic_radius"]``.
-    """
+    """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one has
+    summits of at least ``budget["elastic_radius"]``."""
     unknowns = interpretation.unknowns
     places = LatinHypercube(len(unknowns), rng=np.random.default_rng(0)).random(budget["scattered"])
     for column, unknown in enumerate(unknowns):
@@ -43,12 +41,11 @@ def search(
     budget: Mapping[str, Any],
     seed: int,
 ) -> NDArray[np.float64]:
-    """Search the unknowns of an interpretation, at least two, for the least objective.
+    """Search the unknowns of an interpretation, at least two, for the least objective, by a CMA evolution
+    strategy with a quadratic surrogate (Hansen 2019, doi:10.1145/3321707.3321842) from ``start``.
 
-    A CMA evolution strategy starts from the position ``start``, and saves evaluations with a quadratic
-    surrogate (Hansen 2019, doi:10.1145/3321707.3321842).  ``budget`` has the number of ``evaluations`` for
-    each unknown, which the last generation may exceed.  The same ``seed``, from 1, gives the same result:
-    positions and, in the last column, the objective there [1], in the order of evaluation.
+    Returns positions and, in the last column, the objective [1], in the order of evaluation: as many as
+    ``budget["evaluations"]`` for each unknown, and a few more.
     """
     rows = []
 
@@ -78,14 +75,11 @@ def posterior_sample(
     budget: Mapping[str, int],
     seed: int,
 ) -> NDArray[np.float64]:
-    """Sample sets of inputs with the density exp(-objective) by an ensemble of walkers.
+    """Sample sets of inputs with the density exp(-objective) by walkers (Foreman-Mackey et al. 2013,
+    doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9).
 
-    Walkers start from the best of the ``evaluations`` of a search; ``budget`` has the numbers of
-    ``walkers`` and ``steps``, of which the first quarter is dropped.  The same ``seed`` gives the same
-    result: positions and, in the last column, the objective there [1], shape (rows, unknowns + 1).
-
-    Foreman-Mackey et al. (2013), doi:10.1086/670067; ter Braak & Vrugt (2008),
-    doi:10.1007/s11222-008-9104-9.
+    They start from the best of the ``evaluations`` of a search; the first quarter of the steps is
+    dropped.  Returns positions and, in the last column, the objective [1].
     """
 
     def log_density(positions):

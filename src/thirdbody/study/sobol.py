@@ -29,11 +29,8 @@ LEAST_SETS = 1.2  # solved sets of inputs for each term of a response surface
 def legendre_terms(
     positions: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Terms of a quadratic, each with mean square 1 over the ranges of the inputs.
-
-    At ``positions``, shape (sets, inputs): 1, a first and a second degree of each input, and the products
-    of two inputs, shape (sets, terms); and whether a term depends on an input, shape (terms, inputs).
-    """
+    """Terms of a quadratic at ``positions``, shape (sets, inputs), each with mean square 1: shape (sets,
+    terms); and whether a term depends on an input, shape (terms, inputs)."""
     first = np.sqrt(3.0) * positions
     second = np.sqrt(5.0) * (1.5 * positions**2 - 0.5)
     one, other = np.triu_indices(positions.shape[1], k=1)
@@ -46,12 +43,11 @@ def legendre_terms(
 def total_indices(
     positions: NDArray[np.float64], values: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], float]:
-    """Total Sobol index of each input in the logarithm of a positive output.
+    """Total Sobol index of each input in the logarithm of a positive output, shape (inputs,), and the
+    fraction of the variance missed in leave-one-out cross-validation [1].
 
-    ``positions``, shape (sets, inputs), are those of the solved sets of inputs, from -1 to 1, and
-    ``values``, shape (sets,), the output there; sets where it is nan are left out.  Returns the
-    indices of the response surface, shape (inputs,), and the fraction of the variance missed in
-    leave-one-out cross-validation [1]; nan if the output occurs in too few sets.
+    ``values``, shape (sets,), is the output at ``positions``, shape (sets, inputs); nan where it does not
+    occur.  Both results are nan if it occurs in too few sets.
     """
     terms, involved = legendre_terms(positions)
     known = np.isfinite(values)
@@ -76,10 +72,8 @@ def default_indices(
 ) -> Found:
     """Total Sobol indices of the outputs, ``base`` at ``parameters``, for some ``inputs``, SI.
 
-    The error is the fraction missed by the response surface, because any input may contribute to
-    it.  ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``: ``spread`` is the
-    relative change in both directions, within the bounds of the input, ``solved`` the number of
-    sets of inputs, ``seed`` the seed of their scatter.
+    The error is the fraction missed by the response surface: any input may contribute to it.
+    ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``.
     """
     scattered = qmc.LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])
