@@ -18,12 +18,13 @@ from thirdbody.study.sensitivity import (
     STEP,
     Found,
     Subject,
+    default_indices,
     elasticities,
     last_crossings,
     sensitivity_rows,
+    total_indices,
     varied_inputs,
 )
-from thirdbody.study.sobol import default_indices, total_indices
 
 ROOT = Path(__file__).parents[2]
 CONFIG = ROOT / "config"
