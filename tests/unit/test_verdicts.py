@@ -11,7 +11,7 @@ from thirdbody.configuration.schema import config_directory
 from thirdbody.study import verdicts
 from thirdbody.study.checks import Judge, Verdict
 from thirdbody.study.claims import Claim, load_claims
-from thirdbody.study.page import claims_html, claims_json, claims_markdown
+from thirdbody.study.verdicts import claims_html, claims_json, claims_markdown
 
 SETTINGS = read_yaml(config_directory() / "calibration.yaml")
 HELD = Verdict("1", 0.0, 0.0, (1.0,))

@@ -1,12 +1,13 @@
-"""The verdict on every statement of the paper, as tables.
+"""The verdict on every statement of the paper: as tables, pages for readers and data for programs.
 
 ``judge_everything`` evaluates all statements for many sets of inputs: the default, its ensemble,
-the inputs of every interpretation, and those of every fold of the cross-validation; the other
-functions make tables of the result.
+the inputs of every interpretation, and those of every fold of the cross-validation.
 """
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -14,7 +15,9 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+from jinja2 import Environment, PackageLoader, StrictUndefined, select_autoescape
 
+from thirdbody.curves.turning_point import PROMINENCE
 from thirdbody.data.places import part_of_paper
 from thirdbody.data.spread import spread
 from thirdbody.data.tables import TABLES
@@ -55,22 +58,19 @@ class Judged:
     @cached_property
     def table(self) -> pd.DataFrame:
         """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
-        claims = self.claims
+        claims, sets = self.claims, [*self.interpretations.values()]
         verdicts = [self.verdicts[claim.id] for claim in claims]
         ranges = [
             number_ranges(self, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
             for claim, verdict in zip(claims, verdicts, strict=True)
         ]
-        range_low, range_high = np.transpose(ranges)
-        sets = {"ensemble": self.members, "interpretations": self.interpretations.values()}
         table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
+        table[["range_low", "range_high"]] = ranges
         table = table.assign(
             curves=[claim.curves_text for claim in claims],
             published=[published_text(claim) for claim in claims],
             score=[verdict.score for verdict in verdicts],
             value=[verdict.value for verdict in verdicts],
-            range_low=range_low,
-            range_high=range_high,
             tolerance_kind=np.where(table["relative"], "relative", "absolute"),
             verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
             predicted=[
@@ -78,11 +78,10 @@ class Judged:
                 for claim in claims
             ],
             contradicts=[" ".join(claim.contradicts) for claim in claims],
-            **{
-                f"{name}_agree": [_agreeing(self, some, claim.id) for claim in claims]
-                for name, some in sets.items()
-            },
-            **{f"{name}_size": len(some) for name, some in sets.items()},
+            ensemble_agree=[_agreeing(self, self.members, claim.id) for claim in claims],
+            ensemble_size=len(self.members),
+            interpretations_agree=[_agreeing(self, sets, claim.id) for claim in claims],
+            interpretations_size=len(sets),
         )
         return table[[column.name for column in TABLES["claims"]]]
 
@@ -185,16 +184,16 @@ def count_once(claims: Iterable[Claim], verdicts: Verdicts) -> tuple[int, int]:
 
 def counts_by_figure(judged: Judged) -> pd.DataFrame:
     """Number of statements with each verdict, by part of the paper."""
-    part = judged.table["place"].map(part_of_paper).rename("figure")
-    words = [HOLDS, FAILS, NOT_TESTED, CONTRADICTED]
-    counts = pd.crosstab(part, judged.table["verdict"])
-    counts = counts.reindex(index=part.unique(), columns=words, fill_value=0)
-    parts = [
-        [claim for claim in judged.claims if part_of_paper(claim.place) == name]
-        for name in counts.index
-    ]
-    held = ["{} of {}".format(*count_once(claims, judged.verdicts)) for claims in parts]
-    return counts.assign(**{"hold, repeats once": held}).reset_index()
+    parts: dict[str, list[Claim]] = {}
+    for claim in judged.claims:
+        parts.setdefault(part_of_paper(claim.place), []).append(claim)
+    rows = []
+    for part, claims in parts.items():
+        found = [outcome(claim, judged.verdicts[claim.id]) for claim in claims]
+        counts = {word: found.count(word) for word in (HOLDS, FAILS, NOT_TESTED, CONTRADICTED)}
+        held = "{} of {}".format(*count_once(claims, judged.verdicts))
+        rows.append({"figure": part, **counts, "hold, repeats once": held})
+    return pd.DataFrame(rows)
 
 
 def headline_table(judged: Judged) -> pd.DataFrame:
@@ -257,3 +256,144 @@ def _agreeing(judged: Judged, sets: Iterable[Verdicts], id: str) -> int:
     """Number of sets of verdicts that agree with the default on a statement."""
     same = judged.verdicts[id].tested, judged.verdicts[id].holds
     return sum((other[id].tested, other[id].holds) == same for other in sets)
+
+
+def claims_markdown(judged: Judged) -> str:
+    """The page ``claims.md``: a summary, then every statement."""
+    table = judged.table
+    numbers = headline_table(judged)
+    failing = table[table["verdict"] == FAILS]
+    failing = failing.assign(holds_under=[_holds_under(judged, id) for id in failing["id"]])
+    names = failing["cluster"].replace("", None).fillna(failing["id"])
+    return ENVIRONMENT.get_template("claims.md.j2").render(
+        score=score_sentence(judged),
+        reached=numbers["reached"].sum(),
+        wider=_wider_tolerances(judged),
+        headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
+        misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
+        default=judged.default,
+        claims=judged.claims,
+        verdicts=judged.verdicts,
+        words=dict(zip(table["id"], table["verdict"], strict=True)),
+        counts=counts_by_figure(judged),
+        comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
+        statements=table.to_dict("records"),
+        failing=failing.to_dict("records"),
+    )
+
+
+def claims_html(judged: Judged) -> str:
+    """The statements and their verdicts as a table, an HTML page."""
+    score = score_sentence(judged).replace("**", "")
+    rows = judged.table.to_dict("records")
+    return ENVIRONMENT.get_template("claims.html.j2").render(score=score, rows=rows)
+
+
+def claims_json(judged: Judged) -> str:
+    """The same data for programs: a JSON object, with null for missing numbers.
+
+    A statement has the columns of the table ``claims``, the last ones as lists and objects, SI, and
+    the ensemble range of each of its numbers.
+    """
+    held, of = count_once(judged.claims, judged.verdicts)
+    predicted, tested = count_once(judged.claims, judged.predicted)
+    rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
+    content = {
+        "score": score_sentence(judged).replace("**", ""),
+        "held": held,
+        "judged": of,
+        "predicted": predicted,
+        "predicted_of": tested,
+        "interpretation": judged.default["interpretation"],
+        "inputs": judged.default["inputs"],
+        "identification": judged.default["identification"],
+        "headline": headline_table(judged).to_dict("records"),
+        "interpretations": judged.comparison.to_dict("records"),
+        "statements": [
+            row
+            | {
+                "curves": [condition._asdict() for condition in claim.curves],
+                "references": [condition._asdict() for condition in claim.references],
+                "loads": claim.limits,
+                "published": claim.published,
+                "numbers": judged.verdicts[claim.id].numbers,
+                "range": number_ranges(judged, claim.id).tolist(),
+                "contradicts": list(claim.contradicts),
+            }
+            for row, claim in zip(rows, judged.claims, strict=True)
+        ],
+    }
+    return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
+
+
+def score_sentence(judged: Judged) -> str:
+    """Numbers of statements that hold: predicted, fitted, and with fainter turning points."""
+    held, of = count_once(judged.claims, judged.verdicts)
+    right, tested = count_once(judged.claims, judged.predicted)
+    predicted = (
+        f"Of {tested} distinct statements {right} are predicted when their figure is left out of the search. "
+        if tested
+        else "No cross-validation has been run for these inputs. "
+    )
+    percentage = f" ({100 * held / of:.0f} %)" if of else ""
+    faint, faint_of = count_once(judged.claims, judged.faint)
+    return (
+        f"**{predicted}Of {of} that can be judged {held} hold{percentage}**, with one set of inputs for all "
+        f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
+        f"if {FAINT:g} were enough, {faint} of {faint_of} would hold."
+    )
+
+
+def _holds_under(judged: Judged, id: str) -> str:
+    """The interpretations with whose inputs a statement holds."""
+    names = [name for name, each in judged.interpretations.items() if each[id].holds]
+    return ", ".join(names) or f"none of the {len(judged.interpretations)} interpretations"
+
+
+def _wider_tolerances(judged: Judged) -> str:
+    """Tolerances within which headline numbers count as reached, if wider than those of their
+    statements."""
+    wider: dict[str, str] = {}
+    for claim in judged.claims:
+        size = judged.settings["headline_tolerances"].get(claim.id)
+        if size is not None:
+            text = f"{100 * size:g} %" if claim.relative else f"{size:g}"
+            wider[text] = claim.place.split(", section")[0]
+    return " or ".join(f"within {text} ({place})" for text, place in wider.items())
+
+
+def _tolerance(row: Mapping[str, Any]) -> str:
+    """The tolerance as text, as a percentage of the number or in its unit."""
+    size = row["tolerance"]
+    relative = row["tolerance_kind"] == "relative"
+    return f"{100 * size:g} %, relative" if relative else f"{size:g}, absolute"
+
+
+def _cell(value: Any) -> str:
+    """A value as a cell of a table in Markdown."""
+    return str(value).replace("|", "\\|")
+
+
+def _as_markdown(table: pd.DataFrame) -> str:
+    return table.map(_cell).to_markdown(index=False, disable_numparse=True)
+
+
+ENVIRONMENT = Environment(
+    loader=PackageLoader("thirdbody.study", "."),
+    autoescape=select_autoescape(["html.j2"]),
+    undefined=StrictUndefined,
+    keep_trailing_newline=True,
+)
+FILTERS = {"markdown": _as_markdown, "once": once, "tolerance": _tolerance, "cell": _cell}
+ENVIRONMENT.filters |= FILTERS
+
+
+def _without_nan(content):
+    """The content with null for every number that is nan or infinite."""
+    if isinstance(content, Mapping):
+        return {name: _without_nan(value) for name, value in content.items()}
+    if isinstance(content, (list, tuple)):
+        return [_without_nan(value) for value in content]
+    if isinstance(content, float) and not math.isfinite(content):
+        return None
+    return content
