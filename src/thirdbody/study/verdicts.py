@@ -263,12 +263,10 @@ def claims_markdown(judged: Judged) -> str:
     table = judged.table
     numbers = headline_table(judged)
     failing = table[table["verdict"] == FAILS]
-    failing = failing.assign(holds_under=[_holds_under(judged, id) for id in failing["id"]])
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
         score=score_sentence(judged),
         reached=numbers["reached"].sum(),
-        wider=_wider_tolerances(judged),
         headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
         default=judged.default,
@@ -279,6 +277,7 @@ def claims_markdown(judged: Judged) -> str:
         comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
+        interpretations=judged.interpretations,
     )
 
 
@@ -296,14 +295,14 @@ def claims_json(judged: Judged) -> str:
     the ensemble range of each of its numbers.
     """
     held, of = count_once(judged.claims, judged.verdicts)
-    predicted, tested = count_once(judged.claims, judged.predicted)
+    predicted, predicted_of = count_once(judged.claims, judged.predicted)
     rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
     content = {
         "score": score_sentence(judged).replace("**", ""),
         "held": held,
         "judged": of,
         "predicted": predicted,
-        "predicted_of": tested,
+        "predicted_of": predicted_of,
         "interpretation": judged.default["interpretation"],
         "inputs": judged.default["inputs"],
         "identification": judged.default["identification"],
@@ -328,45 +327,10 @@ def claims_json(judged: Judged) -> str:
 
 def score_sentence(judged: Judged) -> str:
     """Numbers of statements that hold: predicted, fitted, and with fainter turning points."""
-    held, of = count_once(judged.claims, judged.verdicts)
-    right, tested = count_once(judged.claims, judged.predicted)
-    predicted = (
-        f"Of {tested} distinct statements {right} are predicted when their figure is left out of the search. "
-        if tested
-        else "No cross-validation has been run for these inputs. "
-    )
-    percentage = f" ({100 * held / of:.0f} %)" if of else ""
-    faint, faint_of = count_once(judged.claims, judged.faint)
-    return (
-        f"**{predicted}Of {of} that can be judged {held} hold{percentage}**, with one set of inputs for all "
-        f"figures. Turning points count if they stand out by {PROMINENCE:g}, a line's width; "
-        f"if {FAINT:g} were enough, {faint} of {faint_of} would hold."
-    )
-
-
-def _holds_under(judged: Judged, id: str) -> str:
-    """The interpretations with whose inputs a statement holds."""
-    names = [name for name, each in judged.interpretations.items() if each[id].holds]
-    return ", ".join(names) or f"none of the {len(judged.interpretations)} interpretations"
-
-
-def _wider_tolerances(judged: Judged) -> str:
-    """Tolerances within which headline numbers count as reached, if wider than those of their
-    statements."""
-    wider: dict[str, str] = {}
-    for claim in judged.claims:
-        size = judged.settings["headline_tolerances"].get(claim.id)
-        if size is not None:
-            text = f"{100 * size:g} %" if claim.relative else f"{size:g}"
-            wider[text] = claim.place.split(", section")[0]
-    return " or ".join(f"within {text} ({place})" for text, place in wider.items())
-
-
-def _tolerance(row: Mapping[str, Any]) -> str:
-    """The tolerance as text, as a percentage of the number or in its unit."""
-    size = row["tolerance"]
-    relative = row["tolerance_kind"] == "relative"
-    return f"{100 * size:g} %, relative" if relative else f"{size:g}, absolute"
+    sets = {"fitted": judged.verdicts, "predicted": judged.predicted, "faint": judged.faint}
+    counts = {name: count_once(judged.claims, verdicts) for name, verdicts in sets.items()}
+    texts = ENVIRONMENT.get_template("claims.macros.j2").module
+    return texts.score(**counts, prominence=PROMINENCE, faint_prominence=FAINT)
 
 
 def _cell(value: Any) -> str:
@@ -384,8 +348,7 @@ ENVIRONMENT = Environment(
     undefined=StrictUndefined,
     keep_trailing_newline=True,
 )
-FILTERS = {"markdown": _as_markdown, "once": once, "tolerance": _tolerance, "cell": _cell}
-ENVIRONMENT.filters |= FILTERS
+ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell}
 
 
 def _without_nan(content):
