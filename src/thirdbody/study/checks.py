@@ -33,6 +33,7 @@ from thirdbody.study.evidence import FULL_EFFORT, Effort, Evidence, solve_eviden
 MISSING_SCORE = 10.0  # the largest score, also used if there is nothing to compare
 # Loads may miss the bound of a claim by this before its score grows: a line width.
 BOUND_TOLERANCE = 0.02
+MAXIMA = {"absence", "rising_then_falling"}  # kind or direction of statements on a maximum
 BEND = 0.1  # decrease of the slope of a curve at a visible bend [1]
 SATURATED = 1e-12  # closer to 0 or 1, the odds of a ratio have lost their digits
 TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can be compared
@@ -100,7 +101,9 @@ class Judge:
         prominence = effort.window.prominence
         if prominence != PROMINENCE:  # it is also the tolerance of statements on maxima
             some = [
-                replace(claim, tolerance=prominence) if claim.is_about_a_maximum else claim
+                replace(claim, tolerance=prominence)
+                if MAXIMA & {claim.kind, claim.direction}
+                else claim
                 for claim in some
             ]
         parameters = Parameters(**{**self.base, **inputs})
@@ -118,7 +121,8 @@ def judge(claim: Claim, evidence: Evidence) -> Verdict:
         text, distance = f"not reached, by {lack:.3g}", 2.0 + lack / BOUND_TOLERANCE
         found = Verdict(text, distance, np.nan, tested=claim.must_be_reached)
     if claim.source == "turning_point":
-        least = np.min([evidence.turning_points[each].prominence for each in claim.all_curves])
+        every = (evidence.turning_points[each] for each in claim.curves + claim.references)
+        least = np.min([point.prominence for point in every])
         height = least / evidence.effort.window.prominence
         # smooth: 1 where it is just visible, 0 from twice that height on
         faintness = max(2.0 - height, 0.0) if height > 1.0 else 1.0 / np.maximum(height, TINY)

@@ -59,8 +59,7 @@ STATES = {
 class Claim:
     """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
 
-    ``tolerance`` is a fraction of the quantity [1] if ``relative``, otherwise in the unit of the
-    quantity, with its ``reason``.  Missing fields are empty.
+    ``tolerance`` is a fraction of the quantity [1] if ``relative``, otherwise in its unit.
     """
 
     id: str
@@ -104,11 +103,6 @@ class Claim:
         }
         return tuple(condition._replace(**changes) for condition in self.curves if changes)
 
-    @property
-    def all_curves(self) -> tuple[Condition, ...]:
-        """Conditions of all its curves, including references."""
-        return self.curves + self.references
-
     @cached_property
     def all_figures(self) -> frozenset[int]:
         """Numbers of the figures in its place, and of those it repeats."""
@@ -131,11 +125,6 @@ class Claim:
     def counted_as(self) -> str:
         """The name under which it is counted: its cluster, or its id."""
         return self.cluster or self.id
-
-    @property
-    def is_about_a_maximum(self) -> bool:
-        """Whether it states that A_sa,t* has, or does not have, a turning point."""
-        return self.kind == "absence" or self.direction == "rising_then_falling"
 
     @property
     def source(self) -> str:
@@ -174,7 +163,7 @@ def referenced_conditions(claims: Sequence[Claim]) -> dict[str, set]:
     for ``curve`` and ``turning_point``, of sigma [m] for ``window``."""
     asked = {"curve": set(), "turning_point": set(), "window": set()}
     for claim in claims:
-        for condition in claim.all_curves:
+        for condition in claim.curves + claim.references:
             asked[claim.source].add(condition.roughness if claim.source == "window" else condition)
     return asked
 
