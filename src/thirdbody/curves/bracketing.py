@@ -12,10 +12,7 @@ SPACING = 4.0 * np.finfo(float).eps  # relative spacing of floats: width of the 
 
 
 def bracketed_roots(
-    function: Callable[[NDArray], NDArray],
-    low: NDArray,
-    high: NDArray,
-    tolerance: NDArray | float,
+    function: Callable[[NDArray], NDArray], low: NDArray, high: NDArray, tolerance: NDArray | float
 ) -> tuple[NDArray, NDArray]:
     """Find where a function changes sign between two bounds, element by element.
 

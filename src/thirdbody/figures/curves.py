@@ -35,7 +35,7 @@ class Curve:
     ``load`` and ``peak_ratio`` of its turning point, if it has one; and its line properties."""
 
     condition: Condition
-    values: dict[str, NDArray[np.float64]]
+    values: dict[str, NDArray]
     turning_point: Mapping[str, float]
     look: Mapping[str, Any] = field(default_factory=dict)
 
@@ -54,9 +54,7 @@ class Curve:
 
 
 def curves_in(
-    data: PlainDataset,
-    turning_points: Iterable[Mapping] = (),
-    ranges: PlainDataset | None = None,
+    data: PlainDataset, turning_points: Iterable[Mapping] = (), ranges: PlainDataset | None = None
 ) -> list[Curve]:
     """The curves of ``data``, in the order of its axes, with their ``ranges``; ``turning_points`` have
     the four conditions.  Areas are also relative to dry two-body contact on the same surface."""

@@ -42,8 +42,8 @@ class Series:
 
     kind: str
     name: str
-    x: NDArray[np.float64]
-    y: NDArray[np.float64]
+    x: NDArray
+    y: NDArray
     curve: Condition | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
 

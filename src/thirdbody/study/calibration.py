@@ -82,7 +82,7 @@ class Interpretation:
         pairs = zip(self.unknowns, positions, strict=True)
         return {unknown.name: unknown.value(position) for unknown, position in pairs}
 
-    def positions(self, inputs: Mapping[str, Any]) -> NDArray[np.float64]:
+    def positions(self, inputs: Mapping[str, Any]) -> NDArray:
         """Positions of the unknowns, shape (unknowns,), from their values by name, SI."""
         return np.array([unknown.position(inputs[unknown.name]) for unknown in self.unknowns])
 
@@ -96,7 +96,7 @@ class Objective:
     """The objective of a calibration [1]: weighted losses of statements and penalties for unusual inputs."""
 
     judge: Judge
-    weights: NDArray[np.float64]
+    weights: NDArray
 
     @classmethod
     def of(
@@ -118,15 +118,13 @@ class Objective:
         """Statements to which the inputs are fitted."""
         return self.judge.claims
 
-    def repeating(self, name: str) -> NDArray[np.bool_]:
+    def repeating(self, name: str) -> NDArray:
         """Which of ``claims`` is the one with the id ``name``, or repeats it."""
         clusters = [claim.counted_as for claim in self.claims]
         place = [claim.id for claim in self.claims].index(name)
         return np.array(clusters) == clusters[place]
 
-    def scores(
-        self, interpretation: Interpretation, inputs: Mapping[str, Any]
-    ) -> NDArray[np.float64]:
+    def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
         """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""
         try:
             verdicts = self.judge({**interpretation.fixed, **inputs}, QUICK_EFFORT)
@@ -174,12 +172,12 @@ def make_folds(claims: Sequence[Claim], figures: Sequence[Sequence[int]]) -> lis
     return folds
 
 
-def write_rows(path: Path, rows: NDArray[np.float64]) -> None:
+def write_rows(path: Path, rows: NDArray) -> None:
     """Write positions and objectives, shape (rows, unknowns + 1), with all digits."""
     with atomic_write(path) as part:
         np.savetxt(part, rows, fmt="%.17g", delimiter=",")
 
 
-def read_rows(path: Path) -> NDArray[np.float64]:
+def read_rows(path: Path) -> NDArray:
     """Read a file of ``write_rows``."""
     return np.loadtxt(path, delimiter=",", ndmin=2)

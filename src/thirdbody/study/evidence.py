@@ -25,7 +25,7 @@ SOLVED = (
     "film_thickness",
     "separation",
 )
-Curve = Mapping[str, NDArray[np.float64]]
+Curve = Mapping[str, NDArray]
 
 
 @dataclass(frozen=True)

@@ -27,9 +27,9 @@ PRICED = 100  # number of best sets of a cost search that are evaluated again
 def summary(
     interpretation: Interpretation,
     judge_all: Judge,
-    searches: Sequence[NDArray[np.float64]],
-    samples: Sequence[NDArray[np.float64]],
-    folds: Sequence[NDArray[np.float64]],
+    searches: Sequence[NDArray],
+    samples: Sequence[NDArray],
+    folds: Sequence[NDArray],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
     """The content of the calibrated file of an interpretation, SI.
@@ -71,7 +71,7 @@ def summary(
     }
 
 
-def acceptable(rows: NDArray[np.float64], acceptance: float) -> NDArray[np.float64]:
+def acceptable(rows: NDArray, acceptance: float) -> NDArray:
     """Unique evaluations with an objective up to ``acceptance`` above the least, best first."""
     ordered = np.unique(rows, axis=0)
     ordered = ordered[np.argsort(ordered[:, -1], kind="stable")]
@@ -84,7 +84,7 @@ def shortlist(least: Mapping[str, float], within: float, most: int) -> list[str]
     return [name for name in ranking if least[name] <= least[ranking[0]] + within][:most]
 
 
-def inputs_of(interpretation: Interpretation, row: NDArray[np.float64]) -> dict[str, float]:
+def inputs_of(interpretation: Interpretation, row: NDArray) -> dict[str, float]:
     """The unknowns of a row of positions and objective, SI, rounded to ``DIGITS``."""
     return {name: _rounded(value) for name, value in interpretation.values(row[:-1]).items()}
 
@@ -105,7 +105,7 @@ def price_front(
     interpretation: Interpretation,
     objective: Objective,
     name: str,
-    rows: NDArray[np.float64],
+    rows: NDArray,
     inputs: Mapping[str, float],
 ) -> list[list[float]]:
     """Pareto front of the score of the statement ``name`` and the objective without it and its repetitions,

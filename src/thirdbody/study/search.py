@@ -22,7 +22,7 @@ START_ABOVE_BEST = 1.0  # walkers start from sets up to this above the best, per
 MOVES = ((DEMove(), 0.7), (DEMove(gamma0=1.0), 0.2), (DESnookerMove(), 0.1))
 
 
-def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray[np.float64]:
+def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArray:
     """Points that fill the unit cube of the unknowns, shape (scattered, unknowns); every second one has
     summits of at least ``budget["elastic_radius"]``."""
     unknowns = interpretation.unknowns
@@ -36,11 +36,11 @@ def scatter(interpretation: Interpretation, budget: Mapping[str, Any]) -> NDArra
 
 def search(
     interpretation: Interpretation,
-    objective: Callable[[Interpretation, NDArray[np.float64]], float],
-    start: NDArray[np.float64],
+    objective: Callable[[Interpretation, NDArray], float],
+    start: NDArray,
     budget: Mapping[str, Any],
     seed: int,
-) -> NDArray[np.float64]:
+) -> NDArray:
     """Search the unknowns of an interpretation, at least two, for the least objective, by a CMA evolution
     strategy with a quadratic surrogate (Hansen 2019, doi:10.1145/3321707.3321842) from ``start``.
 
@@ -70,11 +70,11 @@ def search(
 
 def posterior_sample(
     interpretation: Interpretation,
-    objective: Callable[[Interpretation, NDArray[np.float64]], float],
-    evaluations: NDArray[np.float64],
+    objective: Callable[[Interpretation, NDArray], float],
+    evaluations: NDArray,
     budget: Mapping[str, int],
     seed: int,
-) -> NDArray[np.float64]:
+) -> NDArray:
     """Sample sets of inputs with the density exp(-objective) by walkers (Foreman-Mackey et al. 2013,
     doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9).
 

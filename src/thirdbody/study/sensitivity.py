@@ -81,7 +81,7 @@ class Subject:
             for curve, name, quantity, level in numbers
         ]
 
-    def values(self, parameters: Parameters, effort: Effort) -> NDArray[np.float64]:
+    def values(self, parameters: Parameters, effort: Effort) -> NDArray:
         """Solve for all ``outputs``: loads F_t* and ratios [1], shape (outputs,)."""
         asked = {
             "curve": set(self.transitions),
@@ -96,7 +96,7 @@ class Subject:
         windows = [evidence.windows[roughness] for roughness in self.window_roughness]
         return np.concatenate([*points, *windows, *last_crossings(evidence, self.transitions)])
 
-    def effort_near(self, values: NDArray[np.float64]) -> Effort:
+    def effort_near(self, values: NDArray) -> Effort:
         """``FULL_EFFORT`` for outputs close to ``values``: ends of windows are interpolated there."""
         ends = values[[each["output"] in WINDOW for each in self.outputs]]
         if np.isnan(ends).any():
@@ -105,7 +105,7 @@ class Subject:
         return replace(FULL_EFFORT, window=WindowSearch(ratios, tolerance=np.inf))
 
 
-def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray[np.float64]:
+def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray:
     """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits),
     nan without a crossing."""
     found = np.full((len(conditions), len(LIMITS)), np.nan)
@@ -135,16 +135,14 @@ class Found(NamedTuple):
     variance that is ``unexplained``, nan for elasticities."""
 
     measure: str
-    value: NDArray[np.float64]
-    error: NDArray[np.float64]
-    occurs: NDArray[np.float64]
-    unexplained: NDArray[np.float64]
+    value: NDArray
+    error: NDArray
+    occurs: NDArray
+    unexplained: NDArray
 
 
 def elasticities(
-    values: Callable[[dict[str, float]], NDArray[np.float64]],
-    base: NDArray[np.float64],
-    inputs: Mapping[str, float],
+    values: Callable[[dict[str, float]], NDArray], base: NDArray, inputs: Mapping[str, float]
 ) -> Found:
     """Elasticities of the outputs, ``base`` at ``inputs``, by central differences, one-sided at an upper
     bound; the error is the difference from twice the step.  ``values`` solves for changed inputs."""
@@ -166,9 +164,7 @@ def elasticities(
     return Found("elasticity", found, error, occurs, np.full(base.shape, np.nan))
 
 
-def legendre_terms(
-    positions: NDArray[np.float64],
-) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+def legendre_terms(positions: NDArray) -> tuple[NDArray, NDArray]:
     """Terms of a quadratic at ``positions``, shape (sets, inputs), each with mean square 1: shape (sets,
     terms); and whether a term depends on an input, shape (terms, inputs)."""
     first = np.sqrt(3.0) * positions
@@ -180,9 +176,7 @@ def legendre_terms(
     return np.hstack(terms), np.vstack(involved)
 
 
-def total_indices(
-    positions: NDArray[np.float64], values: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], float]:
+def total_indices(positions: NDArray, values: NDArray) -> tuple[NDArray, float]:
     """Total Sobol index of each input in the logarithm of a positive output, shape (inputs,), and the
     fraction of the variance missed in leave-one-out cross-validation [1].
 
@@ -207,7 +201,7 @@ def default_indices(
     subject: Subject,
     parameters: Parameters,
     inputs: Mapping[str, float],
-    base: NDArray[np.float64],
+    base: NDArray,
     settings: Mapping[str, Any],
 ) -> Found:
     """Total Sobol indices of the outputs, ``base`` at ``parameters``, for some ``inputs``, SI.
@@ -234,7 +228,7 @@ def default_indices(
 
 
 def sensitivity_rows(
-    subject: Subject, base: NDArray[np.float64], inputs: Mapping[str, float], found: Found
+    subject: Subject, base: NDArray, inputs: Mapping[str, float], found: Found
 ) -> list[dict[str, Any]]:
     """Rows of the table ``sensitivity``: one for each output and input, or a single one of an output that
     does not occur at the default ``inputs``, in ``base``."""
