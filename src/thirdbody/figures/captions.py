@@ -20,14 +20,9 @@ from thirdbody.figures.scales import SCALES, label, note, unit_text, value_text
 
 WORDS = tomllib.loads(Path(__file__).with_name("captions.toml").read_text(encoding="utf-8"))
 MARKUP = re.compile(r"[\\`*_<>\[\]|]")  # characters with a meaning in Markdown
-MEANINGS = {
-    marks.TURNING_POINTS: "Stars: turning points of the contact area.",
-    marks.LOCUS: "Heavy dashes join the turning points.",
-    marks.WINDOW: "Blue vertical lines: limits of the range with turning points.",
-    marks.PRINTED: "Open squares and black vertical lines: numbers that the paper prints; bars and "
-    "grey areas: their tolerances.",
-    marks.BAND: "Shaded: ensemble range.",
-} | {status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES}
+MEANINGS = WORDS.pop("marks") | {
+    status: f"Crosses: {status.replace('_', ' ')}." for status in marks.STATUSES
+}
 
 
 def caption(

@@ -151,7 +151,7 @@ def _low_value_high(curve, row, x, y) -> tuple[NDArray, NDArray] | None:
     load = _load_of(curve, row)
     if quantity == "turning_point_solid_load":
         number = number / load  # L_s = L_s F_t*/F_t*
-    if SCALES[y].limits:  # a fraction
+    if SCALES[y].zones:  # a fraction
         number = np.clip(number, 0.0, 1.0)
     return np.full(3, load), number
 

@@ -3,7 +3,9 @@ scale, and limits of regimes."""
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Sequence
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -72,42 +74,23 @@ def label(condition: Condition) -> str:
 
 
 class Scale(NamedTuple):
-    """The axis of one quantity: title of its panels, label, and the unit of the ticks in SI; for a fraction
-    also the ``limits`` between regimes or contact modes, and the names of these ``zones``."""
+    """The axis of one quantity, a row of ``scales.toml``: ``unit`` is that of the ticks in SI, ``zones``
+    the key of ``ZONES`` into which a fraction is divided."""
 
     title: str
     label: str
     logarithmic: bool = False
     unit: float = 1.0
-    limits: tuple[float, ...] = ()
-    zones: tuple[str, ...] = ()
+    zones: str = ""
 
 
-MODES = {"limits": (SURFACE_LIMIT, PARTICLE_LIMIT), "zones": ("s-s", "hybrid", "p-s")}
-REGIMES = {"limits": (FULL_FILM_LIMIT, BOUNDARY_LIMIT), "zones": ("F.L.", "M.L.", "B.L.")}
-SCALES = {
-    "load": Scale("Dimensionless normal load", "$F_t^*$", logarithmic=True),
-    "normal_load": Scale("Normal load", "Normal load $F_t$ (N)", logarithmic=True),
-    "total_contact_area": Scale("Real contact area", "$A_t^*$", logarithmic=True),
-    "particle_contact_area_ratio": Scale(
-        "Contact area ratio of particles", "$A_{sa,t}^*$", **MODES
-    ),
-    "solid_load_fraction": Scale("Load percentage of solid", "$L_s$ (%)", unit=0.01, **REGIMES),
-    "film_thickness": Scale("Film thickness", "$H_c$ ($10^{-4}$)", unit=1e-4),
-    "total_contact_area_over_two_body": Scale(
-        "Area over that of dry two-body contact", "$A_t^*$ over dry two-body"
-    ),
-    "largest_particle_diameter": Scale(
-        "Largest particle out of the p-s mode", "$x_a$ (nm)", logarithmic=True, unit=1e-9
-    ),
-    "least_viscosity": Scale(
-        "Least viscosity out of boundary lubrication", "$ν$ (cSt)", logarithmic=True, unit=1e-6
-    ),
-    "diameter_ratio": Scale("Ratio of particle diameter to roughness", r"$x_a/\sigma$"),
-    "turning_point_ratio": Scale(
-        "Where turning points occur", "$A_{sa,t}^*$ at the turning point", **MODES
-    ),
-} | {
+# limits between contact modes or lubrication regimes, and their names from the lowest on
+ZONES = {
+    "modes": ((SURFACE_LIMIT, PARTICLE_LIMIT), ("s-s", "hybrid", "p-s")),
+    "regimes": ((FULL_FILM_LIMIT, BOUNDARY_LIMIT), ("F.L.", "M.L.", "B.L.")),
+}
+ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
     axis.name: Scale(axis.name.replace("_", " "), parameter_title(axis.name), unit=axis.scale)
     for axis in CONDITION_AXES
 }
@@ -135,10 +118,10 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
             if logarithmic:
                 axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
                 axis.set_minor_locator(NullLocator())
-    if SCALES[y].limits:
+    if SCALES[y].zones:
         top = limits.y1 if 0.0 < limits.y1 < 0.5 else 1.0
         axes.set_ylim(-0.08 * top, 1.08 * top)
-        _draw_limits(axes, SCALES[y])
+        _draw_zones(axes, SCALES[y])
     if x == "load" and newtons_per_load is not None:
         ends = lambda load: load * newtons_per_load, lambda newtons: newtons / newtons_per_load
         upper = axes.secondary_xaxis("top", functions=ends)
@@ -146,14 +129,15 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
         upper.xaxis.set_minor_locator(NullLocator())
 
 
-def _draw_limits(axes, scale):
-    """Thin lines at the limits of regimes and modes, with their names at the right edge."""
+def _draw_zones(axes, scale):
+    """Thin lines at the limits of regimes or modes, and their names at the right edge."""
     low, high = axes.get_ylim()
-    limits = [limit for limit in scale.limits if limit < high]
+    limits, names = ZONES[scale.zones]
+    limits = [limit for limit in limits if limit < high]
     edges = np.array([low, *limits, high])
     right = axes.secondary_yaxis("right")
     right.set_yticks(limits, [f"{limit / scale.unit:g}" for limit in limits])
-    right.set_yticks(0.5 * (edges[1:] + edges[:-1]), scale.zones[: edges.size - 1], minor=True)
+    right.set_yticks(0.5 * (edges[1:] + edges[:-1]), names[: edges.size - 1], minor=True)
     right.tick_params(which="both", length=0)
     for limit in limits:
         axes.axhline(limit, color="0.55", linewidth=0.5, linestyle=":", zorder=1)
