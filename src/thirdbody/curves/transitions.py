@@ -35,10 +35,9 @@ def transitions(
 ) -> tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
     """Find the loads at which L_s and A_sa,t* cross the ``LIMITS`` between regimes and modes.
 
-    ``separation`` d [m] and the ``values`` of the quantities in ``LIMITS`` have the shape (loads,
-    curves), at increasing loads, nan where unknown; ``conditions``, shape (4, curves), are those of
-    ``solve`` after the load.  Returns for each crossing the index of the limit and of the curve,
-    the load F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
+    ``separation`` d [m] and ``values`` of the quantities have the shape (loads, curves), at increasing
+    loads, nan where unknown; ``conditions`` (4, curves).  Returns for each crossing the index of the limit
+    and of the curve, F_t* [1], a bound on its error [1], and whether the quantity increases with the load.
     """
     excess = np.stack([values[quantity] - level for quantity, level in LIMITS])
     above, known = excess > 0.0, np.isfinite(excess)

@@ -21,11 +21,8 @@ from thirdbody.tabular import Tabular
 
 @dataclass(frozen=True)
 class Window(Tabular):
-    """Range of x_a/sigma [1] with a turning point.
-
-    ``low`` and ``high`` are nan if there is no window.  ``low_error`` and ``high_error`` bound
-    their errors; they are infinite if the sweep ends inside the window.
-    """
+    """Range of x_a/sigma [1] with a turning point, nan if there is none; the bounds on the errors of its
+    ends are infinite if the sweep ends inside the window."""
 
     low: float
     low_error: float
@@ -35,12 +32,9 @@ class Window(Tabular):
 
 @dataclass(frozen=True)
 class WindowSearch:
-    """Resolution and tolerance of the search for windows.
-
-    ``ratios`` are the sampled x_a/sigma [1], increasing; ``tolerance`` is the absolute error of both ends
-    [1]; if infinite, they are interpolated, not refined.  Maxima are sought between ``separations`` points
-    and must have a ``prominence`` [1]; ``rtol`` is the relative error of the solved points.
-    """
+    """Resolution of the search for windows: the sampled x_a/sigma [1], increasing; the number of
+    separations between which maxima are sought, and their least prominence [1]; ``rtol`` of the solved
+    points, and the absolute error of both ends [1], which are interpolated if it is infinite."""
 
     ratios: NDArray
     separations: int = 60
@@ -56,10 +50,8 @@ def turning_point_windows(
     load_range: tuple[float, float],
     parameters: Parameters,
 ) -> list[Window]:
-    """Find the longest range of x_a/sigma with a turning point for each ``roughness`` sigma [m].
-
-    The contact is dry, ``density`` is eta_a [m-2], and ``load_range`` the first and last load F_t* [1].
-    """
+    """Find the longest range of x_a/sigma with a turning point in dry contact for each ``roughness``
+    sigma [m], at a ``density`` eta_a [m-2], between the first and last load F_t* [1]."""
     roughness = np.asarray(roughness)
     if not roughness.size:
         return []
@@ -86,11 +78,8 @@ def turning_point_windows(
 
 
 def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArray]:
-    """Find the ends [1] of the windows of many sweeps at once, nan without a window.
-
-    ``ratios`` are the x_a/sigma of the sweeps [1], ``prominence`` [1], shape (ratios, ...), is from
-    ``film_turning_points``.  A window that reaches an end of the sweep ends there.
-    """
+    """Find the ends [1] of the windows of many sweeps over ``ratios``, x_a/sigma [1], at once: nan without a
+    window; ``prominence``, shape (ratios, ...), is from ``film_turning_points``."""
     columns = ratios.reshape(-1, *[1] * (prominence.ndim - 1))
     margins = _margin_over_least(prominence)
     _, _, (low, high) = _ends_of_longest_runs(np.broadcast_to(columns, margins.shape), margins)
@@ -98,8 +87,8 @@ def swept_windows(ratios: NDArray, prominence: NDArray) -> tuple[NDArray, NDArra
 
 
 def _ends_of_longest_runs(ratios, margins):
-    """The longest run of positive ``margins`` along the first axis: the ratios at its two ends, their outer
-    neighbours, and the interpolated zeros of the margin between them; shape (2, ...) each."""
+    """The longest run of positive ``margins``: the ratios at its ends, their outer neighbours, and the
+    interpolated zeros between them; shape (2, ...) each."""
     length, longest, last = np.zeros((3, *margins.shape[1:]), int)
     for place, inside in enumerate(margins > 0.0):
         length = (length + 1) * inside
@@ -132,18 +121,14 @@ def _margin(search, load_range, diameter, roughness, density, parameters):
 
 
 def _margin_over_least(prominence, least=PROMINENCE):
-    """Signed square root of the prominence minus the root of the least; nan counts as 0.
-
-    The prominence of a maximum grows with the square of its distance from the end of the loads: its
-    root is nearly linear in x_a/sigma.
-    """
+    """Signed square root of the prominence, nearly linear in x_a/sigma, minus the root of the least; nan
+    counts as 0."""
     known = np.where(np.isnan(prominence), 0.0, prominence)
     return np.copysign(np.sqrt(np.abs(known)), known) - np.sqrt(least)
 
 
 def _separations(first, last, roughness, count):
-    """``count`` separations [m] from the largest ``first`` to the least ``last`` of the curves of
-    each roughness: shape (count, curves)."""
+    """Separations [m] between the ends of all curves of each roughness: shape (count, curves)."""
     _, surface = np.unique(roughness, return_inverse=True)
     ends = np.full((2, surface.max() + 1), np.nan)
     np.fmax.at(ends[0], surface, first)
