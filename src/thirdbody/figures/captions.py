@@ -93,9 +93,9 @@ def _description(panel) -> str:
             own = ", ".join(note(name, getattr(curve.curve, name)) for name in varying)
             ends = f"{curve.y[0]:.2g} to {curve.y[-1]:.2g}"
             parts.append(f"the curve at {own or label(curve.curve)} runs from {ends}")
-    for kind, look in marks.MARKS.items():
+    for kind, look in marks.LOOKS.items():
         places = [series.x for series in panel.of_kind(kind)]
-        if places and kind not in (marks.LOCUS, marks.BAND):
+        if places and kind not in (marks.LOCUS, marks.BAND, marks.TOLERANCE):
             x = np.concatenate(places)
             parts.append(f"{look['label']}: {x.size}, {_quantity(panel.x)} {_range(x)}")
     return f"Panel {panel.letter}: {'; '.join(parts)}."

@@ -8,10 +8,9 @@ import numpy as np
 import xarray as xr
 
 from thirdbody.data.conditions import CONDITION_AXES
-from thirdbody.figures.curves import draw_panels, range_series
+from thirdbody.figures.curves import draw_panels, level_styles, range_series
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series
 from thirdbody.figures.scales import note, parameter_title, value_text
-from thirdbody.figures.styles import level_styles
 
 
 def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:

@@ -7,8 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+import matplotlib
 import numpy as np
+from matplotlib import rcParams
 from matplotlib.artist import Artist
+from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import NDArray
@@ -19,14 +22,29 @@ from thirdbody.data.quantities import curves_of
 from thirdbody.figures import marks
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.marks import AREA, RELATIVE_AREA
-from thirdbody.figures.scales import SCALES, label, parameter_title, set_scales, shared_notes
-from thirdbody.figures.styles import band_style, curve_styles
+from thirdbody.figures.scales import (
+    SCALES,
+    label,
+    parameter_title,
+    set_scales,
+    shared_notes,
+    value_text,
+)
 
 BAND_STEP = 2  # every second load is enough for the edge of a range
 KEY_COLUMNS = 5  # of a key below the panels
 KEY_ROWS = 11  # of a key in the free cell beside the last panel
 CELL = 3.5, 2.9  # of a panel with its labels [inches]
 KEY_HEIGHT = 0.9  # of a key below the panels [inches]
+MARKERS = "osD^vPX"  # every second one is hollow, so that neighbouring levels differ
+DARKEST, LIGHTEST = 0.05, 0.87  # of the colour map: black is two-body contact, white is paper
+GREY = "0.5"
+BLUE = "#0072B2"  # of a single curve of an interface, or of the model
+MARKERS_PER_CURVE = 5
+# Dry curves are drawn over the lubricated ones, which are visible between the dashes.
+DRY = {"linestyle": (0, (2.4, 1.8)), "linewidth": 1.7, "zorder": 2.3}
+DRY_TWO_BODY = {"linestyle": (0, (1.0, 1.3)), "linewidth": 1.7, "zorder": 2.2, "color": GREY}
+TINT = 0.13  # of the colour in a range, the rest is white
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,7 +218,7 @@ def _window_series(content, curves, windows, printed) -> Iterator[Series]:
     ends = np.array([row["diameter_over_roughness"] for row in windows if is_here(row)])
     ends = ends[np.isfinite(ends)]
     if ends.size:
-        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size), look=marks.MARKS[marks.WINDOW])
+        yield Series(marks.WINDOW, "", ends, np.zeros(ends.size), look=marks.LOOKS[marks.WINDOW])
     for row in printed:
         if row["quantity"].startswith("window") and is_here(row):
             yield from marks.printed_limit(row)
@@ -253,3 +271,62 @@ def add_key(
         columns = math.ceil(len(entries) / KEY_ROWS)
         place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
     figure.legend(handles=entries, title=title or None, **place)
+
+
+def level_styles(count: int, size: int = 1) -> list[dict]:
+    """Line properties of curves of ``size`` points at ``count`` ordered levels: colours become
+    lighter, and each has its own marker, at other points than the next one."""
+    colours = matplotlib.colormaps[rcParams["image.cmap"]](np.linspace(DARKEST, LIGHTEST, count))
+    step = max(size // MARKERS_PER_CURVE, 1)
+    return [
+        {"color": colour, "marker": MARKERS[index % len(MARKERS)], "linestyle": "-"}
+        | {"markerfacecolor": "white" if index % 2 else colour, "markeredgecolor": colour}
+        | {"markevery": (int(step * (index + 0.5) / count), step)}
+        for index, colour in enumerate(map(tuple, colours.tolist()))
+    ]
+
+
+def band_style(colour) -> dict:
+    """Properties of the area of a range: opaque with an edge, because several may overlap."""
+    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
+    look = {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
+    return look | {"label": marks.LOOKS[marks.BAND]["label"]}
+
+
+def curve_styles(
+    curves: Sequence[Condition], parameter: str, size: int
+) -> dict[Condition | str, dict]:
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by
+    its level, and of dry and lubricated contact if they are compared.
+
+    Two-body contact is black or grey.  With lubricated contact, dry contact is dashed, or dotted
+    without particles, and has no markers.
+    """
+    media = {each.viscosity for each in curves}
+    compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
+    levels = sorted({getattr(each, parameter) for each in curves} - {0.0})
+    looks = dict(zip(levels, level_styles(len(levels), size), strict=True))
+    looks[0.0] = {"color": "black"}
+    styles = {}
+    for each in curves:
+        look = looks[getattr(each, parameter)]
+        if each.is_dry and parameter == "viscosity" and each.is_two_body:
+            look = DRY_TWO_BODY
+        elif each.is_dry and any(media):
+            look = look | DRY | {"marker": "none"}
+        if not (compares_media and each.is_dry):
+            look = look | {"label": _level_text(each, parameter)}
+        styles[each] = look
+    for viscosity in sorted(media, reverse=True) if compares_media else ():
+        text = f"{value_text('viscosity', viscosity)} cSt" if viscosity else "dry"
+        styles[text] = ({} if viscosity else DRY) | {"color": GREY, "label": text}
+    return styles
+
+
+def _level_text(condition, parameter):
+    level = getattr(condition, parameter)
+    if level:
+        return value_text(parameter, level)
+    if parameter == "viscosity":
+        return "dry, two-body" if condition.is_two_body else "dry"
+    return "none (two-body)"

@@ -3,8 +3,10 @@ numbers with their tolerances, through which curves should pass."""
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,30 +24,14 @@ if TYPE_CHECKING:
 
 TURNING_POINTS, LOCUS = "turning points", "locus of the turning points"
 WINDOW, PRINTED, TOLERANCE, BAND = "window", "printed", "tolerance", "band"
+PRINTED_LIMIT, LIMIT_TOLERANCE = "printed limit", "tolerance of a limit"
 # markers of points that have not converged; the curve ends where there are no values
 STATUSES = dict(zip(SOLUTION_STATUSES[1:], "+x1234", strict=True))
-POINTS = {"linestyle": "none", "zorder": 3.2}
-CROSS = POINTS | {"markersize": 5.0, "markeredgewidth": 0.9, "color": "#A0005A"}
-# kind of series: line properties, and text in the key
-MARKS: dict[str, dict[str, Any]] = {
-    TURNING_POINTS: POINTS
-    | {"marker": "*", "markersize": 8.0, "markerfacecolor": "C1", "markeredgecolor": "black"}
-    | {"label": "turning point (TPCA)"},
-    LOCUS: {"linestyle": (0, (2.5, 1.2)), "linewidth": 2.2, "color": "C1", "zorder": 2.9}
-    | {"label": "locus of turning points"},
-    WINDOW: {"color": "C5", "linewidth": 1.8, "label": "limits of turning points"},
-    PRINTED: POINTS
-    | {"marker": "s", "markersize": 9.0, "markerfacecolor": "none", "zorder": 2.8}
-    | {"markeredgewidth": 1.1, "color": "black", "clip_on": False}
-    | {"label": "printed, with tolerance"},
-    BAND: {"color": "0.82", "linewidth": 6.0, "label": "ensemble range"},
-} | {
-    status: CROSS | {"marker": marker, "label": status.replace("_", " ")}
+LOOKS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LOOKS |= {
+    status: LOOKS["status"] | {"marker": marker, "label": status.replace("_", " ")}
     for status, marker in STATUSES.items()
 }
-TOLERANCE_LOOK = {"linewidth": 1.1, "zorder": 2.8}
-PRINTED_LIMIT = {"color": "black", "linestyle": "--", "label": "printed limits, with tolerance"}
-LIMIT_TOLERANCE = {"color": "black", "alpha": 0.07, "linewidth": 0}
 
 RATIO, SOLID = "particle_contact_area_ratio", "solid_load_fraction"
 AREA, RELATIVE_AREA = "total_contact_area", "total_contact_area_over_two_body"
@@ -80,7 +66,7 @@ def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> 
     marked = [curve for curve in curves if curve.turning_point]
     if marked:
         places = [[one.at(name, one.turning_point["load"]) for one in marked] for name in (x, y)]
-        yield Series(kind, "", *np.array(places), look=MARKS[kind])
+        yield Series(kind, "", *np.array(places), look=LOOKS[kind])
 
 
 def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
@@ -95,22 +81,20 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
             if places.size:
                 ends = np.unique(places[[0, -1]])
                 points = (curve.values[name][ends] for name in (x, y))
-                yield Series(status, curve.label, *points, curve.condition, MARKS[status])
+                yield Series(status, curve.label, *points, curve.condition, LOOKS[status])
 
 
 def looks_in(panels: Sequence[Panel]) -> list[dict[str, Any]]:
     """Entries of the key for the marks in ``panels``."""
-    limits = {each.kind for panel in panels if panel.x == "diameter_ratio" for each in panel.series}
-    kinds = {each.kind for panel in panels if panel.x != "diameter_ratio" for each in panel.series}
-    looks = [look for kind, look in MARKS.items() if kind in kinds | limits - {PRINTED}]
-    return [*looks, PRINTED_LIMIT] if PRINTED in limits else looks
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    return [look for look in LOOKS.values() if look.get("label", "") in labels]
 
 
 def printed_limit(row: Mapping) -> Iterator[Series]:
     """A printed end of a window, and its tolerance: a ``row`` of the table ``printed``."""
-    ends = np.array([row["low"], row["high"]])
-    yield Series(PRINTED, row["id"], np.array([row["value"]]), np.zeros(1), look=PRINTED_LIMIT)
-    yield Series(TOLERANCE, row["id"], ends, np.zeros(2), look=LIMIT_TOLERANCE)
+    value, ends = np.array([row["value"]]), np.array([row["low"], row["high"]])
+    yield Series(PRINTED, row["id"], value, np.zeros(1), look=LOOKS[PRINTED_LIMIT])
+    yield Series(TOLERANCE, row["id"], ends, np.zeros(2), look=LOOKS[LIMIT_TOLERANCE])
 
 
 def printed_series(
@@ -126,9 +110,9 @@ def printed_series(
             place = row["id"], tuple(np.ravel(points))
             if points and place not in drawn:
                 drawn.add(place)
-                points, look = np.array(points), MARKS[PRINTED] | colour
+                points, look = np.array(points), LOOKS[PRINTED] | colour
                 yield Series(PRINTED, row["id"], *points[:, 1:2], curve.condition, look)
-                look = TOLERANCE_LOOK | colour
+                look = LOOKS[TOLERANCE] | colour
                 yield Series(TOLERANCE, row["id"], *points[:, ::2], curve.condition, look)
 
 

@@ -16,12 +16,11 @@ from matplotlib.figure import Figure
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import draw_panels, key_title, range_series
+from thirdbody.figures.curves import BLUE, draw_panels, key_title, level_styles, range_series
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
 from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES, note
-from thirdbody.figures.styles import BLUE, level_styles
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
 DRAWN = (
