@@ -45,7 +45,6 @@ def plot(
     ----------
     data : xarray.Dataset or path
         Dataset of ``grid`` or ``Solution.to_dataset``, or a file of ``stream`` or of the workflow.
-        Use ``.sel`` to select from a larger one.
     over : str, optional
         The axis along x: "load", "viscosity", "particle_diameter", "roughness" or
         "particle_density".  Over the load, one of viscosity, particle diameter and density may
@@ -54,8 +53,8 @@ def plot(
     like : str, optional
         Draw the panels of this figure of the paper, "fig03" to "fig13"; only over the load.
     turning_points : sequence of mapping, or path, optional
-        Turning points to mark over the load, as mappings of the four conditions [SI], ``load`` [1]
-        and ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
+        Turning points to mark over the load: mappings of the four conditions [SI], ``load`` [1] and
+        ``peak_ratio`` [1], or a file of the table ``tpca_loads`` of the workflow.
     band : xarray.Dataset or path, optional
         Ensemble range on the axes of ``data``, drawn over the load: a file in ``results/bands/``.
 
@@ -116,33 +115,32 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
         curves[label] = data.sel(dict(zip(varying, values, strict=True))).squeeze()
-    looks = [
-        look | {"label": label}
-        for look, label in zip(level_styles(len(curves)), curves, strict=True)
-    ]
-    panels = []
-    for name in names:
-        series = [
-            Series(CURVE, label, data[over].values, curve[name].values.astype(float), look=look)
-            for (label, curve), look in zip(curves.items(), looks, strict=True)
-        ]
-        panels.append(Panel(SCALES[name].title, over, name, series))
+    looks = level_styles(len(curves))
+    looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
+    panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
     return draw_panels(panels, looks, key_title("", common))
 
 
 def plot_curve(curve: Any) -> Figure:
     """Draw the result of ``Interface.curve``, with its range if it has one."""
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
-    name, unit = units.get(curve.along, ("normal_load", 1.0))
+    along, unit = units.get(curve.along, ("normal_load", 1.0))
     x = unit * np.asarray(curve.points)
-    panels = []
-    for variable in DRAWN:
-        series = [Series(CURVE, "", x, curve.values[variable], look={"color": BLUE})]
-        if variable in curve.low:
-            series.append(range_series("", x, curve.low[variable], curve.high[variable], BLUE))
-        panels.append(Panel(SCALES[variable].title, name, variable, series))
+    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in DRAWN]
+    for panel in panels:
+        if panel.y in curve.low:
+            panel.series.append(range_series("", x, curve.low[panel.y], curve.high[panel.y], BLUE))
     with matplotlib.style.context(STYLE, after_reset=True):
         return draw_panels(panels, [])
+
+
+def _panel(over, x, name, curves, looks) -> Panel:
+    """A panel of the variable ``name`` over ``x``, with a curve for each mapping of variables."""
+    series = [
+        Series(CURVE, label, x, np.asarray(values[name], float), look=look)
+        for (label, values), look in zip(curves.items(), looks, strict=True)
+    ]
+    return Panel(SCALES[name].title, over, name, series)
 
 
 def plot_comparison(comparison: Any) -> Figure:
