@@ -38,11 +38,9 @@ Verdicts = Mapping[str, Verdict]  # by the id of the statement
 class Judged:
     """All statements, evaluated for all sets of inputs.
 
-    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated
-    file with the default inputs.  ``verdicts`` are for these inputs, ``faint`` for turning points
-    from ``FAINT`` on, ``members`` for the members of the ensemble.  ``interpretations`` has the
-    verdicts for the inputs of each interpretation, ``predicted`` those of the default on statements
-    whose figure was left out, and ``comparison`` is the table from ``compare``.
+    ``settings`` is the content of ``config/calibration.yaml``, ``default`` that of the calibrated file
+    whose inputs ``verdicts`` are for.  ``faint`` is for turning points from ``FAINT`` on; ``predicted``
+    has the statements whose figure was left out, and ``comparison`` is the table from ``compare``.
     """
 
     claims: tuple[Claim, ...]
@@ -58,32 +56,32 @@ class Judged:
     @cached_property
     def table(self) -> pd.DataFrame:
         """The table ``claims`` of ``thirdbody.data.tables``: a row for each statement, in the order of the paper."""
-        claims, sets = self.claims, [*self.interpretations.values()]
-        verdicts = [self.verdicts[claim.id] for claim in claims]
-        ranges = [
-            number_ranges(self, claim.id)[verdict.worst] if verdict.numbers else NO_RANGE
-            for claim, verdict in zip(claims, verdicts, strict=True)
-        ]
-        table = pd.DataFrame(claims).join(pd.DataFrame(verdicts))
-        table[["range_low", "range_high"]] = ranges
-        table = table.assign(
-            curves=[claim.curves_text for claim in claims],
-            published=[published_text(claim) for claim in claims],
-            score=[verdict.score for verdict in verdicts],
-            value=[verdict.value for verdict in verdicts],
-            tolerance_kind=np.where(table["relative"], "relative", "absolute"),
-            verdict=[outcome(*each) for each in zip(claims, verdicts, strict=True)],
-            predicted=[
-                outcome(claim, self.predicted[claim.id]) if claim.id in self.predicted else ""
-                for claim in claims
-            ],
-            contradicts=[" ".join(claim.contradicts) for claim in claims],
-            ensemble_agree=[_agreeing(self, self.members, claim.id) for claim in claims],
-            ensemble_size=len(self.members),
-            interpretations_agree=[_agreeing(self, sets, claim.id) for claim in claims],
-            interpretations_size=len(sets),
-        )
-        return table[[column.name for column in TABLES["claims"]]]
+        rows, others = [], self.interpretations.values()
+        for claim in self.claims:
+            verdict, predicted = self.verdicts[claim.id], self.predicted.get(claim.id)
+            ranges = number_ranges(self, claim.id)
+            low, high = ranges[verdict.worst] if verdict.numbers else NO_RANGE
+            rows.append(
+                {
+                    **vars(claim),
+                    **verdict._asdict(),
+                    "curves": claim.curves_text,
+                    "published": published_text(claim),
+                    "score": verdict.score,
+                    "value": verdict.value,
+                    "range_low": low,
+                    "range_high": high,
+                    "tolerance_kind": "relative" if claim.relative else "absolute",
+                    "verdict": outcome(claim, verdict),
+                    "predicted": outcome(claim, predicted) if predicted else "",
+                    "contradicts": " ".join(claim.contradicts),
+                    "ensemble_agree": _agreeing(self, self.members, claim.id),
+                    "ensemble_size": len(self.members),
+                    "interpretations_agree": _agreeing(self, others, claim.id),
+                    "interpretations_size": len(others),
+                }
+            )
+        return pd.DataFrame(rows)[[column.name for column in TABLES["claims"]]]
 
 
 def judge_everything(
@@ -92,8 +90,8 @@ def judge_everything(
     contents: Sequence[Mapping[str, Any]],
     settings: Mapping[str, Any],
 ) -> Judged:
-    """Evaluate all statements for all sets of inputs: ``contents`` are those of the calibrated
-    files of all interpretations, the others are as in ``Judged``."""
+    """Evaluate all statements for all sets of inputs: ``contents`` are calibrated files of all
+    interpretations."""
     inputs = judge_all.base | default["inputs"]
     interpretations = {each["interpretation"]: judge_all(each["inputs"]) for each in contents}
     predicted = {each["interpretation"]: predict(judge_all, each) for each in contents}
@@ -111,8 +109,7 @@ def judge_everything(
 
 
 def predict(judge_all: Judge, content: Mapping[str, Any]) -> Verdicts:
-    """Evaluate each statement for the inputs found without its figure, from the ``content`` of a
-    calibrated file; empty without a cross-validation."""
+    """Evaluate each statement for the inputs of a calibrated file that were found without its figure."""
     entries = content.get("folds", ())
     folds = make_folds(judge_all.claims, [each["figures"] for each in entries])
     found = {}
@@ -128,11 +125,8 @@ def compare(
     predicted: Mapping[str, Verdicts],
     settings: Mapping[str, Any],
 ) -> pd.DataFrame:
-    """Compare the interpretations, in the order of the rule that chooses the default.
-
-    The rule: most statements predicted when their figure is left out, then the most plausible
-    inputs, then the fewest unknowns.  ``predicted_fraction`` is nan without a cross-validation.
-    """
+    """Compare the interpretations, in the order of the rule that chooses the default: most statements
+    predicted when their figure is left out, then the most plausible inputs, then the fewest unknowns."""
     objective = Objective.of(judge_all.claims, settings, judge_all.base)
     rows = []
     for content in contents:
@@ -197,11 +191,8 @@ def counts_by_figure(judged: Judged) -> pd.DataFrame:
 
 
 def headline_table(judged: Judged) -> pd.DataFrame:
-    """The headline numbers in the paper, in the model and in the ensemble.
-
-    A number counts as reached if its statement holds, or if it is within its entry of
-    ``headline_tolerances``.
-    """
+    """The headline numbers in the paper, in the model and in the ensemble; they are reached if their
+    statement holds, or within their entry of ``headline_tolerances``."""
     table = judged.table[judged.table["id"].isin(judged.settings["headline"])]
     tolerances = table["id"].map(judged.settings["headline_tolerances"]).fillna(0.0)
     near = table["verdict"].ne(NOT_TESTED) & table["deviation"].abs().le(tolerances)
@@ -230,8 +221,7 @@ def _range_text(judged: Judged, id: str) -> str:
 
 
 def number_ranges(judged: Judged, id: str) -> np.ndarray:
-    """Range of 90 % of the ensemble for each number of a statement, shape (numbers, 2); nan if no
-    member has the number."""
+    """Range of 90 % of the ensemble for each number of a statement, nan without it: shape (numbers, 2)."""
     members = [each[id].numbers for each in judged.members if each[id].numbers]
     places = range(len(judged.verdicts[id].numbers))
     ends = [spread(each[place] for each in members) or NO_RANGE for place in places]
@@ -289,11 +279,8 @@ def claims_html(judged: Judged) -> str:
 
 
 def claims_json(judged: Judged) -> str:
-    """The same data for programs: a JSON object, with null for missing numbers.
-
-    A statement has the columns of the table ``claims``, the last ones as lists and objects, SI, and
-    the ensemble range of each of its numbers.
-    """
+    """The same data for programs, as JSON: statements have the columns of the table ``claims``, lists and
+    objects instead of texts, and the ensemble range of each number."""
     held, of = count_once(judged.claims, judged.verdicts)
     predicted, predicted_of = count_once(judged.claims, judged.predicted)
     rows = judged.table.drop(columns=["range_low", "range_high"]).to_dict("records")
