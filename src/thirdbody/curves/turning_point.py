@@ -127,7 +127,10 @@ def _turning_points(
         solids, separation[:, three_body], ends, SEPARATION_MARGIN * rtol
     )
     film, maximum = np.nonzero(np.isfinite(prominence))
-    best = _greatest(film * three_body.size + solid[maximum], prominence[film, maximum])
+    # the index of the most prominent maximum of each curve
+    curve, height = film * three_body.size + solid[maximum], prominence[film, maximum]
+    order = np.lexsort((-height, curve))
+    best = order[np.unique(curve[order], return_index=True)[1]]
     film, maximum = film[best], maximum[best]
     curve = three_body[solid[maximum]]
     contacts, separation = solids.take(solid[maximum]), peak[maximum]
@@ -217,9 +220,3 @@ def odds_slope(solids: Contact, separation: NDArray) -> NDArray:
     state = solids.log_solid_load(separation, with_areas=True)
     slope = state.area_slope - state.area * state.beside_slope
     return np.where(state.area > 0.0, slope, -TINY)
-
-
-def _greatest(curve, values):
-    """Index of the greatest value of each curve."""
-    order = np.lexsort((-values, curve))
-    return order[np.unique(curve[order], return_index=True)[1]]

@@ -41,13 +41,6 @@ def caption(
     return f"{sentences}\n\n**Alternative text.** {words['alternative']}\n"
 
 
-def _content(panel) -> str:
-    """The letter and quantities of a panel, and the conditions in its title."""
-    own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
-    over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
-    return f"({panel.letter}) {_quantity(panel.y)}{own}{over}"
-
-
 def _quantity(name) -> str:
     title = SCALES[name].title
     return title[0].lower() + title[1:]
@@ -57,7 +50,12 @@ def _notes(panels) -> list[str]:
     """Sentences on the panels, the load axis, the conditions, and the meaning of marks and lines."""
     conditions = {curve.curve for panel in panels for curve in panel.of_kind(CURVE)}
     kinds = {series.kind for panel in panels for series in panel.series}
-    sentences = ["; ".join(map(_content, panels)) + "."]
+    contents = []
+    for panel in panels:
+        own = f" at {panel.title}" if panel.title != SCALES[panel.y].title else ""
+        over = "" if panel.x == "load" else f" over the {_quantity(panel.x)}"
+        contents.append(f"({panel.letter}) {_quantity(panel.y)}{own}{over}")
+    sentences = ["; ".join(contents) + "."]
     sentences += ["Normal load: dimensionless below, in newtons above.", _conditions(conditions)]
     sentences += [sentence for kind, sentence in MEANINGS.items() if kind in kinds]
     if len({condition.is_dry for condition in conditions}) > 1:

@@ -204,7 +204,11 @@ def range_series(name, x, low, high, colour, condition=None) -> Series:
     x, low, high = x[known], low[known], high[known]
     outline = np.append(x, x[::-1]), np.append(low, high[::-1])
     x, y = (np.append(each, each[:1]) for each in outline)
-    return Series(marks.BAND, name, x, y, condition, band_style(colour))
+    # opaque with an edge, because several may overlap
+    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
+    look = {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
+    look["label"] = marks.LOOKS[marks.BAND]["label"]
+    return Series(marks.BAND, name, x, y, condition, look)
 
 
 def _window_series(content, curves, windows, printed) -> Iterator[Series]:
@@ -234,7 +238,9 @@ def draw_panels(
 
     With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.
     """
-    labelled = [look for look in (*looks, *marks.looks_in(panels)) if look.get("label")]
+    labels = {series.look.get("label") for panel in panels for series in panel.series}
+    looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
+    labelled = [look for look in looks if look.get("label")]
     entries = {look["label"]: Line2D([], [], **look) for look in labelled}
     rows, beside = math.ceil(len(panels) / 2), len(panels) % 2 == 1
     below = 0.0 if beside else KEY_HEIGHT
@@ -284,13 +290,6 @@ def level_styles(count: int, size: int = 1) -> list[dict]:
         | {"markevery": (int(step * (index + 0.5) / count), step)}
         for index, colour in enumerate(map(tuple, colours.tolist()))
     ]
-
-
-def band_style(colour) -> dict:
-    """Properties of the area of a range: opaque with an edge, because several may overlap."""
-    tint = 1.0 - TINT * (1.0 - np.array(to_rgb(colour)))
-    look = {"facecolor": tint, "edgecolor": (colour, 0.6), "linewidth": 0.5, "zorder": 1.5}
-    return look | {"label": marks.LOOKS[marks.BAND]["label"]}
 
 
 def curve_styles(

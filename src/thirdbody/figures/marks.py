@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from thirdbody.data.conditions import CONDITION_AXES, condition_key, row_key
 from thirdbody.data.quantities import STATUS
 from thirdbody.data.tables import TABLES, read_csv
-from thirdbody.figures.drawing import Panel, Series
+from thirdbody.figures.drawing import Series
 from thirdbody.figures.scales import SCALES
 from thirdbody.model.regimes import BOUNDARY_LIMIT, SOLUTION_STATUSES, WITHOUT_VALUES
 
@@ -82,12 +82,6 @@ def status_series(x: str, y: str, curves: Sequence[Curve]) -> Iterator[Series]:
                 ends = np.unique(places[[0, -1]])
                 points = (curve.values[name][ends] for name in (x, y))
                 yield Series(status, curve.label, *points, curve.condition, LOOKS[status])
-
-
-def looks_in(panels: Sequence[Panel]) -> list[dict[str, Any]]:
-    """Entries of the key for the marks in ``panels``."""
-    labels = {series.look.get("label") for panel in panels for series in panel.series}
-    return [look for look in LOOKS.values() if look.get("label", "") in labels]
 
 
 def printed_limit(row: Mapping) -> Iterator[Series]:

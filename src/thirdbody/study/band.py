@@ -54,29 +54,19 @@ def band(
         for end, (_, widest) in ENDS.items():
             for name, values in envelope[end].items():
                 envelope[end][name] = widest(values, getattr(solution, name))
-    variables = {
-        f"{name}_{end}": _variable(envelope[end][name], dataset[name].attrs, shown, extreme)
-        for end, (extreme, _) in ENDS.items()
-        for name in QUANTITIES
-    }
-    return PlainDataset(variables, dataset.coords, _attributes(dataset, ensemble))
-
-
-def _variable(values, attributes, shown, extreme):
-    """A variable with ``values`` [load, curve] where conditions are ``shown``, and the fill value
-    elsewhere."""
-    whole = np.full((len(values), *shown.shape), FILL_FLOAT)
-    whole[:, shown] = values
-    described = {name: attributes[name] for name in ("units", "symbol", "equation")}
-    described["long_name"] = f"{extreme} {attributes['long_name']} of the ensemble"
-    described["coverage_content_type"] = "modelResult"
-    return Variable(DIMENSIONS, whole, described | {"_FillValue": FILL_FLOAT})
-
-
-def _attributes(dataset, ensemble) -> dict:
+    variables = {}
+    for end, (extreme, _) in ENDS.items():
+        for name in QUANTITIES:
+            whole = np.full((len(load), *shown.shape), FILL_FLOAT)
+            whole[:, shown] = envelope[end][name]
+            given = dataset[name].attrs
+            described = {key: given[key] for key in ("units", "symbol", "equation")}
+            described["long_name"] = f"{extreme} {given['long_name']} of the ensemble"
+            described |= {"coverage_content_type": "modelResult", "_FillValue": FILL_FLOAT}
+            variables[f"{name}_{end}"] = Variable(DIMENSIONS, whole, described)
     members = json.dumps([dict(member) for member in ensemble])
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
-    return dataset.attrs | {
+    attributes = dataset.attrs | {
         "title": f"{dataset.attrs['title']}: envelope of the ensemble",
         "summary": SUMMARY,
         "comment": COMMENT,
@@ -84,3 +74,4 @@ def _attributes(dataset, ensemble) -> dict:
         "rtol": BAND_RTOL,
         "ensemble": members,
     }
+    return PlainDataset(variables, dataset.coords, attributes)
