@@ -13,7 +13,7 @@ from thirdbody.curves.turning_point import PROMINENCE, TurningPoints
 from thirdbody.study import checks, claims
 from thirdbody.study.checks import judge
 from thirdbody.study.claims import Claim
-from thirdbody.study.evidence import FULL_EFFORT, SOLVED, curve_of
+from thirdbody.study.evidence import FULL_EFFORT, curve_of
 
 CONFIG = Path(__file__).parents[2] / "config" / "claims.yaml"
 LOADS = np.geomspace(1e-7, 1e-4, 61)
@@ -24,7 +24,13 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     """A curve over ``LOADS``; single numbers hold at every load."""
     film = 2e-4 * 10 ** (-0.1 * DECADES) if film is None else film
     found = {"load": LOADS, "normal_load": LOADS * 8e5}
-    for name, values in zip(SOLVED, (area, ratio, solid, film, film * 6.35e-3), strict=True):
+    computed = {
+        "total_contact_area": area,
+        "particle_contact_area_ratio": ratio,
+        "solid_load_fraction": solid,
+        "film_thickness": film,
+    }
+    for name, values in computed.items():
         found[name] = np.where(solved, values, np.nan) + np.zeros(LOADS.size)
     return curve_of(found)
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -20,23 +22,9 @@ INTERFACE_SHAPE, MODES_SHAPE = 0.4, 0.76  # height over length of their sections
 MICROMETRE = 1e-6
 
 SUMMITS, LUBRICANT = "contact of summits", "lubricant"
-LOOKS = {
-    "surface 1": {"facecolor": "0.83", "edgecolor": "0.2", "linewidth": 0.8},
-    "surface 2": {"facecolor": "0.70", "edgecolor": "0.2", "linewidth": 0.8},
-    LUBRICANT: {"facecolor": "#D6ECF8", "edgecolor": "0.2", "linewidth": 0.8},
-    "particle that carries load": {"facecolor": "C4", "edgecolor": "C1", "linewidth": 1.8},
-    "free particle": {"facecolor": "#F6D58A", "edgecolor": "0.2", "linewidth": 0.7},
-    SUMMITS: {"color": "C1", "linewidth": 3.2},
-}
+CONTENT = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LOOKS, ARROWS, MODE_TITLES = CONTENT["patches"], CONTENT["arrows"], CONTENT["modes"]
 MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
-SPAN = {"arrowstyle": "<|-|>", "color": "black", "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-PUSH = SPAN | {"arrowstyle": "-|>", "linewidth": 2.0, "mutation_scale": 14}
-# the modes of figure 2 in the order of its panels
-MODE_TITLES = {
-    "surface_surface": "s-s mode",
-    "particle_surface": "p-s mode",
-    "hybrid": "hybrid mode",
-}
 
 
 def plot_interface(data: PlainDataset) -> Drawing:
@@ -131,11 +119,11 @@ def _draw_arrows(axes, section):
     for height in (0.0, d):
         axes.axhline(height, **MEAN_PLANE)
     place = 0.03 * length
-    axes.annotate("", (place, 0.0), (place, d), arrowprops=SPAN)
+    axes.annotate("", (place, 0.0), (place, d), arrowprops=ARROWS["separation"])
     axes.text(place, 0.5 * d, "  $d$", va="center")
     bottom, top = axes.get_ylim()
     for end, start in ((0.5 * (d + top), 0.98 * top), (0.5 * bottom, 0.98 * bottom)):
-        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=PUSH)
+        axes.annotate("", (0.5 * length, end), (0.5 * length, start), arrowprops=ARROWS["load"])
         axes.text(0.5 * length, 0.5 * (start + end), "   $F_t$", va="center")
 
 

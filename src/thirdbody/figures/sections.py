@@ -7,7 +7,9 @@ planes are at the solved separation.  The seed is fixed.  A section is a mapping
 
 from __future__ import annotations
 
+import tomllib
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,25 +32,13 @@ ATTEMPTS = 1000
 Section = Mapping[str, Any]
 
 
-def _metres(meaning: str) -> dict[str, str]:
-    return {"units": "m", "long_name": meaning}
-
-
 NUMBERS = ("separation", "particle_contact_area_ratio", "solid_load_fraction")  # of a state
 STATE = {name: coordinate_attributes(AXES[name]) for name in Condition._fields}
 STATE |= {name: coordinate_attributes(QUANTITIES[name]) for name in NUMBERS}
 STATE |= {"contact_mode": variable_attributes(FLAGS["contact_mode"])}
-LINES = {
-    "lower": _metres("height of the lower surface"),
-    "upper": _metres("height of the upper surface"),
-    "surfaces_touch": {"long_name": "whether the surfaces touch"},
-}
-PARTICLES = {
-    "particle_position": _metres("position of the centre of a particle; nan: no particle"),
-    "particle_height": _metres("height of the centre of a particle"),
-    "particle_size": _metres("diameter of a particle"),
-    "particle_carries_load": {"long_name": "whether a particle carries load"},
-}
+# attributes of the other variables, over the position and over the particles
+OTHERS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
+LINES, PARTICLES = OTHERS["lines"], OTHERS["particles"]
 VARIABLES = STATE | LINES | PARTICLES
 
 
@@ -79,7 +69,7 @@ def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> 
             dims, nothing = ("panel", "particle"), np.nan if values[0].dtype == float else 0
             values = [np.pad(v, (0, most - v.size), constant_values=nothing) for v in values]
         variables[name] = Variable(dims, np.array(values), attributes)
-    position = Variable(("position",), found[0]["position"], _metres("along the section"))
+    position = Variable(("position",), found[0]["position"], OTHERS["position"])
     return PlainDataset(variables, {"position": position}, {"Conventions": "CF-1.11"})
 
 

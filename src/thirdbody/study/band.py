@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import hashlib
 import json
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -19,16 +21,7 @@ from thirdbody.solver.solve import solve
 BAND_RTOL = 1e-4  # for each member: an error far below a line width
 # Suffix of a variable: the word in its long name, and the function, which ignores nan.
 ENDS = {"low": ("lowest", np.fmin), "high": ("highest", np.fmax)}
-SUMMARY = (
-    "Lowest and highest value of each quantity over an ensemble of inputs that explain the paper's "
-    "statements about equally well, at the points of the dataset of this figure."
-)
-COMMENT = (
-    "load is F_t* of the default inputs, those of model_parameters, and normal_load belongs to it. "
-    "Each member is solved at the same F_t*, which is another normal load where its apparent area "
-    "differs. A member that has no solution at a point does not widen the band there. ensemble "
-    "gives what differs from the default in each member, by the names of config/inputs.yaml, SI."
-)
+ATTRIBUTES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 
 
 def band(
@@ -68,8 +61,7 @@ def band(
     origin = f"{dataset.attrs['configuration_sha256']} {BAND_RTOL} {members}"
     attributes = dataset.attrs | {
         "title": f"{dataset.attrs['title']}: envelope of the ensemble",
-        "summary": SUMMARY,
-        "comment": COMMENT,
+        **ATTRIBUTES,
         "configuration_sha256": hashlib.sha256(origin.encode()).hexdigest(),
         "rtol": BAND_RTOL,
         "ensemble": members,

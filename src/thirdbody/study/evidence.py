@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from thirdbody.curves.turning_point import TurningPoints, turning_points
 from thirdbody.curves.windows import WindowSearch, turning_point_windows
 from thirdbody.data.conditions import Condition
+from thirdbody.data.quantities import QUANTITIES
 from thirdbody.model.parameters import Parameters
 from thirdbody.model.regimes import has_values
 from thirdbody.solver.solve import DEFAULT_RTOL, solve
@@ -18,13 +19,6 @@ from thirdbody.solver.solve import DEFAULT_RTOL, solve
 WINDOW_DENSITY = 1e11  # ASSUME: eta_a [m-2] of all windows; the paper gives it for 300 nm
 # Points with larger errors are not used: statements are evaluated to per cents, whatever rtol is.
 LARGEST_ERROR = 1e-3
-SOLVED = (
-    "total_contact_area",
-    "particle_contact_area_ratio",
-    "solid_load_fraction",
-    "film_thickness",
-    "separation",
-)
 Curve = Mapping[str, NDArray]
 
 
@@ -57,7 +51,7 @@ class Evidence:
 
 
 def curve_of(solved: Curve) -> Curve:
-    """The quantities of a curve over the load, from those of ``SOLVED``, ``load`` and ``normal_load``;
+    """The quantities of a curve over the load, from ``QUANTITIES``, ``load`` and ``normal_load``;
     ``film_thickness`` is d/R_x [1], with or without a film."""
     area = np.maximum(solved["total_contact_area"], np.finfo(float).tiny)
     return {
@@ -91,10 +85,10 @@ def solve_evidence(
             **Condition(*columns)._asdict(),
             parameters=parameters,
             rtol=effort.rtol,
-            variables=(*SOLVED, "solution_status", "error_bound"),
+            variables=(*QUANTITIES, "solution_status", "error_bound"),
         )
         known = has_values(solution.solution_status) & (solution.error_bound <= LARGEST_ERROR)
-        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in SOLVED}
+        solved = {name: np.where(known, getattr(solution, name), np.nan) for name in QUANTITIES}
         for index, condition in enumerate(conditions):
             own = {name: values[:, index] for name, values in solved.items()}
             curves[condition] = curve_of(shared | own)
