@@ -15,11 +15,10 @@ from thirdbody.data.dataset import scene_dataset
 from thirdbody.data.quantities import QUANTITIES
 from thirdbody.figures import charts
 from thirdbody.figures.captions import WORDS, caption
-from thirdbody.figures.curves import curves_in
+from thirdbody.figures.curves import CURVE_FIGURES, curve_figure, curves_in
 from thirdbody.figures.drawing import CURVE, SUFFIXES, save, write_wide
 from thirdbody.figures.marks import BAND, LOCUS, PRINTED, TOLERANCE, WINDOW
 from thirdbody.figures.marks import TURNING_POINTS as STARS
-from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.schematics import SCHEMATICS
 from thirdbody.figures.sections import sections, state_of
 from thirdbody.study.claims import load_claims, printed_rows

@@ -1,10 +1,12 @@
-"""Figures of curves: the curves of a dataset, the content of panels, and how they are drawn."""
+"""Figures of curves: those of the paper, from ``curves.toml``, and those of other scenes."""
 
 from __future__ import annotations
 
 import math
+import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -103,11 +105,7 @@ def curves_in(
 
 @dataclass(frozen=True)
 class Content:
-    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``.
-
-    Over ``diameter_ratio`` only turning points are shown.  ``surface`` selects the smoothest (0) or
-    the roughest (-1) surface of the dataset; ``locus`` joins the turning points of the curves.
-    """
+    """The content of a panel: a quantity ``y`` over ``x``, two of ``SCALES``; as in ``curves.toml``."""
 
     y: str
     x: str = "load"
@@ -117,11 +115,7 @@ class Content:
 
 @dataclass(frozen=True)
 class CurveFigure:
-    """A figure of curves that differ in one ``parameter`` of their ``Condition``: a row of the registry.
-
-    Its panels show ``contents`` in order, or each of them for every roughness of the dataset.
-    Two-body contact is one of the curves, or only the reference of areas.
-    """
+    """A figure of curves that differ in one ``parameter``: an entry of ``curves.toml``."""
 
     parameter: str
     contents: tuple[Content, ...]
@@ -174,6 +168,44 @@ class CurveFigure:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
         title = key_title(parameter_title(self.parameter), common)
         return draw_panels(panels, looks.values(), title, newtons_per_load)
+
+
+ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
+LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
+
+CURVE_FIGURES = {
+    name: CurveFigure(**row | {"contents": tuple(Content(**each) for each in row["contents"])})
+    for name, row in tomllib.loads(
+        Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
+    ).items()
+}
+
+
+def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
+    """The figure ``name`` of the paper or, for any other scene in ``data``, areas over the load on each
+    surface, also load fractions and film unless all curves are dry.
+
+    ``ValueError`` if more conditions vary than one figure can distinguish: one, beside dry and
+    lubricated contact.
+    """
+    if name in CURVE_FIGURES:
+        return CURVE_FIGURES[name]
+    conditions = [curve.condition for curve in curves_in(data)]
+    levels = {axis: {getattr(each, axis) for each in conditions} for axis in Condition._fields}
+    absent = {"viscosity": set(), "particle_diameter": {0.0}, "particle_density": {0.0}}
+    varying = [axis for axis, none in absent.items() if len(levels[axis] - none) > 1]
+    if len(varying) > 1 and len(levels["viscosity"]) == 2 and 0.0 in levels["viscosity"]:
+        varying.remove("viscosity")
+    if len(varying) > 1:
+        raise ValueError(
+            f"{name}: {' and '.join(varying)} vary; allowed: one of them beside dry and lubricated "
+            "contact, and any number of roughnesses"
+        )
+    contents = tuple(map(Content, ALL_DRY if levels["viscosity"] == {0.0} else LUBRICATED))
+    surfaces = len(levels["roughness"])
+    if not varying and surfaces > 1:
+        return CurveFigure("roughness", contents)
+    return CurveFigure(*varying or ["viscosity"], contents, surfaces > 1)
 
 
 def _curve_series(content, curves, printed) -> Iterator[Series]:

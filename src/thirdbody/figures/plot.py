@@ -16,19 +16,21 @@ from matplotlib.figure import Figure
 from thirdbody.data.conditions import CONDITION_AXES, DIMENSIONS
 from thirdbody.data.netcdf import read_dataset
 from thirdbody.data.quantities import STATUS
-from thirdbody.figures.curves import BLUE, draw_panels, key_title, level_styles, range_series
+from thirdbody.figures.curves import (
+    BLUE,
+    CURVE_FIGURES,
+    LUBRICATED,
+    curve_figure,
+    draw_panels,
+    key_title,
+    level_styles,
+    range_series,
+)
 from thirdbody.figures.drawing import CURVE, STYLE, Drawing, Panel, Series
 from thirdbody.figures.marks import read_turning_points
-from thirdbody.figures.registry import CURVE_FIGURES, curve_figure
 from thirdbody.figures.scales import SCALES, note
 
 ALLOWED = "a dataset of tb.grid, tb.stream, Solution.to_dataset or the workflow, or its file"
-DRAWN = (
-    "particle_contact_area_ratio",
-    "total_contact_area",
-    "solid_load_fraction",
-    "film_thickness",
-)
 
 
 def plot(
@@ -108,9 +110,9 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     others = [name for name in DIMENSIONS if name != over]
     varying = [name for name in others if data.sizes[name] > 1]
     common = [_note(data, name, data[name].values[0]) for name in others if name not in varying]
-    names = [name for name in DRAWN if name in data and bool(data[name].notnull().any())]
+    names = [name for name in LUBRICATED if name in data and bool(data[name].notnull().any())]
     if not names:
-        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(DRAWN)}")
+        raise ValueError(f"there is nothing to draw; allowed: points with {', '.join(LUBRICATED)}")
     curves = {}
     for values in product(*(data[name].values for name in varying)):
         label = ", ".join(_note(data, name, value) for name, value in zip(varying, values))
@@ -126,7 +128,7 @@ def plot_curve(curve: Any) -> Figure:
     units = {axis.key: (axis.name, axis.scale) for axis in CONDITION_AXES}
     along, unit = units.get(curve.along, ("normal_load", 1.0))
     x = unit * np.asarray(curve.points)
-    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in DRAWN]
+    panels = [_panel(along, x, name, {"": curve.values}, [{"color": BLUE}]) for name in LUBRICATED]
     for panel in panels:
         if panel.y in curve.low:
             panel.series.append(range_series("", x, curve.low[panel.y], curve.high[panel.y], BLUE))
