@@ -18,11 +18,8 @@ def bracketed_roots(
     atol: float = 0.0,
     rtol: float = SPACING,
 ) -> tuple[NDArray, NDArray]:
-    """Find where a function of all points changes sign between two bounds, point by point.
-
-    Returns the roots, to ``atol`` or ``rtol`` of them, and the widths of the brackets that enclose them;
-    ``low`` and 0 where the bounds are equal.
-    """
+    """Find where a function of all points changes sign between two bounds, point by point: the roots, to
+    ``atol`` or ``rtol`` of them, and the widths of their brackets; ``low`` and 0 where the bounds are equal."""
     values = np.array(low, float)
 
     def at(some_values, some):

@@ -112,10 +112,8 @@ def film_turning_points(
 def _turning_points(
     separation, ends, viscosity, diameter, roughness, density, parameters, rtol
 ) -> TurningPoints:
-    """The most prominent maximum of each solid under each film: arrays of shape (films, solids).
-
-    ``separation`` [m] has shape (separations, solids), ``ends`` and ``viscosity`` (films, solids).
-    """
+    """The most prominent maximum of each solid under each film, for ``separation`` [separations, solids],
+    ``ends`` and ``viscosity`` [films, solids]: arrays of shape (films, solids)."""
     found = TurningPoints(*np.full((len(fields(TurningPoints)), *viscosity.shape), np.nan))
     three_body = np.flatnonzero(has_particles(diameter, density))
     if three_body.size == 0:

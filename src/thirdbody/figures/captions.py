@@ -1,8 +1,4 @@
-"""Captions and alternative texts, as data and as Markdown; the texts are in ``captions.toml``.
-
-A caption has a title, the content of each panel, the conditions, the marks, and the conclusion of
-the paper.  The alternative text of a figure of curves is generated from the curves.
-"""
+"""Captions and alternative texts as Markdown, from ``captions.toml`` and from the panels of a figure."""
 
 from __future__ import annotations
 

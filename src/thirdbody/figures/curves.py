@@ -183,11 +183,8 @@ CURVE_FIGURES = {
 
 def curve_figure(name: str, data: PlainDataset) -> CurveFigure:
     """The figure ``name`` of the paper or, for any other scene in ``data``, areas over the load on each
-    surface, also load fractions and film unless all curves are dry.
-
-    ``ValueError`` if more conditions vary than one figure can distinguish: one, beside dry and
-    lubricated contact.
-    """
+    surface, also load fractions and film unless all curves are dry; ``ValueError`` if several conditions
+    vary, beside dry and lubricated contact."""
     if name in CURVE_FIGURES:
         return CURVE_FIGURES[name]
     conditions = [curve.condition for curve in curves_in(data)]
@@ -266,10 +263,8 @@ def draw_panels(
     title: str = "",
     newtons_per_load: float | None = None,
 ) -> Drawing:
-    """Draw panels of curves, and a key with this ``title`` for the ``looks`` that have a label, and for marks.
-
-    With ``newtons_per_load``, F_t/F_t* [N], load axes also show newtons.
-    """
+    """Draw panels of curves, and a key for ``looks`` with a label and for marks; with ``newtons_per_load``,
+    F_t/F_t* [N], load axes also show newtons."""
     labels = {series.look.get("label") for panel in panels for series in panel.series}
     looks = [*looks, *(look for look in marks.LOOKS.values() if look.get("label") in labels)]
     labelled = [look for look in looks if look.get("label")]
@@ -327,12 +322,9 @@ def level_styles(count: int, size: int = 1) -> list[dict]:
 def curve_styles(
     curves: Sequence[Condition], parameter: str, size: int
 ) -> dict[Condition | str, dict]:
-    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by
-    its level, and of dry and lubricated contact if they are compared.
-
-    Two-body contact is black or grey.  With lubricated contact, dry contact is dashed, or dotted
-    without particles, and has no markers.
-    """
+    """Line properties of ``curves`` of ``size`` points that differ in one ``parameter``, labelled by its
+    level.  Two-body contact is black or grey; with lubricated contact, dry contact is dashed, or dotted
+    without particles."""
     media = {each.viscosity for each in curves}
     compares_media = parameter != "viscosity" and len({each.is_dry for each in curves}) == 2
     levels = sorted({getattr(each, parameter) for each in curves} - {0.0})

@@ -1,5 +1,4 @@
-"""Text of numbers and conditions in figures, and the axis of each quantity: title, label, unit,
-scale, and limits of regimes."""
+"""Text of numbers and conditions in figures, and the axis of each quantity, from ``scales.toml``."""
 
 from __future__ import annotations
 
@@ -97,11 +96,8 @@ SCALES = {name: Scale(**row) for name, row in ROWS.items()} | {
 
 
 def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None) -> None:
-    """Set scales, ticks, labels and limits of axes after all data have been drawn.
-
-    ``x`` and ``y`` are quantities of ``SCALES``.  With ``newtons_per_load``, F_t/F_t* [N], a load
-    axis shows newtons at the upper edge.
-    """
+    """Set scales, ticks, labels and limits of axes after all data have been drawn; with
+    ``newtons_per_load``, F_t/F_t* [N], a load axis shows newtons at the upper edge."""
     axes.margins(x=0.02, y=0.04)
     limits = axes.dataLim
     for axis, name, (low, high) in (

@@ -27,11 +27,8 @@ ATTRIBUTES = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encodin
 def band(
     dataset: PlainDataset, base: Parameters, ensemble: Sequence[Mapping[str, Any]]
 ) -> PlainDataset:
-    """Lowest and highest value of each quantity, ``<quantity>_low`` and ``_high``, over ``dataset`` and the
-    ``ensemble`` at its conditions and loads F_t*.
-
-    ``dataset`` was solved with ``base``; members have the inputs that differ from it, SI.
-    """
+    """Lowest and highest value of each quantity, ``<quantity>_low`` and ``_high``, over ``dataset``, solved
+    with ``base``, and the ``ensemble``, whose members have the inputs that differ from it, SI."""
     conditions, shown = curves_of(dataset)
     load = dataset["load"].values[:, None]
     start = {name: dataset[name].values[:, shown] for name in QUANTITIES}

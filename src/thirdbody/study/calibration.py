@@ -1,9 +1,8 @@
 """Calibration of the unprinted inputs as an inverse problem.
 
-An *interpretation* of the printed equations fixes some inputs and leaves others unknown.  The
-search is for unknowns with which the statements of the paper hold, as defined in
-``config/calibration.yaml``.  It works on *positions*: the value of each unknown between its bounds,
-scaled to 0 to 1, linearly or logarithmically.
+An *interpretation* of the printed equations fixes some inputs and leaves others unknown, as defined in
+``config/calibration.yaml``.  The search works on *positions*: the value of each unknown between its
+bounds, scaled to 0 to 1, linearly or logarithmically.
 """
 
 from __future__ import annotations
@@ -102,10 +101,8 @@ class Objective:
     def of(
         cls, claims: Sequence[Claim], settings: Mapping[str, Any], base: Mapping[str, Any]
     ) -> Objective:
-        """The objective over ``claims`` that are not set aside; ``base`` has all other inputs.
-
-        The weight of a statement is that of its kind, divided among the statements of its cluster.
-        """
+        """The objective over ``claims`` that are not set aside, with the weight of their kind divided among the
+        statements of a cluster; ``base`` has all other inputs."""
         fitted = [claim for claim in claims if not claim.aside]
         sizes = Counter(claim.counted_as for claim in fitted)
         weights = [

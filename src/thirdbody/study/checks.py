@@ -1,9 +1,8 @@
 """Checks of the statements of the paper: one for each kind of statement.
 
-``judge`` takes the curves, turning points and windows of a claim from ``evidence``, computes the
-number or course in question, and expresses its distance from the statement in tolerances of the
-claim.  A claim holds if this distance is at most 1.  The head of ``config/claims.yaml`` explains
-the kinds of statements.  ``Judge`` evaluates all claims for any inputs.
+``judge`` computes the number or course in question from ``evidence``, and its distance from the
+statement in tolerances of the claim, which holds if this is at most 1.  The head of
+``config/claims.yaml`` explains the kinds of statements.
 """
 
 from __future__ import annotations
@@ -40,12 +39,11 @@ TINY = 1e-300  # least argument of logarithms, so that vanishing quantities can 
 
 
 class Verdict(NamedTuple):
-    """Result of judging a claim.
+    """Result of judging a claim: the result of the model as text, its distance from the published value in
+    tolerances [1], and the largest deviation, computed minus published, relative [1] if the tolerance is.
 
-    ``computed`` is the result of the model as text, and ``distance`` that from the published value
-    in tolerances [1].  ``numbers`` are compared with published ones [unit of the quantity], and
-    ``worst`` has the largest ``deviation``: computed minus published, relative [1] if the tolerance
-    is.  A claim is ``tested`` if the model reaches its condition within the loads.
+    ``numbers`` are those compared [unit of the quantity], ``worst`` the index of that with the deviation.
+    A claim is ``tested`` if the model reaches its condition within the loads.
     """
 
     computed: str
@@ -388,9 +386,8 @@ def _loads(claim, grid, bounded):
 
 
 def _first_fall(loads, values):
-    """Load at which ``values`` first fall to zero: the first load if they start below; if they
-    never do, they are extrapolated with their last slope, over a decade at most, so that nothing
-    jumps when inputs change."""
+    """Load at which ``values`` first fall to zero, or the first load if they start below; extrapolated with
+    the last slope, over a decade at most, so that nothing jumps when inputs change."""
     above = values > 0.0
     if not above[0]:
         return loads[0] if values[0] <= 0.0 else np.nan
@@ -402,8 +399,7 @@ def _first_fall(loads, values):
 
 
 def _sample(curve, quantity, x, against="load"):
-    """A quantity where the quantity ``against`` equals ``x``, interpolated in logarithms; nan if
-    unsolved."""
+    """A quantity where ``against`` equals ``x``, interpolated in logarithms; nan if unsolved."""
     if quantity == against:
         return x
     values = curve[quantity]
@@ -430,11 +426,8 @@ def _peak_height(values):
 
 
 def _peak_miss(values, step):
-    """Shortfall of a course of ratios from an interior maximum of two steps.
-
-    Without a maximum, the distance of the course from turning is included, by the slope of ln(v/(1
-    - v)), so that a calibration has a slope.
-    """
+    """Shortfall of a course of ratios from an interior maximum of two steps; without a maximum also its
+    distance from turning, by the slope of ln(v/(1 - v)), so that a calibration has a slope."""
     size = np.abs(values)
     free = (size > SATURATED) & (size < 1.0 - SATURATED)
     odds = np.copysign(np.log(size[free] / (1.0 - size[free])), values[free])
@@ -460,12 +453,8 @@ COURSES = {
 
 
 def _sequence_miss(claim, curve):
-    """Largest excursion of a curve from the published sequence of states.
-
-    The points of the curve are assigned to the steps in order, so that the largest excursion of a
-    point from its step is minimal: the miss.  Each step must have a point, and be met by one
-    tolerance for a miss of 0.
-    """
+    """Largest excursion of a curve from the published sequence of states, if its points are assigned to the
+    steps in order so that it is minimal.  Each step must have a point that is inside by a tolerance."""
     excursions = np.array([_excursion(curve, step) for step in claim.published])
     if np.isnan(excursions).any():
         return np.nan

@@ -57,10 +57,8 @@ STATES = {
 
 @dataclass(frozen=True)
 class Claim:
-    """One statement of the paper: an entry of ``config/claims.yaml``, whose head explains the fields.
-
-    ``tolerance`` is a fraction of the quantity [1] if ``relative``, otherwise in its unit.
-    """
+    """One statement: an entry of ``config/claims.yaml``, whose head explains the fields.  ``tolerance`` is a
+    fraction of the quantity [1] if ``relative``, otherwise in its unit."""
 
     id: str
     place: str
@@ -140,15 +138,13 @@ class Claim:
 
 
 def figures_named(place: str) -> frozenset[int]:
-    """Numbers of the figures in the place of a statement, such as "Figures 4B and 5C" or "Figures 4
-    to 7"."""
+    """Numbers of the figures in a place, such as "Figures 4B and 5C" or "Figures 4 to 7"."""
     ends = FIGURES.findall(place)
     return frozenset().union(*(range(int(one), int(last or one) + 1) for one, last in ends))
 
 
 def load_claims(path: str | Path) -> tuple[Claim, ...]:
-    """Read the statements of the paper, in order; ``ValueError`` in one line for a file that does
-    not satisfy ``config/claims.schema.yaml``."""
+    """Read the statements of the paper, in order; ``ValueError`` in one line for an invalid file."""
     claims = []
     for entry in read_valid(path, "claims"):
         relative = "relative" in entry["tolerance"]
@@ -178,10 +174,8 @@ def _condition_texts(conditions: Mapping[str, Any]) -> list[str]:
 
 
 def printed_rows(claims: Iterable[Claim]) -> list[dict]:
-    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves.
-
-    A change from a reference has no row, because it is not a point of a figure.
-    """
+    """Rows of the table ``printed``: a printed number with its tolerance for each of its curves; none for a
+    change from a reference, which is not a point of a figure."""
     rows = []
     for claim in claims:
         is_change = claim.reference and claim.quantity not in BETWEEN_CURVES

@@ -68,11 +68,8 @@ def solve_evidence(
     newtons: tuple[float, float],
     effort: Effort = FULL_EFFORT,
 ) -> Evidence:
-    """Solve the conditions ``asked``, from ``thirdbody.study.claims.referenced_conditions``;
-    ``newtons`` are the first and last normal load of every curve [N].
-
-    Quantities are nan at points without values, or with an error bound above ``LARGEST_ERROR``.
-    """
+    """Solve the conditions ``asked``, from ``referenced_conditions``, between the first and last normal load
+    [N]; quantities are nan without values, or with an error bound above ``LARGEST_ERROR``."""
     load_range = tuple(force / parameters.newtons_per_load for force in newtons)
     loads = np.geomspace(*load_range, effort.loads)
     shared = {"load": loads, "normal_load": loads * parameters.newtons_per_load}

@@ -32,12 +32,8 @@ def summary(
     folds: Sequence[NDArray],
     settings: Mapping[str, Any],
 ) -> dict[str, Any]:
-    """The content of the calibrated file of an interpretation, SI.
-
-    ``searches`` and ``samples`` of each seed, and ``folds``, are positions and objectives, shape (rows,
-    unknowns + 1); the last two only for the shortlist.  ``inputs`` are the acceptable set for which most
-    statements hold, and of several the most plausible.
-    """
+    """The content of the calibrated file of an interpretation, SI, from positions and objectives, shape
+    (rows, unknowns + 1), of each seed and fold; samples and folds are those of the shortlist."""
     rows = np.concatenate([*searches, *samples])
     good = acceptable(rows, settings["acceptance"])
     pooled = np.concatenate(samples) if samples else good[:0]
@@ -129,12 +125,9 @@ def price_front(
 def mixed_ensemble(
     contents: Sequence[Mapping[str, Any]], fractions: Mapping[str, Sequence[float]], size: int
 ) -> tuple[list[dict[str, Any]], list[str]]:
-    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each.
-
-    ``contents`` are those of calibrated files, the default first, and ``fractions`` the predicted
-    fractions of the statements in each fold.  An interpretation has members in proportion to its mean
-    fraction, if that is at most one standard deviation (of the default's) below that of the default.
-    """
+    """The inputs of an ensemble of ``size`` members, SI, and the interpretation of each, from calibrated
+    files, the default first.  An interpretation has members in proportion to its mean predicted fraction,
+    if that is at most one standard deviation (of the default's) below that of the default."""
     means = {name: float(np.mean(each)) for name, each in fractions.items()}
     first = contents[0]["interpretation"]
     least = means[first] - float(np.std(fractions[first]))

@@ -1,5 +1,4 @@
-"""Search for the unknown inputs of an interpretation that explain most of the paper, and sampling
-of sets that explain about as much."""
+"""Search for the inputs that explain most of the paper, and samples of those that explain about as much."""
 
 from __future__ import annotations
 
@@ -41,12 +40,9 @@ def search(
     budget: Mapping[str, Any],
     seed: int,
 ) -> NDArray:
-    """Search the unknowns of an interpretation, at least two, for the least objective, by a CMA evolution
-    strategy with a quadratic surrogate (Hansen 2019, doi:10.1145/3321707.3321842) from ``start``.
-
-    Returns positions and, in the last column, the objective [1], in the order of evaluation: as many as
-    ``budget["evaluations"]`` for each unknown, and a few more.
-    """
+    """Search the unknowns, at least two, for the least objective, by a CMA evolution strategy with a quadratic
+    surrogate (Hansen 2019, doi:10.1145/3321707.3321842): all positions with the objective [1] in the last
+    column."""
     rows = []
 
     def function(positions):
@@ -75,12 +71,9 @@ def posterior_sample(
     budget: Mapping[str, int],
     seed: int,
 ) -> NDArray:
-    """Sample sets of inputs with the density exp(-objective) by walkers (Foreman-Mackey et al. 2013,
-    doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9).
-
-    They start from the best of the ``evaluations`` of a search; the first quarter of the steps is
-    dropped.  Returns positions and, in the last column, the objective [1].
-    """
+    """Sample sets of inputs with the density exp(-objective) by walkers that start from the best of a
+    search: rows as from ``search``, without the first quarter of the steps (Foreman-Mackey et al. 2013,
+    doi:10.1086/670067; ter Braak & Vrugt 2008, doi:10.1007/s11222-008-9104-9)."""
 
     def log_density(positions):
         if ((positions < 0.0) | (positions > 1.0)).any():

@@ -1,12 +1,10 @@
 """Sensitivity of results to the unprinted inputs: elasticities and total Sobol indices.
 
 Outputs are loads and ratios of turning points, ends of the windows of x_a/sigma, and loads at which
-the regime or mode changes; nan where they do not occur.  The elasticity of an output in an input is
-d ln(output)/d ln(input).  A total Sobol index is the part of the variance of ln(output) to which an
-input contributes.  For these a quadratic in the inputs, the response surface, is fitted to evenly
-scattered sets of inputs; its terms are products of Legendre polynomials, so that the square of a
-coefficient is the variance of its term (polynomial chaos expansion: Sudret 2008,
-doi:10.1016/j.ress.2007.04.002).
+the regime or mode changes; nan where they do not occur.  The elasticity is d ln(output)/d ln(input).
+A total Sobol index is the part of the variance of ln(output) to which an input contributes.  For it a
+quadratic is fitted to evenly scattered sets of inputs, whose terms are products of Legendre polynomials:
+the square of a coefficient is the variance of its term (Sudret 2008, doi:10.1016/j.ress.2007.04.002).
 """
 
 from __future__ import annotations
@@ -106,8 +104,7 @@ class Subject:
 
 
 def last_crossings(evidence: Evidence, conditions: Sequence[Condition]) -> NDArray:
-    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``: shape (curves, limits),
-    nan without a crossing."""
+    """Last load F_t* [1] at which each curve crosses each of ``LIMITS``, or nan: shape (curves, limits)."""
     found = np.full((len(conditions), len(LIMITS)), np.nan)
     if conditions:
         curves = [evidence.curves[condition] for condition in conditions]
@@ -177,12 +174,9 @@ def legendre_terms(positions: NDArray) -> tuple[NDArray, NDArray]:
 
 
 def total_indices(positions: NDArray, values: NDArray) -> tuple[NDArray, float]:
-    """Total Sobol index of each input in the logarithm of a positive output, shape (inputs,), and the
-    fraction of the variance missed in leave-one-out cross-validation [1].
-
-    ``values``, shape (sets,), is the output at ``positions``, shape (sets, inputs); nan where it does not
-    occur.  Both results are nan if it occurs in too few sets.
-    """
+    """Total Sobol index of each input, shape (inputs,), in the logarithm of an output ``values`` [sets] at
+    ``positions`` [sets, inputs], and the fraction of the variance missed in leave-one-out
+    cross-validation; nan if it occurs in too few sets."""
     terms, involved = legendre_terms(positions)
     known = np.isfinite(values)
     if known.sum() < LEAST_SETS * terms.shape[1]:
@@ -204,11 +198,8 @@ def default_indices(
     base: NDArray,
     settings: Mapping[str, Any],
 ) -> Found:
-    """Total Sobol indices of the outputs, ``base`` at ``parameters``, for some ``inputs``, SI.
-
-    The error is the fraction missed by the response surface: any input may contribute to it.
-    ``settings`` is the entry ``sobol`` of ``config/sensitivity.yaml``.
-    """
+    """Total Sobol indices of the outputs, ``base`` at ``parameters``, for ``inputs``, SI.  The error is the
+    fraction that the quadratic misses: any input may contribute to it."""
     scattered = LatinHypercube(len(inputs), rng=settings["seed"]).random(settings["solved"])
     sides = np.array([1.0 - settings["spread"], 1.0 + settings["spread"]])
     ends = [np.clip(value * sides, *BOUNDS[name]) for name, value in inputs.items()]
