@@ -7,7 +7,6 @@ the inputs of every interpretation, and those of every fold of the cross-validat
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -309,7 +308,9 @@ def claims_json(judged: Judged) -> str:
             for row, claim in zip(rows, judged.claims, strict=True)
         ],
     }
-    return json.dumps(_without_nan(content), indent=1, ensure_ascii=False) + "\n"
+    # null for every number that is nan
+    content = json.loads(json.dumps(content), parse_constant=lambda name: None)
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def score_sentence(judged: Judged) -> str:
@@ -336,14 +337,3 @@ ENVIRONMENT = Environment(
     keep_trailing_newline=True,
 )
 ENVIRONMENT.filters |= {"markdown": _as_markdown, "once": once, "cell": _cell}
-
-
-def _without_nan(content):
-    """The content with null for every number that is nan or infinite."""
-    if isinstance(content, Mapping):
-        return {name: _without_nan(value) for name, value in content.items()}
-    if isinstance(content, (list, tuple)):
-        return [_without_nan(value) for value in content]
-    if isinstance(content, float) and not math.isfinite(content):
-        return None
-    return content
