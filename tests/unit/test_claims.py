@@ -24,12 +24,8 @@ def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     """A curve over ``LOADS``; single numbers hold at every load."""
     film = 2e-4 * 10 ** (-0.1 * DECADES) if film is None else film
     found = {"load": LOADS, "normal_load": LOADS * 8e5}
-    computed = {
-        "total_contact_area": area,
-        "particle_contact_area_ratio": ratio,
-        "solid_load_fraction": solid,
-        "film_thickness": film,
-    }
+    computed = dict(total_contact_area=area, particle_contact_area_ratio=ratio)
+    computed |= dict(solid_load_fraction=solid, film_thickness=film)
     for name, values in computed.items():
         found[name] = np.where(solved, values, np.nan) + np.zeros(LOADS.size)
     return curve_of(found)
