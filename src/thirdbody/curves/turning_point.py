@@ -135,15 +135,10 @@ def _turning_points(
     load, fraction, steepest = load_at(
         contacts, viscosity[film, curve], roughness[curve], separation
     )
-    state = {
-        "load": load,
-        "load_error": load * (steepest * width[maximum] + rtol),
-        "peak_ratio": particle_ratio(contacts, separation),
-        "solid_load_fraction": fraction,
-        "separation": separation,
-        "prominence": prominence[film, maximum],
-    }
-    for name, values in state.items():
+    error = load * (steepest * width[maximum] + rtol)
+    ratio, height = particle_ratio(contacts, separation), prominence[film, maximum]
+    state = TurningPoints(load, error, ratio, fraction, separation, height)
+    for name, values in vars(state).items():
         getattr(found, name)[film, curve] = values
     return found
 

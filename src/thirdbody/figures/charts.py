@@ -28,7 +28,7 @@ def plot(name: str, charts: Sequence[xr.Dataset]) -> Drawing:
         for chart in charts
     ]
     newtons_per_load = float((charts[0]["normal_load"] / charts[0]["load"])[-1])
-    figure = draw_panels(panels, looks, parameter_title("roughness"), newtons_per_load)
+    figure = draw_panels(panels, looks, parameter_title("roughness"), (), newtons_per_load)
     for axes, panel, chart in zip(figure.axes, panels, charts, strict=True):
         axes.set_xlim(*chart["load"].values[[0, -1]])
         if not any(np.isfinite(one.y).any() for one in panel.series):

@@ -166,8 +166,8 @@ class CurveFigure:
         newtons_per_load = None
         if "normal_load" in data:
             newtons_per_load = float(data["normal_load"].values[-1] / data["load"].values[-1])
-        title = key_title(parameter_title(self.parameter), common)
-        return draw_panels(panels, looks.values(), title, newtons_per_load)
+        title = parameter_title(self.parameter)
+        return draw_panels(panels, looks.values(), title, common, newtons_per_load)
 
 
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
@@ -261,6 +261,7 @@ def draw_panels(
     panels: Sequence[Panel],
     looks: Iterable[Mapping[str, Any]],
     title: str = "",
+    common: Sequence[str] = (),
     newtons_per_load: float | None = None,
 ) -> Drawing:
     """Draw panels of curves, and a key for ``looks`` with a label and for marks; with ``newtons_per_load``,
@@ -285,25 +286,26 @@ def draw_panels(
                     axes.axvline(end, **series.look)
         set_scales(axes, panel.x, panel.y, newtons_per_load)
     if entries:
-        add_key(figure, list(entries.values()), title, beside)
+        add_key(figure, list(entries.values()), title, common, beside)
     return figure
 
 
-def key_title(title: str, conditions: Sequence[str]) -> str:
-    """Title of a key, and below it the conditions common to all curves."""
-    return "\n".join(filter(None, (title, ", ".join(conditions))))
-
-
 def add_key(
-    figure: Figure, entries: Sequence[Artist], title: str = "", beside: bool = False
+    figure: Figure,
+    entries: Sequence[Artist],
+    title: str = "",
+    common: Sequence[str] = (),
+    beside: bool = False,
 ) -> None:
-    """Add a key below all panels, or beside the last one in the free cell of two columns."""
+    """Add a key below all panels, or beside the last one in the free cell of two columns, with a title and
+    the conditions common to all curves."""
     place = {"loc": "outside lower center", "ncols": KEY_COLUMNS}
     if beside:
         cell = 0.5, 0.0, 0.5, 2.0 / (len(figure.axes) + 1)
         columns = math.ceil(len(entries) / KEY_ROWS)
         place = {"loc": "center", "bbox_to_anchor": cell, "ncols": columns}
-    figure.legend(handles=entries, title=title or None, **place)
+    text = "\n".join(filter(None, (title, ", ".join(common))))
+    figure.legend(handles=entries, title=text or None, **place)
 
 
 def level_styles(count: int, size: int = 1) -> list[dict]:

@@ -51,14 +51,11 @@ AT_TURNING_POINT = {
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Turning points from a file of the table ``tpca_loads``: the four conditions [SI], ``load``
-    and ``peak_ratio``; ``OSError`` in one line if the file is damaged."""
-    columns = {axis.name: axis.column for axis in CONDITION_AXES}
-    columns |= {"load": "load", "peak_ratio": "peak_ratio"}
-    return [
-        {name: row[column] for name, column in columns.items()}
-        for row in read_csv(path, TABLES["tpca_loads"])
-    ]
+    """Rows of a file of the table ``tpca_loads``, with the names of the four conditions [SI]; ``OSError`` in
+    one line if it is damaged."""
+    names = {axis.column: axis.name for axis in CONDITION_AXES}
+    rows = read_csv(path, TABLES["tpca_loads"])
+    return [{names.get(column, column): value for column, value in row.items()} for row in rows]
 
 
 def turning_point_series(x: str, y: str, curves: Sequence[Curve], kind: str) -> Iterator[Series]:

@@ -22,7 +22,6 @@ from thirdbody.figures.curves import (
     LUBRICATED,
     curve_figure,
     draw_panels,
-    key_title,
     level_styles,
     range_series,
 )
@@ -120,7 +119,7 @@ def _plot_over(data: xr.Dataset, over: str) -> Figure:
     looks = level_styles(len(curves))
     looks = [look | {"label": label} for look, label in zip(looks, curves, strict=True)]
     panels = [_panel(over, data[over].values, name, curves, looks) for name in names]
-    return draw_panels(panels, looks, key_title("", common))
+    return draw_panels(panels, looks, common=common)
 
 
 def plot_curve(curve: Any) -> Figure:

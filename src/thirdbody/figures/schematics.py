@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Patch
 
 from thirdbody.data.plain import PlainDataset
-from thirdbody.figures.curves import add_key, key_title
+from thirdbody.figures.curves import add_key
 from thirdbody.figures.drawing import CURVE, Drawing, Panel, Series, empty_panels
 from thirdbody.figures.scales import label, shared_notes
 from thirdbody.figures.sections import PARTICLES, Section, condition_of, panels_of
@@ -63,8 +63,7 @@ def plot_modes(data: PlainDataset) -> Drawing:
     for axes, panel, section in zip(figure.axes, figure.panels, sections, strict=True):
         _draw_section(axes, panel, section, MODES_SHAPE)
     entries = [Patch(label=text, **look) for text, look in LOOKS.items() if text != LUBRICANT]
-    title = key_title("lengths and heights to one scale", common)
-    add_key(figure, entries, title, beside=True)
+    add_key(figure, entries, "lengths and heights to one scale", common, beside=True)
     return figure
 
 
