@@ -97,10 +97,8 @@ def empty_panels(panels: Sequence[Panel], size: tuple[float, float], columns: in
 def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     """Write ``stem``.svg, .pdf, .png, the data drawn as .csv, and the caption as .md; ``OSError``
     if the disk is full or not writable."""
-    layout = drawing.get_layout_engine()
-    if layout is not None:  # once for all formats
-        layout.execute(drawing)
-        drawing.set_layout_engine(None)
+    drawing.get_layout_engine().execute(drawing)
+    drawing.set_layout_engine(None)  # once for all formats
     rows = []
     for panel in drawing.panels:
         for series in panel.series:
