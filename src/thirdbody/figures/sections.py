@@ -120,8 +120,13 @@ def _surfaces(state, parameters, position, summits_touch, random):
     # ASSUME: this autocorrelation, and the density rather than the radius of the summits, as a
     # Gaussian surface cannot have both
     length = 1.0 / np.sqrt(2.0 * np.pi * np.sqrt(3.0) * parameters.surface(sigma).summit_density)
+    step = position[1] - position[0]
+    reach = int(3.0 * length / step)
+    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
+    noise = random.standard_normal((2, position.size + 2 * reach))
+    profiles = np.array([np.convolve(each, kernel, "valid") for each in noise])
     # ASSUME: both surfaces are equally rough, sigma/sqrt(2) each
-    lower, upper = (sigma / np.sqrt(2.0) * _profile(position, length, random) for _ in range(2))
+    lower, upper = sigma / np.sqrt(2.0) * (profiles / np.sqrt(np.sum(kernel**2)))
     if summits_touch:
         # a Gaussian process through a given height there: a sample plus its regression on the
         # difference; above a high level d it rises by sigma^2/d on average
@@ -130,15 +135,6 @@ def _surfaces(state, parameters, position, summits_touch, random):
         rise = 0.5 * missing * np.exp(-0.5 * ((position - place) / length) ** 2)
         lower, upper = lower + rise, upper - rise
     return lower, upper + separation
-
-
-def _profile(position, length, random):
-    """A Gaussian random profile of unit variance and autocorrelation exp(-x^2/2 length^2)."""
-    step = position[1] - position[0]
-    reach = int(3.0 * length / step)
-    kernel = np.exp(-((np.arange(-reach, reach + 1) * step / length) ** 2))
-    noise = random.standard_normal(position.size + 2 * reach)
-    return np.convolve(noise, kernel, "valid") / np.sqrt(np.sum(kernel**2))
 
 
 def _particles(state, parameters, position, lower, upper, reach, random) -> dict[str, NDArray]:

@@ -96,7 +96,6 @@ def solve_evidence(
         for index, some in zip(places, numbers, strict=True):
             points[conditions[index]] = TurningPoints(*some)
     surfaces = sorted(asked["window"])
-    given = surfaces, WINDOW_DENSITY, load_range, parameters
-    found = turning_point_windows(effort.window, *given)
+    found = turning_point_windows(effort.window, surfaces, WINDOW_DENSITY, load_range, parameters)
     windows = {sigma: (each.low, each.high) for sigma, each in zip(surfaces, found, strict=True)}
     return Evidence(parameters, effort, curves, points, windows)

@@ -254,19 +254,16 @@ def claims_markdown(judged: Judged) -> str:
     failing = table[table["verdict"] == FAILS]
     names = failing["cluster"].replace("", None).fillna(failing["id"])
     return ENVIRONMENT.get_template("claims.md.j2").render(
+        judged=judged,
         score=score_sentence(judged),
         reached=numbers["reached"].sum(),
         headline=numbers.drop(columns="id").replace({"reached": {True: "yes", False: "no"}}),
         misfits=[rows.to_dict("records") for _, rows in failing.groupby(names, sort=False)],
-        default=judged.default,
-        claims=judged.claims,
-        verdicts=judged.verdicts,
         words=dict(zip(table["id"], table["verdict"], strict=True)),
         counts=counts_by_figure(judged),
         comparison=judged.comparison.drop(columns="predicted_fraction", errors="ignore"),
         statements=table.to_dict("records"),
         failing=failing.to_dict("records"),
-        interpretations=judged.interpretations,
     )
 
 
