@@ -27,8 +27,7 @@ def bracketed_roots(
         return function(values)[some]
 
     tolerances = {"xatol": atol, "xrtol": rtol, "fatol": 0.0, "frtol": 0.0}
-    given = (np.arange(low.size),)
-    found = find_root(at, (low, high), args=given, tolerances=tolerances)
+    found = find_root(at, (low, high), args=(np.arange(low.size),), tolerances=tolerances)
     left, right = found.bracket
     is_exact = (found.f_x == 0.0) | (low == high)
     return np.where(low == high, low, found.x), np.where(is_exact, 0.0, np.abs(right - left))

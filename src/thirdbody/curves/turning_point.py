@@ -101,12 +101,8 @@ def film_turning_points(
     viscosity = np.broadcast_to(viscosity[:, np.newaxis], first.shape)
     solids = particle_diameter, roughness, particle_density
     found = _turning_points(between, (first, last), viscosity, *solids, parameters, rtol)
-    known = {
-        name: np.where(found.exists, values, np.nan)
-        for name, values in vars(found).items()
-        if name != "prominence"
-    }
-    return replace(found, **known)
+    known = {name: np.where(found.exists, each, np.nan) for name, each in vars(found).items()}
+    return replace(found, **known | {"prominence": found.prominence})
 
 
 def _turning_points(

@@ -57,8 +57,19 @@ def turning_point_windows(
         return []
 
     def margin(ratios, surface):
-        there = roughness[surface]
-        return _margin(search, load_range, ratios * there, there, density, parameters)
+        """Margin of the largest prominence over the least required; negative without a turning point."""
+        sigma = roughness[surface]
+        columns = ratios * sigma, sigma, np.full_like(sigma, density)
+        names = "particle_diameter", "roughness", "particle_density"
+        points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
+        points |= dict(zip(names, columns, strict=True))
+        first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
+        solids = make_contact(*columns, parameters, search.rtol)
+        between = _separations(first, last, sigma, search.separations)
+        curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
+        greatest = np.full_like(first, np.nan)
+        np.fmax.at(greatest, curve, prominence)
+        return _margin_over_least(greatest, search.prominence)
 
     ratios, surface = np.broadcast_arrays(search.ratios[:, None], np.arange(roughness.size))
     margins = margin(ratios.ravel(), surface.ravel()).reshape(ratios.shape)
@@ -67,12 +78,8 @@ def turning_point_windows(
     enclosed = np.isfinite(errors)
     if np.isfinite(search.tolerance) and enclosed.any():
         _, surface = np.nonzero(enclosed)
-        ends[enclosed], width = bracketed_roots(
-            lambda ratios: margin(ratios, surface),
-            inner[enclosed],
-            outer[enclosed],
-            search.tolerance,
-        )
+        given = inner[enclosed], outer[enclosed], search.tolerance
+        ends[enclosed], width = bracketed_roots(lambda ratios: margin(ratios, surface), *given)
         errors[enclosed] = width + search.tolerance
     return [Window(*each) for each in zip(ends[0], errors[0], ends[1], errors[1], strict=True)]
 
@@ -103,21 +110,6 @@ def _ends_of_longest_runs(ratios, margins):
     with np.errstate(divide="ignore", invalid="ignore"):  # an open run
         fraction = np.where(within == beyond, 0.0, at_inner / (at_inner - at_outer))
     return inner, outer, inner + fraction * (outer - inner)
-
-
-def _margin(search, load_range, diameter, roughness, density, parameters):
-    """Margin of the largest prominence over the least required; negative without a turning point."""
-    columns = diameter, roughness, np.full_like(diameter, density)
-    names = "particle_diameter", "roughness", "particle_density"
-    points = {"load": np.array(load_range)[:, None], "viscosity": np.zeros(1)}
-    points |= dict(zip(names, columns, strict=True))
-    first, last = solve_arrays(points, parameters, search.rtol, ("separation",)).separation
-    solids = make_contact(*columns, parameters, search.rtol)
-    between = _separations(first, last, roughness, search.separations)
-    curve, _, _, prominence = ratio_maxima(solids, between, (first, last), search.rtol)
-    greatest = np.full_like(first, np.nan)
-    np.fmax.at(greatest, curve, prominence)
-    return _margin_over_least(greatest, search.prominence)
 
 
 def _margin_over_least(prominence, least=PROMINENCE):

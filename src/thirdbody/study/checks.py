@@ -74,8 +74,7 @@ class Verdict(NamedTuple):
 
 
 class NotReached(Exception):
-    """No load of a curve is within the bounds of a claim; the argument is the shortfall, in the
-    unit of the bound, or the logarithm of a ratio of loads."""
+    """No load of a curve is within the bounds of a claim, by the shortfall in the argument."""
 
 
 @dataclass(frozen=True)

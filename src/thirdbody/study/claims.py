@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import product
 from pathlib import Path
@@ -78,7 +78,7 @@ class Claim:
     any_curve: bool = False
     must_be_reached: bool = False
     figures: Sequence[int] = ()
-    reference: Mapping[str, float] | None = None
+    reference: Mapping[str, float] = field(default_factory=dict)
     contradicts: Sequence[str] = ()
     quote: str = ""
     aside: str = ""
@@ -97,7 +97,7 @@ class Claim:
         changes = {
             axis.name: axis.to_si(self.reference[axis.key])
             for axis in CONDITION_AXES
-            if axis.key in (self.reference or {})
+            if axis.key in self.reference
         }
         return tuple(condition._replace(**changes) for condition in self.curves if changes)
 
@@ -116,7 +116,7 @@ class Claim:
         """The curves, the bounds of the loads, and the reference as text."""
         loads = [f"{key} = {value:g}" for key, value in self.limits.items()]
         text = "; ".join([*_condition_texts(self.conditions), *loads])
-        against = ", ".join(_condition_texts(self.reference or {}))
+        against = ", ".join(_condition_texts(self.reference))
         return f"{text}; held against {against}" if against else text
 
     @property
