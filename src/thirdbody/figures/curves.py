@@ -241,8 +241,7 @@ def range_series(name, x, low, high, colour, condition=None) -> Series:
 
 
 def _window_series(content, curves, windows, printed) -> Iterator[Series]:
-    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range,
-    which have no height: their ``y`` is 0."""
+    """Turning points over x_a/σ on one surface, and the computed and printed ends of their range at y = 0."""
     yield from marks.turning_point_series(content.x, content.y, curves, marks.TURNING_POINTS)
 
     def is_here(row):

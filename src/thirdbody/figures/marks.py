@@ -1,5 +1,4 @@
-"""Marks in panels: turning points of the contact area (TPCA), statuses of points, and printed
-numbers with their tolerances, through which curves should pass."""
+"""Marks in panels: turning points (TPCA), statuses of points, and printed numbers with their tolerances."""
 
 from __future__ import annotations
 
@@ -51,8 +50,7 @@ AT_TURNING_POINT = {
 
 
 def read_turning_points(path: str | PathLike) -> list[dict[str, float]]:
-    """Rows of a file of the table ``tpca_loads``, with the names of the four conditions [SI]; ``OSError`` in
-    one line if it is damaged."""
+    """Rows of a file of the table ``tpca_loads``, with the names of conditions; ``OSError`` if it is damaged."""
     names = {axis.column: axis.name for axis in CONDITION_AXES}
     rows = read_csv(path, TABLES["tpca_loads"])
     return [{names.get(column, column): value for column, value in row.items()} for row in rows]

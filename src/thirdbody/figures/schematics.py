@@ -28,8 +28,7 @@ MEAN_PLANE = {"color": "0.35", "linewidth": 0.6, "linestyle": (0, (6, 3))}
 
 
 def plot_interface(data: PlainDataset) -> Drawing:
-    """Figure 1: one section of the lubricated three-body interface; ``ValueError`` without lubricant or
-    particles."""
+    """Figure 1: one section; ``ValueError`` without lubricant or particles."""
     (section,) = panels_of(data)
     condition = condition_of(section)
     if condition.is_dry or condition.is_two_body:
@@ -45,8 +44,7 @@ def plot_interface(data: PlainDataset) -> Drawing:
 
 
 def plot_modes(data: PlainDataset) -> Drawing:
-    """Figure 2: a section for each of ``MODE_TITLES``, in this order; ``ValueError`` if the model finds
-    a different mode than a panel shows."""
+    """Figure 2: a section for each of ``MODE_TITLES``; ``ValueError`` if the model finds other modes."""
     sections = panels_of(data)
     common = shared_notes([condition_of(section) for section in sections])
     panels = []

@@ -56,8 +56,7 @@ def condition_of(section: Section) -> Condition:
 
 
 def sections(figure: str, states: Sequence[Section], parameters: Parameters) -> PlainDataset:
-    """The sections of the schematic ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as
-    below."""
+    """The sections of ``fig01`` or ``fig02`` as one dataset, a panel for each state; errors as below."""
     found = [section_through(state, parameters, LENGTHS[figure], SEED) for state in states]
     most = max(section["particle_size"].size for section in found)
     variables = {}

@@ -117,9 +117,8 @@ class Objective:
 
     def repeating(self, name: str) -> NDArray:
         """Which of ``claims`` is the one with the id ``name``, or repeats it."""
-        clusters = [claim.counted_as for claim in self.claims]
-        place = [claim.id for claim in self.claims].index(name)
-        return np.array(clusters) == clusters[place]
+        (own,) = (claim.counted_as for claim in self.claims if claim.id == name)
+        return np.array([claim.counted_as == own for claim in self.claims])
 
     def scores(self, interpretation: Interpretation, inputs: Mapping[str, Any]) -> NDArray:
         """Score of each of ``claims`` in tolerances [1]; the largest if no surface has these inputs."""

@@ -148,9 +148,6 @@ def _is_within_the_loads(claim: Claim, evidence) -> bool:
     return _against_published(claim, np.minimum(loads, last), "").distance > 1.0
 
 
-# --- one check for each kind of claim ---
-
-
 def check_value(claim: Claim, evidence) -> Verdict:
     """One number agrees, or is reached, on all curves, or with ``any_curve`` on one of them."""
     values = compared = _scalars(claim, evidence)
@@ -255,9 +252,6 @@ def _missed(claim, text, miss) -> Verdict:
     """Result of a check that a course or an order is missed by ``miss``."""
     deviation = np.expm1(miss) if claim.relative else miss
     return Verdict(text, float(np.maximum(miss / claim.step, 0.0)), float(deviation))
-
-
-# --- measuring ---
 
 
 def _scalars(claim, evidence):
