@@ -23,12 +23,10 @@ DECADES = np.log10(LOADS / LOADS[0])  # 0 to 3
 def make_curve(area=LOADS, ratio=0.5, solid=1.0, film=None, solved=True):
     """A curve over ``LOADS``; single numbers hold at every load."""
     film = 2e-4 * 10 ** (-0.1 * DECADES) if film is None else film
-    found = {"load": LOADS, "normal_load": LOADS * 8e5}
-    computed = dict(total_contact_area=area, particle_contact_area_ratio=ratio)
-    computed |= dict(solid_load_fraction=solid, film_thickness=film)
-    for name, values in computed.items():
-        found[name] = np.where(solved, values, np.nan) + np.zeros(LOADS.size)
-    return curve_of(found)
+    given = dict(total_contact_area=area, particle_contact_area_ratio=ratio)
+    given |= dict(solid_load_fraction=solid, film_thickness=film)
+    given = {name: np.where(solved, each, np.nan) + 0.0 * LOADS for name, each in given.items()}
+    return curve_of(given | {"load": LOADS, "normal_load": LOADS * 8e5})
 
 
 def make_claim(kind, quantity="", published=None, size=0.1, relative=False, given=None, **fields):
