@@ -106,7 +106,8 @@ def set_scales(axes: Axes, x: str, y: str, newtons_per_load: float | None = None
     ):
         scale = SCALES[name]
         axis.set_label_text(scale.label)
-        logarithmic = (scale.logarithmic or axis is axes.xaxis) and 0.0 < 10.0 * low < high
+        spread = 3.0 if scale.logarithmic else 10.0
+        logarithmic = (scale.logarithmic or axis is axes.xaxis) and 0.0 < spread * low < high
         if logarithmic:
             axes.set(**{f"{axis.axis_name}scale": "log"})
         if scale.unit != 1.0:
