@@ -314,7 +314,7 @@ def test_schematics_show_what_carries_the_load(parameters, tmp_path):
     lubricated = sections("fig01", [state(5e-7, 50.0, 9e-5)], parameters)
     interface = SCHEMATICS["fig01"](lubricated)
     drawing, again = (SCHEMATICS["fig02"](sections("fig02", states, parameters)) for _ in range(2))
-    labels = [[series.label for series in panel.series] for panel in drawing.panels]
+    labels = [[series.name for series in panel.series] for panel in drawing.panels]
     assert ["contact of summits" in each for each in labels] == [True, False, True]
     assert ["carries load" in "".join(each) for each in labels] == [False, True, True]
     for each in (interface, drawing, again):

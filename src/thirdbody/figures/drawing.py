@@ -47,13 +47,6 @@ class Series:
     curve: Condition | None = None
     look: Mapping[str, Any] = field(default_factory=dict)
 
-    @property
-    def label(self) -> str:
-        """Name in the file of the data drawn."""
-        if self.kind == CURVE:
-            return self.name
-        return f"{self.kind}; {self.name}" if self.name else self.kind
-
 
 @dataclass(frozen=True, eq=False)
 class Panel:
@@ -102,7 +95,9 @@ def save(drawing: Drawing, stem: str | PathLike, caption: str) -> None:
     rows = []
     for panel in drawing.panels:
         for series in panel.series:
-            names = dict(panel=panel.letter, curve=series.label, x_name=panel.x, y_name=panel.y)
+            kind = "" if series.kind == CURVE else series.kind
+            curve = "; ".join(filter(None, (kind, series.name)))
+            names = dict(panel=panel.letter, curve=curve, x_name=panel.x, y_name=panel.y)
             known = np.isfinite(series.x) & np.isfinite(series.y)
             points = zip(series.x[known].tolist(), series.y[known].tolist(), strict=True)
             rows += [names | {"x": x, "y": y} for x, y in points]
