@@ -173,11 +173,10 @@ class CurveFigure:
 ALL_DRY = ("particle_contact_area_ratio", "total_contact_area")
 LUBRICATED = (*ALL_DRY, "solid_load_fraction", "film_thickness")
 
+ROWS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
 CURVE_FIGURES = {
     name: CurveFigure(**row | {"contents": tuple(Content(**each) for each in row["contents"])})
-    for name, row in tomllib.loads(
-        Path(__file__).with_suffix(".toml").read_text(encoding="utf-8")
-    ).items()
+    for name, row in ROWS.items()
 }
 
 
